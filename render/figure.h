@@ -1,0 +1,118 @@
+#pragma once
+// What a figure shows, as plain data: no VTK type, no pixel except line widths.
+//
+// Every text in a figure is UTF-8 with a small markup: `_{...}` is a subscript and `^{...}` a
+// superscript ("T_{f} [N·m]", "q\u0307_{c}", "m^{2}"). A lone `_` or `^` is printed as it is.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribolog::render {
+
+struct Colour {
+  std::uint8_t red{};
+  std::uint8_t green{};
+  std::uint8_t blue{};
+  std::uint8_t alpha{255};
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Okabe and Ito's palette: distinguishable with every common colour blindness.
+namespace palette {
+inline constexpr Colour black{0, 0, 0};
+inline constexpr Colour orange{230, 159, 0};
+inline constexpr Colour sky_blue{86, 180, 233};
+inline constexpr Colour green{0, 158, 115};
+inline constexpr Colour yellow{240, 228, 66};
+inline constexpr Colour blue{0, 114, 178};
+inline constexpr Colour vermilion{213, 94, 0};
+inline constexpr Colour purple{204, 121, 167};
+inline constexpr Colour grey{120, 120, 120};
+}  // namespace palette
+
+enum class LineStyle { none, solid, dash, dot, dash_dot, dash_dot_dot };
+enum class Marker { none, circle, square, triangle, diamond, cross, plus };
+
+/// A polyline, markers, or both. Points where x or y is not finite break the line.
+struct Series {
+  std::string label;  ///< Legend text; empty: not in the legend.
+  std::vector<double> x;
+  std::vector<double> y;  ///< As many as x.
+  Colour colour{palette::black};
+  double width_px{2.5};
+  LineStyle style{LineStyle::solid};
+  Marker marker{Marker::none};
+  double marker_size_px{10.0};
+  /// Arrow heads along the line that show the direction of time, at these fractions (0..1) of the
+  /// points' count.
+  std::vector<double> direction_arrows_at;
+};
+
+/// A filled region between two curves, e.g. a 95 % interval.
+struct Band {
+  std::string label;
+  std::vector<double> x;
+  std::vector<double> low;
+  std::vector<double> high;
+  Colour colour{palette::blue.red, palette::blue.green, palette::blue.blue, 50};
+};
+
+/// A vertical bar with caps (interval of one point).
+struct ErrorBar {
+  double x{};
+  double low{};
+  double high{};
+  Colour colour{palette::black};
+};
+
+/// A named point: a marker on the data and a text beside it, placed where it covers nothing.
+struct PointLabel {
+  double x{};
+  double y{};
+  std::string text;
+  Colour colour{palette::black};
+  Marker marker{Marker::circle};
+};
+
+/// A straight line across the whole panel, with a text at its end.
+struct ReferenceLine {
+  enum class Direction { vertical, horizontal };
+  Direction direction{Direction::vertical};
+  double at{};
+  std::string text;
+  Colour colour{palette::grey};
+  LineStyle style{LineStyle::dash};
+};
+
+struct Axis {
+  std::string title;  ///< With the unit in brackets: "T [N·m]".
+  std::optional<double> minimum;  ///< Fixed end; absent: from the data with a margin.
+  std::optional<double> maximum;
+  bool logarithmic{false};  ///< Decades; all data must be positive.
+};
+
+/// One plot area. Panels of a figure are stacked from top to bottom.
+struct Panel {
+  std::string title;  ///< Small heading above the panel; may be empty.
+  Axis x;
+  Axis y;
+  std::vector<Band> bands;
+  std::vector<Series> series;
+  std::vector<ErrorBar> error_bars;
+  std::vector<PointLabel> point_labels;
+  std::vector<ReferenceLine> reference_lines;
+  bool show_legend{true};
+};
+
+struct Figure {
+  std::string id;     ///< File-name and anchor safe, e.g. "fig-15-hysteresis".
+  std::string title;  ///< Printed on top of the picture.
+  std::vector<Panel> panels;
+  int width_px{1600};
+  int height_px{1000};
+  bool panels_share_x{false};  ///< Only the lowest panel gets tick labels and the axis title.
+};
+
+}  // namespace tribolog::render

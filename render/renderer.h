@@ -1,0 +1,49 @@
+#pragma once
+// Figures to PNG bytes, without a display. The only public door of this folder besides figure.h.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/figure.h"
+
+namespace tribolog::render {
+
+struct RendererInfo {
+  std::string vtk_version;       ///< "9.1.0"
+  std::string back_end;          ///< "OSMesa" or "EGL"
+  std::string gl_version;        ///< As the driver states it, with Mesa's version.
+  std::string gl_renderer;       ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string font;              ///< Font file in use.
+  std::string freetype_version;
+};
+
+/// One drawn figure, or why it could not be drawn.
+struct DrawnFigure {
+  std::string id;
+  std::vector<std::byte> png;         ///< Empty if `error` is not.
+  int width_px{};
+  int height_px{};
+  std::vector<std::string> warnings;  ///< E.g. "dropped 3 samples that are not finite".
+  std::string error;                  ///< One sentence; empty if drawn and found whole.
+};
+
+struct DrawOptions {
+  int processes{2};  ///< Worker processes; 1 draws in one worker. At least 1.
+  /// Called in the caller's thread after each figure with (done, all).
+  std::function<void(std::size_t, std::size_t)> progress;
+};
+
+/// Draws every figure, in the order given. A figure that cannot be drawn, that comes out blank, or
+/// in which a series is not visible has `error` set; the others are unaffected. A crash of the
+/// graphics stack is confined to the worker and reported the same way.
+std::vector<DrawnFigure> draw_figures(const std::vector<Figure>& figures,
+                                      const DrawOptions& options);
+
+/// Starts the graphics stack in a worker and asks it what it is.
+/// @throw tribolog::FigureError if no off-screen context can be made (one sentence, names the
+/// package to install).
+RendererInfo renderer_info();
+
+}  // namespace tribolog::render

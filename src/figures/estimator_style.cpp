@@ -1,0 +1,66 @@
+#include "figures/estimator_style.h"
+
+namespace tribolog::figures {
+namespace {
+
+namespace colour = render::palette;
+using render::LineStyle;
+using render::Marker;
+
+struct NamedStyle {
+  const char* name;
+  const char* words;
+  SeriesStyle style;
+};
+
+constexpr double usual_px = 2.5;
+constexpr double chosen_px = 3.5;
+
+// Single points: own marker. Pair means: all dash_dot_dot, in the colour of the pair's first point.
+const std::array<NamedStyle, styled_names.size()> styles{{
+    {"A", "A", {colour::sky_blue, LineStyle::dash, Marker::triangle, usual_px}},
+    {"B", "B", {colour::vermilion, LineStyle::solid, Marker::square, usual_px}},
+    {"C", "C", {colour::green, LineStyle::dot, Marker::circle, usual_px}},
+    {"D", "D", {colour::purple, LineStyle::dot, Marker::diamond, usual_px}},
+    {"E", "E", {colour::orange, LineStyle::dash_dot, Marker::cross, usual_px}},
+    {"F", "F", {colour::blue, LineStyle::dash_dot, Marker::plus, usual_px}},
+    {"AB",
+     "mean of A and B",
+     {colour::sky_blue, LineStyle::dash_dot_dot, Marker::diamond, usual_px}},
+    {"CD", "mean of C and D", {colour::green, LineStyle::dash_dot_dot, Marker::square, usual_px}},
+    {"EF",
+     "mean of E and F",
+     {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px}},
+    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, usual_px}},
+    {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px}},
+    {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, chosen_px}},
+}};
+
+const NamedStyle* find(const std::string& name) {
+  for (const NamedStyle& style : styles) {
+    if (name == style.name) return &style;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+SeriesStyle estimator_style(const std::string& name) {
+  const NamedStyle* found = find(name);
+  if (found == nullptr) return {colour::grey, LineStyle::dot, Marker::none, usual_px};
+  return found->style;
+}
+
+void apply(const SeriesStyle& style, render::Series& series) {
+  series.colour = style.colour;
+  series.style = style.line;
+  series.marker = style.marker;
+  series.width_px = style.width_px;
+}
+
+std::string estimator_words(const std::string& name) {
+  const NamedStyle* found = find(name);
+  return found == nullptr ? name : found->words;
+}
+
+}  // namespace tribolog::figures

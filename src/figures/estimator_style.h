@@ -1,0 +1,37 @@
+#pragma once
+// One look for each estimator in every figure. Dash and marker alone already tell all of them
+// apart, so that a grey print loses nothing.
+
+#include <array>
+#include <string>
+
+#include "render/figure.h"
+
+namespace tribolog::figures {
+
+struct SeriesStyle {
+  render::Colour colour;
+  render::LineStyle line{render::LineStyle::solid};
+  render::Marker marker{render::Marker::none};
+  double width_px{2.5};
+};
+
+/// Every name that `estimator_style` knows, in the order of the surrogate masses; last the
+/// reference curve.
+inline constexpr std::array<const char*, 12> styled_names{
+    "A", "B", "C", "D", "E", "F", "AB", "CD", "EF", "midline", "sweep", "reference"};
+
+/// Grey dots for a name it does not know.
+SeriesStyle estimator_style(const std::string& name);
+
+/// Gives a series the estimator's colour, dash, marker and width.
+void apply(const SeriesStyle& style, render::Series& series);
+
+/// "mid-line", "sweep fit", "mean of A and B", "A": the estimator in words.
+std::string estimator_words(const std::string& name);
+
+/// The two directions of motion, in every figure that tells them apart.
+inline constexpr render::Colour rising_colour = render::palette::blue;
+inline constexpr render::Colour falling_colour = render::palette::vermilion;
+
+}  // namespace tribolog::figures

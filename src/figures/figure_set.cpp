@@ -1,0 +1,41 @@
+#include "figures/figure_set.h"
+
+#include <optional>
+#include <utility>
+
+#include "figures/friction_curves.h"
+#include "figures/hysteresis_loops.h"
+#include "figures/quality_error.h"
+#include "figures/selected_curve.h"
+#include "figures/sweep_motion.h"
+#include "figures/sweep_torque.h"
+#include "figures/torque_choice.h"
+
+namespace tribolog {
+
+std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& calibration) {
+  using namespace figures;
+  std::vector<std::optional<ReportFigure>> candidates;
+  candidates.push_back(sweep_motion_figure(dataset, calibration));
+  candidates.push_back(rough_torque_figure(dataset, calibration));
+  candidates.push_back(precise_torque_figure(dataset, calibration));
+  candidates.push_back(torque_loop_figure(calibration));
+  candidates.push_back(bristle_loop_figure(calibration));
+  candidates.push_back(bristle_rate_loop_figure(calibration));
+  candidates.push_back(friction_curves_figure(calibration));
+  candidates.push_back(friction_against_reference_figure(calibration));
+  candidates.push_back(quality_error_figure(calibration));
+  candidates.push_back(selected_curve_figure(calibration));
+  candidates.push_back(torque_choice_figure(calibration));
+
+  std::vector<ReportFigure> figures;
+  for (auto& candidate : candidates) {
+    if (!candidate) continue;
+    candidate->figure.id = candidate->id;
+    candidate->figure.title = candidate->title;
+    figures.push_back(std::move(*candidate));
+  }
+  return figures;
+}
+
+}  // namespace tribolog

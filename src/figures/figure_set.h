@@ -1,0 +1,21 @@
+#pragma once
+// The figures of one calibration, in the paper's order (figures 11 and 13 to 22).
+//
+// Nothing is estimated here: every number is the calibration's or the recording's; it is selected,
+// scaled and offset for display. A figure whose stage found nothing is left out: a log that holds a
+// sweep alone gives 11 and 13, and 18 to 21 from its paired directions.
+
+#include <vector>
+
+#include "calibration.h"
+#include "figures/report_figure.h"
+#include "joint/dataset.h"
+
+namespace tribolog {
+
+/// @param dataset the one that the calibration was made from; its recordings supply the samples.
+/// Never throws for what the numbers are: samples that are not finite leave gaps, an empty or
+/// one-sample recording gives a figure without that curve, or no figure.
+std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& calibration);
+
+}  // namespace tribolog

@@ -1,0 +1,136 @@
+#include "figures/friction_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/number_text.h"
+#include "figures/run_curves.h"
+
+namespace tribolog::figures {
+namespace {
+
+AxisScale friction_scale(const Calibration& calibration) {
+  Extent all;
+  for (const ViscousCurve& curve : calibration.viscous.curves) all.add(curve.friction_Nm);
+  return prefixed("N·m", all.largest());
+}
+
+render::Panel all_candidates(const Calibration& calibration, const AxisScale& scale) {
+  render::Panel panel;
+  panel.x.title = "motor speed φ\u0307 [rad/s]";
+  panel.y.title = axis_title("friction T_{f}", scale);
+  for (const ViscousCurve& curve : calibration.viscous.curves) {
+    add_run_curve(panel, calibration.viscous, curve.estimator,
+                  candidate_words(calibration, curve.estimator), curve.friction_Nm, scale);
+  }
+  return panel;
+}
+
+/// "40 runs (20 in each direction) from 1.00 to 300 rad/s"
+std::string runs_words(const ViscousCurvesResult& viscous) {
+  std::size_t forward = 0;
+  std::size_t backward = 0;
+  Extent speeds;
+  for (const ConstantSpeedRun& run : viscous.runs) {
+    ++(run.speed_rad_s > 0.0 ? forward : backward);
+    speeds.add(std::abs(run.speed_rad_s));
+  }
+  const AxisScale rad_s{1.0, "rad/s"};
+  return fmt::format(
+      "{} ({} forward, {} backward) from {} to {}",
+      counted(viscous.runs.size(), viscous.from_sweep ? "angle bin of the sweep" : "run"), forward,
+      backward, significant(speeds.low, 3), with_unit(speeds.high, rad_s, 3));
+}
+
+std::vector<NamedValues> differences(const Calibration& calibration) {
+  std::vector<NamedValues> all;
+  const auto& reference = calibration.quality.reference_Nm;
+  for (const ViscousCurve& curve : calibration.viscous.curves) {
+    NamedValues difference{curve.estimator, {}};
+    for (std::size_t i = 0; i < std::min(curve.friction_Nm.size(), reference.size()); ++i) {
+      difference.values.push_back(curve.friction_Nm[i] - reference[i]);
+    }
+    all.push_back(std::move(difference));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> friction_curves_figure(const Calibration& calibration) {
+  const ViscousCurvesResult& viscous = calibration.viscous;
+  if (viscous.runs.empty()) return std::nullopt;
+  ReportFigure out;
+  out.number = 18;
+  out.id = "fig-18-friction-curves";
+  out.title = "Friction against motor speed, all candidates";
+  out.stage = "viscous_curves";
+  const AxisScale scale = friction_scale(calibration);
+  out.figure.panels.push_back(all_candidates(calibration, scale));
+  if (out.figure.panels.front().series.empty()) return std::nullopt;
+  const std::string runs = runs_words(viscous);
+  const std::string candidates =
+      counted(viscous.curves.size(), "candidate mass") + (viscous.curves.size() == 1 ? "" : "es");
+  out.caption =
+      fmt::format("Driving torque less the gravity torque of each candidate mass, over {}.", runs);
+  out.how_to_read =
+      "Friction is odd: the right mass gives a curve of equal height on both sides of zero. A "
+      "wrong "
+      "mass shifts its curve up or down as a whole, so that friction is larger in one direction "
+      "than in the other, or even drives the joint.";
+  out.alt = fmt::format("Friction torque against signed motor speed for {}, over {}.",
+                        counted(viscous.curves.size(), "candidate"), runs);
+  return out;
+}
+
+std::optional<ReportFigure> friction_against_reference_figure(const Calibration& calibration) {
+  if (calibration.viscous.runs.empty() || calibration.quality.reference.empty()) {
+    return std::nullopt;
+  }
+  ReportFigure out;
+  out.number = 19;
+  out.id = "fig-19-friction-against-reference";
+  out.title = "Friction against motor speed, with the reference";
+  out.stage = "quality_errors";
+  const AxisScale scale = friction_scale(calibration);
+  render::Panel curves = all_candidates(calibration, scale);
+  if (curves.series.empty()) return std::nullopt;
+  add_reference(curves, calibration, scale);
+  const auto difference = differences(calibration);
+  const CloseUp close = close_up(difference, calibration.selection);
+  render::Panel below = close_up_panel(calibration, difference, close, "T_{f} − reference", "N·m");
+  out.figure.panels.push_back(std::move(curves));
+  if (!below.series.empty()) {
+    below.show_legend = false;
+    out.figure.panels.push_back(std::move(below));
+    out.figure.panels_share_x = true;
+    out.figure.height_px = 1400;
+  }
+
+  Extent chosen;
+  for (const NamedValues& one : difference) {
+    if (one.estimator == calibration.selection.recommended) chosen.add(one.values);
+  }
+  const std::string reference = reference_words(calibration.quality.reference);
+  const std::string away =
+      chosen.empty ? std::string()
+                   : fmt::format(" The recommended candidate, {}, stays within {} of it.",
+                                 candidate_words(calibration, calibration.selection.recommended),
+                                 with_unit(chosen.largest(), prefixed("N·m", chosen.largest()), 2));
+  out.caption =
+      fmt::format("The candidates of figure 18 against the reference ({}).{}", reference, away);
+  out.how_to_read =
+      "Above, the reference is the black line. Below, the distance to it: a wrong mass gives "
+      "a level line off zero; a line that bends with speed would be an error of the friction "
+      "measurement itself, which no choice of mass repairs.";
+  out.alt = fmt::format("Candidate friction curves and the reference ({}) against motor speed.{}",
+                        reference, away);
+  return out;
+}
+
+}  // namespace tribolog::figures

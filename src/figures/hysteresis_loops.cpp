@@ -1,0 +1,139 @@
+#include "figures/hysteresis_loops.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/loop_panels.h"
+#include "figures/number_text.h"
+
+namespace tribolog::figures {
+namespace {
+
+std::string cycles_words(const LoopView& view) {
+  if (view.cycles < 1.0) return "measured";
+  return "measured, " + counted(static_cast<std::size_t>(view.cycles), "cycle");
+}
+
+/// "A 3.924, C 4.759, ... N·m", in the order of the calibration.
+std::string points_words(const Calibration& calibration, LoopSignal signal,
+                         const AxisScale& scale) {
+  std::vector<std::string> words;
+  for (const LoopPoint& point : calibration.hysteresis.points) {
+    const double value = signal == LoopSignal::torque       ? point.torque_Nm
+                         : signal == LoopSignal::deflection ? point.z_rad
+                                                            : point.dz_rad_s;
+    words.push_back(fmt::format("{} {}", point.name, significant(scale(value), 4)));
+  }
+  return words.empty() ? std::string() : listed(words) + " " + scale.unit;
+}
+
+std::string bristle_words(const LoopView& view) {
+  return view.modelled ? " The bristle is not measured: it is that of the LuGre model fitted to "
+                         "the torque."
+                       : "";
+}
+
+}  // namespace
+
+std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
+  const auto view = loop_view(calibration);
+  if (!view) return std::nullopt;
+  const HysteresisResult& loop = calibration.hysteresis;
+  const LoopTrace& trace = *view->trace;
+  const bool model = view->model_torque_Nm != nullptr && loop.bristle_source != "recorded";
+  const LoopCurves torque{LoopSignal::torque,
+                          "driving torque T",
+                          &trace.torque_Nm,
+                          model ? view->model_torque_Nm : &trace.torque_Nm,
+                          cycles_words(*view),
+                          model ? "first strokes, LuGre fit" : "first strokes",
+                          prefixed("N·m", extent_of(trace.torque_Nm).largest())};
+  ReportFigure out = two_panels(calibration, *view, torque);
+  out.number = 15;
+  out.id = "fig-15-hysteresis";
+  out.title = "Friction hysteresis: driving torque";
+  if (!out.figure.panels.empty()) {
+    add_visible(out.figure.panels.front(),
+                line("mid-line of the steady loop", shown(trace.midline_q_rad, view->angle),
+                     shown(trace.midline_Nm, torque.scale), render::palette::black, 3.0,
+                     render::LineStyle::dash));
+  }
+  const AxisScale newton_metre = prefixed("N·m", loop.loop_height_Nm);
+  const std::string height = with_unit(loop.loop_height_Nm, newton_metre, 4);
+  const std::string midline =
+      loop.midline_Nm ? with_interval(*loop.midline_Nm, torque.scale) : std::string("unknown");
+  const std::string points = points_words(calibration, LoopSignal::torque, torque.scale);
+  out.caption =
+      fmt::format("Loop of {} height; mid-line of the steady loop at {}.{}{}", height, midline,
+                  points.empty() ? "" : " Readings: " + points + ".", bristle_words(*view));
+  out.how_to_read =
+      "From rest at A the torque climbs into the loop; every later cycle should lie on the one "
+      "before. Gravity is the mid-line: a loop that drifts, or that is a bare ellipse without flat "
+      "ends, has not left pre-sliding or was not yet steady, and its points then read low or high.";
+  out.alt =
+      fmt::format("Hysteresis loop of driving torque over joint angle, {} high, mid-line at {}{}.",
+                  height, midline, points.empty() ? "" : "; points " + points);
+  return out;
+}
+
+namespace {
+
+std::optional<ReportFigure> bristle_figure(const Calibration& calibration, LoopSignal signal) {
+  const auto view = loop_view(calibration);
+  if (!view) return std::nullopt;
+  const bool rate = signal == LoopSignal::deflection_rate;
+  const std::vector<double>& values = rate ? view->trace->dz_rad_s : view->trace->z_rad;
+  const double largest = extent_of(values).largest();
+  if (extent_of(values).empty) return std::nullopt;
+  const LoopCurves bristle{signal,
+                           rate ? "bristle rate ż" : "bristle deflection z",
+                           &values,
+                           &values,
+                           view->modelled ? "LuGre model, all cycles" : "recorded, all cycles",
+                           "first strokes",
+                           prefixed(rate ? "rad/s" : "rad", largest)};
+  ReportFigure out = two_panels(calibration, *view, bristle);
+  const std::string points = points_words(calibration, signal, bristle.scale);
+  const std::string most = with_unit(largest, bristle.scale, 4);
+  out.caption =
+      fmt::format("{} of the bristles, up to {} at the motor.{}{}",
+                  rate ? "Rate of deflection" : "Mean deflection", most,
+                  points.empty() ? "" : " At the points: " + points + ".", bristle_words(*view));
+  out.alt = fmt::format("{} over joint angle and over time, up to {}{}.",
+                        rate ? "Bristle rate" : "Bristle deflection", most,
+                        points.empty() ? "" : "; points " + points);
+  return out;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> bristle_loop_figure(const Calibration& calibration) {
+  auto out = bristle_figure(calibration, LoopSignal::deflection);
+  if (!out) return out;
+  out->number = 16;
+  out->id = "fig-16-bristle-deflection";
+  out->title = "Friction hysteresis: bristle deflection";
+  out->how_to_read =
+      "A and B are the crossings of zero, where friction carries no elastic torque; C and D the "
+      "extremes. The loop should flatten towards C and D: if it is still steep there, the "
+      "oscillation is too small to break away and its points say little about friction.";
+  return out;
+}
+
+std::optional<ReportFigure> bristle_rate_loop_figure(const Calibration& calibration) {
+  auto out = bristle_figure(calibration, LoopSignal::deflection_rate);
+  if (!out) return out;
+  out->number = 17;
+  out->id = "fig-17-bristle-rate";
+  out->title = "Friction hysteresis: bristle rate";
+  out->how_to_read =
+      "E and F are the extremes of the rate, shortly after each reversal while the bristles swing "
+      "back; towards the ends of a stroke the rate returns to zero as they slide. A rate that "
+      "follows the speed of the arm throughout is a bristle that never slides.";
+  return out;
+}
+
+}  // namespace tribolog::figures

@@ -1,0 +1,33 @@
+#pragma once
+// Numbers in the words of captions and labels: as many digits as the interval lets stand.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "figures/axis_scale.h"
+#include "stages/estimate.h"
+
+namespace tribolog::figures {
+
+/// Fixed notation with so many significant digits and a real minus sign: "−22.23", "0.00310".
+/// Beyond 1e-9 to 1e9 in scientific notation; not finite: "unknown".
+std::string significant(double value, int digits);
+
+/// "3.8832 N·m"; degrees without the space: "−22.23°".
+std::string with_unit(double si_value, const AxisScale& scale, int digits);
+
+/// "3.8832 ± 0.0043 N·m", the interval to two digits and the value to the same place. Where the
+/// interval is lopsided: "3.883 N·m (3.879 to 3.899)". Without an interval: five digits.
+std::string with_interval(const Estimate& estimate, const AxisScale& scale);
+
+/// The value alone, rounded to where its interval begins: "3.883 N·m".
+std::string rounded(const Estimate& estimate, const AxisScale& scale);
+
+/// "1 run", "20 runs"
+std::string counted(std::size_t count, const std::string& singular);
+
+/// "A, B and C"
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace tribolog::figures

@@ -1,0 +1,53 @@
+#pragma once
+// Numbers of a recording or a result made ready for a panel: scaled, selected, never altered.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figure.h"
+
+namespace tribolog::figures {
+
+/// Smallest and largest of some numbers; those that are not finite do not count.
+struct Extent {
+  double low{};
+  double high{};
+  bool empty{true};
+
+  void add(double value);
+  void add(const std::vector<double>& values);
+  [[nodiscard]] double span() const { return empty ? 0.0 : high - low; }
+  [[nodiscard]] double largest() const;  ///< Largest absolute value; 0 if empty.
+};
+
+Extent extent_of(const std::vector<double>& values);
+
+struct AxisScale;
+
+/// All values as the axis shows them.
+std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale);
+
+/// The elements for which `chosen(index)` holds; one gap (not a number) marks each place where
+/// others were left out, so that a line breaks there.
+std::vector<double> selected(const std::vector<double>& values,
+                             const std::function<bool(std::size_t)>& chosen);
+
+/// A line with the shorter of the two lengths.
+render::Series line(const std::string& label, std::vector<double> x, std::vector<double> y,
+                    render::Colour colour, double width_px = 2.5,
+                    render::LineStyle style = render::LineStyle::solid);
+
+/// Adds the series if at least one of its points can be drawn.
+/// @return whether it was added.
+bool add_visible(render::Panel& panel, render::Series series);
+
+/// Adds the labelled point if it can be drawn.
+void add_visible(render::Panel& panel, render::PointLabel label);
+
+/// The same colour, `alpha` of 255 opaque.
+render::Colour faded(render::Colour colour, int alpha);
+
+}  // namespace tribolog::figures

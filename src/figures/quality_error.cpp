@@ -1,0 +1,75 @@
+#include "figures/quality_error.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/estimator_style.h"
+#include "figures/number_text.h"
+#include "figures/run_curves.h"
+
+namespace tribolog::figures {
+namespace {
+
+std::string rms_words(const QualityErrorsResult& quality, const std::string& estimator) {
+  const QualityError* error = quality.find(estimator);
+  if (error == nullptr) return {};
+  return fmt::format("{} {}", estimator_words(estimator),
+                     with_unit(error->rms_percent, AxisScale{1.0, "%"}, 2));
+}
+
+}  // namespace
+
+std::optional<ReportFigure> quality_error_figure(const Calibration& calibration) {
+  const QualityErrorsResult& quality = calibration.quality;
+  if (quality.reference.empty() || quality.errors.empty()) return std::nullopt;
+  std::vector<NamedValues> errors;
+  for (const QualityError& error : quality.errors) {
+    errors.push_back({error.estimator, error.percent});
+  }
+
+  ReportFigure out;
+  out.number = 20;
+  out.id = "fig-20-quality-error";
+  out.title = "Error in % of the driving torque";
+  out.stage = "quality_errors";
+  const std::string symbol = "error 100 (T_{f} − T_{f,ref}) / T";
+  render::Panel all = close_up_panel(calibration, errors, CloseUp{}, symbol, "%");
+  if (all.series.empty()) return std::nullopt;
+  out.figure.panels.push_back(std::move(all));
+  const CloseUp close = close_up(errors, calibration.selection);
+  if (close.limit > 0.0) {
+    render::Panel near = close_up_panel(calibration, errors, close, symbol, "%");
+    near.show_legend = false;
+    out.figure.panels.push_back(std::move(near));
+    out.figure.panels_share_x = true;
+    out.figure.height_px = 1400;
+  }
+
+  std::vector<std::string> words;
+  for (const std::string& name :
+       {calibration.selection.paper_rule, calibration.selection.recommended}) {
+    const std::string rms = rms_words(quality, name);
+    if (!rms.empty() && (words.empty() || words.back() != rms)) words.push_back(rms);
+  }
+  const std::string chosen =
+      words.empty() ? std::string() : " Root mean square over the runs: " + listed(words) + ".";
+  const std::string left_out =
+      quality.runs_left_out == 0
+          ? std::string()
+          : fmt::format(" {} without a reference, or with a driving torque near zero, left out.",
+                        counted(quality.runs_left_out, "run"));
+  out.caption = fmt::format("Error of each candidate against the reference ({}).{}{}",
+                            reference_words(quality.reference), chosen, left_out);
+  out.how_to_read =
+      "The closer to zero over all speeds the better the mass. A wrong mass gives a level line in "
+      "each direction, a step apart because the driving torque differs; scatter of the same size "
+      "as the distance between two candidates means that the runs cannot choose between them.";
+  out.alt = fmt::format("Error of {} in percent of the driving torque against motor speed.{}",
+                        counted(errors.size(), "candidate"), chosen);
+  return out;
+}
+
+}  // namespace tribolog::figures

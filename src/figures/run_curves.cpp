@@ -1,0 +1,143 @@
+#include "figures/run_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "figures/estimator_style.h"
+#include "figures/number_text.h"
+
+namespace tribolog::figures {
+namespace {
+
+constexpr double room = 3.0;        // of the chosen curves' largest value: neighbours come in
+constexpr double worthwhile = 2.0;  // times larger must the whole be for a close-up
+constexpr int reference_points = 200;
+
+std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
+  std::vector<double> speeds;
+  for (const ConstantSpeedRun& run : viscous.runs) speeds.push_back(run.speed_rad_s);
+  return speeds;
+}
+
+/// The two sides of zero speed, as predicates over runs.
+bool on_side(double speed, bool positive) { return positive ? speed > 0.0 : speed < 0.0; }
+
+bool within(const std::vector<double>& values, double limit) {
+  return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) <= limit; });
+}
+
+}  // namespace
+
+void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
+                   const std::string& estimator, const std::string& label,
+                   const std::vector<double>& values, const AxisScale& scale) {
+  const std::vector<double> speeds = speeds_of(viscous);
+  const std::size_t size = std::min(speeds.size(), values.size());
+  bool labelled = false;
+  for (const bool positive : {false, true}) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!on_side(speeds[i], positive) || !std::isfinite(values[i])) continue;
+      x.push_back(speeds[i]);
+      y.push_back(scale(values[i]));
+    }
+    render::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
+    apply(estimator_style(estimator), series);
+    if (viscous.from_sweep) {
+      series.style = render::LineStyle::none;
+      if (series.marker == render::Marker::none) series.marker = render::Marker::circle;
+    }
+    series.marker_size_px = 9.0;
+    labelled = add_visible(panel, std::move(series)) || labelled;
+  }
+}
+
+void add_reference(render::Panel& panel, const Calibration& calibration, const AxisScale& scale) {
+  const auto& analytic = calibration.manifest.reference;
+  const std::string label = "reference: " + reference_words(calibration.quality.reference);
+  if (calibration.quality.reference != "analytic" || !analytic) {
+    add_run_curve(panel, calibration.viscous, "reference", label, calibration.quality.reference_Nm,
+                  scale);
+    return;
+  }
+  const Extent speeds = extent_of(speeds_of(calibration.viscous));
+  bool labelled = false;
+  for (const double end : {speeds.low, speeds.high}) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i <= reference_points && end != 0.0; ++i) {
+      // Dense near standstill, where the curve bends; first at a thousandth of the end.
+      const double share = std::pow(1e-3, 1.0 - static_cast<double>(i) / reference_points);
+      x.push_back(end * share);
+      y.push_back(scale(analytic->torque_Nm(end * share)));
+    }
+    render::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
+    apply(estimator_style("reference"), series);
+    labelled = add_visible(panel, std::move(series)) || labelled;
+    if (speeds.low > 0.0 || speeds.high < 0.0) break;
+  }
+}
+
+std::string reference_words(const std::string& reference) {
+  if (reference == "analytic") return "analytic curve";
+  if (reference == "direction_difference") return "half the difference of the directions";
+  return reference.empty() ? "none" : reference;
+}
+
+std::string candidate_words(const Calibration& calibration, const std::string& estimator) {
+  const SurrogateMass* mass = calibration.masses.find(estimator);
+  if (mass == nullptr) return estimator_words(estimator);
+  return fmt::format("{} ({})", estimator_words(estimator),
+                     with_unit(mass->mass_kg.value, AxisScale{1.0, "kg"}, 4));
+}
+
+CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
+  Extent chosen;
+  Extent all;
+  for (const NamedValues& curve : curves) {
+    all.add(curve.values);
+    const bool matters =
+        curve.estimator == selection.paper_rule || curve.estimator == selection.recommended;
+    if (matters) chosen.add(curve.values);
+  }
+  CloseUp close;
+  const double limit = room * chosen.largest();
+  if (!(limit > 0.0) || all.largest() < worthwhile * limit) return close;
+  close.limit = limit;
+  for (const NamedValues& curve : curves) {
+    if (!within(curve.values, limit)) close.outside.push_back(estimator_words(curve.estimator));
+  }
+  return close;
+}
+
+render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
+                             const CloseUp& close, const std::string& quantity,
+                             const std::string& si_unit) {
+  Extent all;
+  for (const NamedValues& curve : curves) all.add(curve.values);
+  const double largest = close.limit > 0.0 ? close.limit : all.largest();
+  const AxisScale scale = si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, largest);
+  render::Panel panel;
+  panel.x.title = "motor speed φ\u0307 [rad/s]";
+  panel.y.title = axis_title(quantity, scale);
+  if (close.limit > 0.0) {
+    panel.y.minimum = -scale(close.limit);
+    panel.y.maximum = scale(close.limit);
+    panel.title = "Close-up";
+    if (!close.outside.empty()) panel.title += "; outside: " + listed(close.outside);
+  }
+  for (const NamedValues& curve : curves) {
+    if (close.limit > 0.0 && !within(curve.values, close.limit)) continue;
+    add_run_curve(panel, calibration.viscous, curve.estimator,
+                  candidate_words(calibration, curve.estimator), curve.values, scale);
+  }
+  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, 0.0, "",
+                                   render::palette::black, render::LineStyle::solid});
+  return panel;
+}
+
+}  // namespace tribolog::figures

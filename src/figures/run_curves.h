@@ -1,0 +1,47 @@
+#pragma once
+// Curves over the constant-speed runs: how candidates, reference and close-ups are drawn.
+
+#include <string>
+#include <vector>
+
+#include "calibration.h"
+#include "figures/axis_scale.h"
+#include "render/figure.h"
+
+namespace tribolog::figures {
+
+/// Adds one value per run over signed motor speed in the estimator's style. Runs of constant speed
+/// are joined by a line that breaks at zero speed; angle bins of a sweep stay single markers.
+/// @param values one per run, SI.
+void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
+                   const std::string& estimator, const std::string& label,
+                   const std::vector<double>& values, const AxisScale& scale);
+
+/// Adds the reference: the analytic curve at many speeds where it is known, else its value per run.
+void add_reference(render::Panel& panel, const Calibration& calibration, const AxisScale& scale);
+
+/// "analytic curve" or "half the difference of the directions"
+std::string reference_words(const std::string& reference);
+
+/// "A (80.00 kg)"
+std::string candidate_words(const Calibration& calibration, const std::string& estimator);
+
+/// A value per run and curve, and the band in which the ones that matter are told apart.
+struct CloseUp {
+  double limit{};                    ///< The panel shows -limit to +limit, SI.
+  std::vector<std::string> outside;  ///< Curves with no value in the band.
+};
+struct NamedValues {
+  std::string estimator;
+  std::vector<double> values;
+};
+/// The band holds the paper's choice and the recommended estimator with room for their neighbours.
+/// `limit` is 0 if a close-up would show nothing new.
+CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection);
+
+/// A panel of the curves within the close-up (all of them if its limit is 0), with a zero line.
+render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
+                             const CloseUp& close, const std::string& quantity,
+                             const std::string& si_unit);
+
+}  // namespace tribolog::figures

@@ -1,0 +1,96 @@
+#include "figures/selected_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/folded_curves.h"
+#include "figures/number_text.h"
+#include "figures/run_curves.h"
+
+namespace tribolog::figures {
+namespace {
+
+constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
+
+std::string fit_words(const FrictionParametersResult& friction) {
+  std::string text;
+  if (friction.coulomb_viscous) {
+    const CoulombViscousFit& law = *friction.coulomb_viscous;
+    text += fmt::format(
+        " Coulomb friction {}, viscous {} at the motor.",
+        with_interval(law.coulomb_Nm, prefixed("N·m", law.coulomb_Nm.value)),
+        with_interval(law.viscous_Nms_rad, prefixed("N·m·s/rad", law.viscous_Nms_rad.value)));
+  }
+  if (friction.waiboer && friction.waiboer->converged) {
+    text += fmt::format(" Waiboer's law leaves {} of scatter.",
+                        with_unit(friction.waiboer->residual_Nm,
+                                  prefixed("N·m", friction.waiboer->residual_Nm), 2));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration) {
+  const SelectionResult& selection = calibration.selection;
+  Extent speeds;
+  Extent friction;
+  for (const ConstantSpeedRun& run : calibration.viscous.runs) {
+    if (run.speed_rad_s != 0.0) speeds.add(std::abs(run.speed_rad_s));
+  }
+  for (const std::string& name : {selection.recommended, selection.paper_rule}) {
+    if (const ViscousCurve* curve = calibration.viscous.find(name))
+      friction.add(curve->friction_Nm);
+  }
+  if (speeds.empty || friction.empty) return std::nullopt;
+
+  ReportFigure out;
+  out.number = 21;
+  out.id = "fig-21-selected-curve";
+  out.title = "Selected friction curve";
+  out.stage = "friction_parameters";
+  const AxisScale scale = prefixed("N·m", friction.largest());
+  render::Panel panel;
+  panel.x.title = "size of motor speed |φ\u0307| [rad/s]";
+  panel.y.title = axis_title("friction along the motion T_{f}", scale);
+  if (!calibration.viscous.from_sweep && speeds.high > wide_range * speeds.low) {
+    panel.x.logarithmic = true;
+    panel.x.minimum = 0.8 * speeds.low;
+    panel.x.maximum = 1.25 * speeds.high;
+  }
+  add_folded_reference(panel, calibration, speeds, scale);
+  add_fitted_laws(panel, calibration.friction, scale);
+  if (selection.paper_rule != selection.recommended) {
+    add_folded_curve(panel, calibration, selection.paper_rule, scale, false);
+  }
+  add_folded_curve(panel, calibration, selection.recommended, scale, true);
+  if (panel.series.empty()) return std::nullopt;
+  out.figure.panels.push_back(std::move(panel));
+
+  const std::string paper = selection.paper_rule.empty()
+                                ? std::string()
+                                : fmt::format(" The paper's rule selects {}.",
+                                              candidate_words(calibration, selection.paper_rule));
+  const std::string recommended =
+      selection.recommended.empty()
+          ? std::string("no estimator is recommended")
+          : "recommended: " + candidate_words(calibration, selection.recommended);
+  out.caption = fmt::format("Friction with gravity removed; {}.{}{}", recommended, paper,
+                            fit_words(calibration.friction));
+  out.how_to_read =
+      "Forward and backward runs are folded onto each other. With the right mass they coincide "
+      "within their bars and lie on the reference; a constant gap between them is twice the error "
+      "in gravity torque. The fitted laws should pass through the points without a pattern.";
+  out.alt =
+      fmt::format("Friction torque against motor speed from {} to {}; {}.{}{}",
+                  significant(speeds.low, 3), with_unit(speeds.high, AxisScale{1.0, "rad/s"}, 3),
+                  recommended, paper, fit_words(calibration.friction));
+  return out;
+}
+
+}  // namespace tribolog::figures

@@ -1,0 +1,89 @@
+#include "figures/sweep_motion.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/axis_scale.h"
+#include "figures/estimator_style.h"
+#include "figures/number_text.h"
+#include "figures/sweep_traces.h"
+
+namespace tribolog::figures {
+namespace {
+
+/// One signal over time; the legend stands in the first panel only.
+render::Panel signal_panel(const std::vector<SweepTrace>& sweeps, Signal signal,
+                           const std::string& quantity, const AxisScale& scale, bool legend) {
+  render::Panel panel;
+  panel.x.title = "time t [s]";
+  panel.y.title = axis_title(quantity, scale);
+  panel.show_legend = legend;
+  // The grey line runs through all samples, so that nothing seems missing between strokes.
+  if (count(sweeps, Stroke::left_out) > 0) {
+    add_visible(panel, line(legend ? "left out: at rest, accelerating, reversing" : "",
+                            signal_of(sweeps, &SweepTrace::t_s),
+                            shown(signal_of(sweeps, signal), scale), render::palette::grey, 2.0));
+  }
+  const auto add = [&](Stroke stroke, const std::string& label, render::Colour colour) {
+    add_visible(panel, line(legend ? label : "", signal_of(sweeps, stroke, &SweepTrace::t_s),
+                            shown(signal_of(sweeps, stroke, signal), scale), colour, 3.0));
+  };
+  add(Stroke::rising, "used, arm rising", rising_colour);
+  add(Stroke::falling, "used, arm dropping", falling_colour);
+  return panel;
+}
+
+double largest_in(const std::vector<SweepTrace>& sweeps, Signal signal) {
+  return extent_of(signal_of(sweeps, signal)).largest();
+}
+
+}  // namespace
+
+std::optional<ReportFigure> sweep_motion_figure(const Dataset& dataset,
+                                                const Calibration& calibration) {
+  const CogSweepResult& rough = calibration.rough;
+  const auto sweeps = sweep_traces(rough, dataset, Role::rough_sweep);
+  const Extent angles = extent_of(signal_of(sweeps, &SweepTrace::q_rad));
+  const Extent torques = extent_of(signal_of(sweeps, &SweepTrace::torque_Nm));
+  if (angles.empty || torques.empty) return std::nullopt;
+
+  ReportFigure out;
+  out.number = 11;
+  out.id = "fig-11-rough-motion";
+  out.title = "Rough sweep over time";
+  out.stage = "cog_rough";
+  const AxisScale speed = prefixed("rad/s", largest_in(sweeps, &SweepTrace::motor_speed_rad_s));
+  const AxisScale torque = levelled("N·m", torques);
+  out.figure.panels = {
+      signal_panel(sweeps, &SweepTrace::q_rad, "joint angle q", degrees(), true),
+      signal_panel(sweeps, &SweepTrace::motor_speed_rad_s, "motor speed φ\u0307", speed, false),
+      signal_panel(sweeps, &SweepTrace::torque_Nm, "torque T", torque, false)};
+  out.figure.panels_share_x = true;
+  out.figure.height_px = 1300;
+
+  const std::string range =
+      with_unit(angles.low, degrees(), 3) + " to " + with_unit(angles.high, degrees(), 3);
+  const std::size_t rising = count(sweeps, Stroke::rising);
+  const std::size_t falling = count(sweeps, Stroke::falling);
+  out.caption = fmt::format(
+      "The rough sweep from {} with the motor at up to {}. {} of {} samples were used ({} rising, "
+      "{} dropping); the rest is rest, acceleration or reversal.",
+      range, with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3),
+      rising + falling, rising + falling + count(sweeps, Stroke::left_out), rising, falling);
+  out.how_to_read =
+      "Used samples should cover the whole stroke in both directions, and torque should bend over "
+      "the stroke as a piece of a cosine, with a step where the direction changes. Spikes, drift "
+      "between equal strokes, or a torque that follows the speed instead of the angle mean that "
+      "something other than gravity and friction was measured.";
+  out.alt = fmt::format(
+      "Three panels over time: joint angle from {}, motor speed up to {} and driving torque from "
+      "{} to {}.",
+      range, with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3),
+      with_unit(torques.low, prefixed("N·m", torques.largest()), 3),
+      with_unit(torques.high, prefixed("N·m", torques.largest()), 3));
+  return out;
+}
+
+}  // namespace tribolog::figures

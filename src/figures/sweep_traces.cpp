@@ -1,0 +1,95 @@
+#include "figures/sweep_traces.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "figures/plot_data.h"
+#include "stages/plateaus.h"
+
+namespace tribolog::figures {
+namespace {
+
+constexpr std::size_t fewest_for_slope = 3;
+
+std::vector<double> joint_speed(const Recording& recording) {
+  if (recording.size() >= fewest_for_slope) {
+    std::vector<double> slope = find_plateaus(recording).speed_rad_s;
+    if (slope.size() == recording.size()) return slope;
+  }
+  std::vector<double> logged = recording.dq_rad_s;
+  logged.resize(recording.size(), 0.0);
+  return logged;
+}
+
+Stroke stroke_of(double speed) {
+  if (speed > 0.0) return Stroke::rising;
+  return speed < 0.0 ? Stroke::falling : Stroke::left_out;
+}
+
+bool complete(const Recording& recording) {
+  return recording.size() > 0 && recording.q_rad.size() == recording.size() &&
+         recording.torque_Nm.size() == recording.size();
+}
+
+SweepTrace samples_of(const Recording& recording, const std::vector<bool>& used, double start_s,
+                      double gear_ratio) {
+  SweepTrace samples;
+  samples.q_rad = recording.q_rad;
+  samples.torque_Nm = recording.torque_Nm;
+  for (const double t : recording.t_s) {
+    samples.t_s.push_back(start_s + t - recording.t_s.front());
+  }
+  const std::vector<double> speed = joint_speed(recording);
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    samples.motor_speed_rad_s.push_back(speed[i] * gear_ratio);
+    const bool taken = used.size() == speed.size() && used[i];
+    samples.stroke.push_back(taken ? stroke_of(speed[i]) : Stroke::left_out);
+  }
+  return samples;
+}
+
+void append(std::vector<double>& all, const std::vector<double>& part) {
+  if (part.empty()) return;
+  if (!all.empty()) all.push_back(std::numeric_limits<double>::quiet_NaN());
+  all.insert(all.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+std::vector<SweepTrace> sweep_traces(const CogSweepResult& sweep, const Dataset& dataset,
+                                     Role role) {
+  const auto recordings = sweep.recordings.empty() ? dataset.with_role(role) : sweep.recordings;
+  std::vector<SweepTrace> all;
+  double start_s = 0.0;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    if (recordings[i] == nullptr || !complete(*recordings[i])) continue;
+    const std::vector<bool> used = i < sweep.used.size() ? sweep.used[i] : std::vector<bool>{};
+    all.push_back(samples_of(*recordings[i], used, start_s, dataset.manifest.drive.gear_ratio()));
+    start_s = all.back().t_s.back();
+  }
+  return all;
+}
+
+std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke) {
+  std::size_t sum = 0;
+  for (const SweepTrace& sweep : sweeps) {
+    sum += static_cast<std::size_t>(std::count(sweep.stroke.begin(), sweep.stroke.end(), stroke));
+  }
+  return sum;
+}
+
+std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal signal) {
+  std::vector<double> all;
+  for (const SweepTrace& sweep : sweeps) {
+    append(all, selected(sweep.*signal, [&](std::size_t i) { return sweep.stroke[i] == stroke; }));
+  }
+  return all;
+}
+
+std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Signal signal) {
+  std::vector<double> all;
+  for (const SweepTrace& sweep : sweeps) append(all, sweep.*signal);
+  return all;
+}
+
+}  // namespace tribolog::figures

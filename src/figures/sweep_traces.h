@@ -1,0 +1,40 @@
+#pragma once
+// The samples of a sweep as its figures need them: which were used, and in which direction.
+
+#include <cstddef>
+#include <vector>
+
+#include "joint/dataset.h"
+#include "stages/cog_sweep.h"
+
+namespace tribolog::figures {
+
+enum class Stroke : signed char { falling = -1, left_out = 0, rising = 1 };
+
+/// One recording of a sweep. All vectors have the same length.
+struct SweepTrace {
+  std::vector<double> t_s;  ///< From 0; a further recording goes on where the one before ended.
+  std::vector<double> q_rad;
+  std::vector<double> motor_speed_rad_s;  ///< Gear ratio times the local slope of the angle.
+  std::vector<double> torque_Nm;
+  std::vector<Stroke> stroke;  ///< left_out also where the slope is zero.
+};
+
+/// The recordings that the stage was given, in its order; those of `role` if the result names none.
+/// Recordings without a sample are passed over. A mask of another length counts as "all left out".
+std::vector<SweepTrace> sweep_traces(const CogSweepResult& sweep, const Dataset& dataset,
+                                     Role role);
+
+std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke);
+
+/// A signal of SweepTrace, e.g. &SweepTrace::q_rad.
+using Signal = std::vector<double> SweepTrace::*;
+
+/// That signal of all samples with this stroke, with a gap (not a number) between strokes and
+/// between recordings. Two signals of the same sweeps and stroke have the same length.
+std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal signal);
+
+/// That signal of all samples, with a gap between recordings.
+std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Signal signal);
+
+}  // namespace tribolog::figures

@@ -1,0 +1,173 @@
+#include "figures/torque_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "figures/chosen_point.h"
+#include "figures/estimator_style.h"
+#include "figures/loop_panels.h"
+#include "figures/number_text.h"
+
+namespace tribolog::figures {
+namespace {
+
+constexpr double zoom = 1.7;          // of the farthest reading's distance from the mid-line
+constexpr double dimension_at = 0.1;  // of the loop's height, above its lowest torque
+
+void add_loop(render::Panel& panel, const Calibration& calibration, const LoopView& view,
+              const AxisScale& torque, bool legend) {
+  const LoopTrace& trace = *view.trace;
+  const bool model =
+      view.model_torque_Nm != nullptr && calibration.hysteresis.bristle_source != "recorded";
+  const auto& strokes = model ? *view.model_torque_Nm : trace.torque_Nm;
+  add_visible(panel, line(legend ? "measured" : "", shown(trace.q_rad, view.angle),
+                          shown(trace.torque_Nm, torque), cloud, 1.5));
+  render::Series first = line(legend ? (model ? "first strokes, LuGre fit" : "first strokes") : "",
+                              shown(view.until(view.first_strokes_end_s, trace.q_rad), view.angle),
+                              shown(view.until(view.first_strokes_end_s, strokes), torque),
+                              render::palette::blue, 2.5);
+  first.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
+  add_visible(panel, std::move(first));
+  add_visible(panel, line(legend ? "mid-line of the steady loop" : "",
+                          shown(trace.midline_q_rad, view.angle), shown(trace.midline_Nm, torque),
+                          render::palette::black, 3.0, render::LineStyle::dash));
+}
+
+/// A dimension line with an arrow head at each end.
+void add_dimension(render::Panel& panel, double from, double to, double level,
+                   const std::string& text) {
+  const double middle = (from + to) / 2;
+  for (const double end : {from, to}) {
+    render::Series half = line("", {middle, end}, {level, level}, render::palette::vermilion, 2.5);
+    half.direction_arrows_at = {1.0};
+    add_visible(panel, std::move(half));
+  }
+  add_visible(panel, render::PointLabel{middle, level, text, render::palette::vermilion,
+                                        render::Marker::none});
+}
+
+void add_reading(render::Panel& panel, const LoopPoint* point, const std::string& extra,
+                 const LoopView& view, const AxisScale& torque) {
+  if (point == nullptr) return;
+  const std::string name(1, point->name);
+  const SeriesStyle style = estimator_style(name);
+  const double x = view.angle(point->q_rad);
+  if (point->torque_high_Nm > point->torque_low_Nm && std::isfinite(x)) {
+    panel.error_bars.push_back(
+        {x, torque(point->torque_low_Nm), torque(point->torque_high_Nm), style.colour});
+  }
+  add_visible(panel,
+              render::PointLabel{x, torque(point->torque_Nm),
+                                 name + extra + ": " + with_unit(point->torque_Nm, torque, 4),
+                                 style.colour, style.marker});
+}
+
+render::Panel whole_loop(const Calibration& calibration, LoopView view, const Choice& choice,
+                         const AxisScale& torque) {
+  render::Panel panel;
+  const bool at_peak = add_gravity_peak(panel, calibration, view);
+  panel.x.title = axis_title(at_peak ? "joint angle from the gravity peak q − q_{peak}"
+                                     : "joint angle from the loop's centre q − q_{0}",
+                             AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = axis_title("driving torque T", torque);
+  add_loop(panel, calibration, view, torque, true);
+  if (choice.chosen == nullptr) return panel;
+  const std::string name(1, choice.chosen->name);
+  const SeriesStyle style = estimator_style(name);
+  const double x = view.angle(choice.chosen->q_rad);
+  add_visible(panel, render::PointLabel{x, torque(choice.chosen->torque_Nm),
+                                        name + ", the paper's choice", style.colour, style.marker});
+  if (!at_peak || !std::isfinite(x)) return panel;
+  const double peak = view.angle(calibration.q_peak_rad->value);
+  panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, x,
+                                   "q_{" + name + "}", style.colour, render::LineStyle::dot});
+  const Extent torques = extent_of(view.trace->torque_Nm);
+  add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()),
+                "eq. (14): q_{" + name + "} − q_{peak} = " + significant(x - peak, 3) + " " +
+                    view.angle.unit);
+  return panel;
+}
+
+render::Panel around_midline(const Calibration& calibration, const LoopView& view,
+                             const Choice& choice, const AxisScale& torque) {
+  render::Panel panel;
+  panel.title = "Close-up around the mid-line";
+  panel.show_legend = false;
+  panel.x.title = axis_title("joint angle from the loop's centre q − q_{0}",
+                             AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = axis_title("driving torque T", torque);
+  const double middle = choice.midline->value;
+  Extent distances;
+  distances.add(choice.midline->half_width());
+  for (const LoopPoint* point :
+       {choice.chosen, choice.other, choice.chosen_steady, choice.other_steady}) {
+    if (point != nullptr) distances.add(point->torque_Nm - middle);
+  }
+  const double reach = zoom * distances.largest();
+  if (reach > 0.0 && std::isfinite(middle)) {
+    panel.y.minimum = torque(middle - reach);
+    panel.y.maximum = torque(middle + reach);
+  }
+  const Extent angles = extent_of(shown(view.trace->q_rad, view.angle));
+  if (choice.midline->half_width() > 0.0 && !angles.empty) {
+    panel.bands.push_back({"",
+                           {angles.low, angles.high},
+                           {torque(choice.midline->low), torque(choice.midline->low)},
+                           {torque(choice.midline->high), torque(choice.midline->high)},
+                           faded(render::palette::green, 70)});
+  }
+  add_loop(panel, calibration, view, torque, false);
+  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, torque(middle),
+                                   "mid-line " + with_interval(*choice.midline, torque),
+                                   render::palette::green, render::LineStyle::dash});
+  add_reading(panel, choice.chosen, "", view, torque);
+  add_reading(panel, choice.other, "", view, torque);
+  add_reading(panel, choice.chosen_steady, " steady", view, torque);
+  add_reading(panel, choice.other_steady, " steady", view, torque);
+  return panel;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> torque_choice_figure(const Calibration& calibration) {
+  auto view = loop_view(calibration);
+  const Choice choice = choice_of(calibration);
+  if (!view || (choice.chosen == nullptr && choice.midline == nullptr)) return std::nullopt;
+  const AxisScale torque = prefixed("N·m", extent_of(view->trace->torque_Nm).largest());
+
+  ReportFigure out;
+  out.number = 22;
+  out.id = "fig-22-torque-choice";
+  out.title = "Choice of torque and angle on the loop";
+  out.stage = "selection";
+  render::Panel probe;
+  if (add_gravity_peak(probe, calibration, *view)) {
+    view->angle.offset = calibration.q_peak_rad->value;
+  }
+  out.figure.panels.push_back(whole_loop(calibration, *view, choice, torque));
+  if (choice.midline != nullptr && std::isfinite(choice.midline->value)) {
+    render::Panel near = around_midline(calibration, *view, choice, torque);
+    near.x.title = out.figure.panels.front().x.title;
+    out.figure.panels.push_back(std::move(near));
+    out.figure.panels_share_x = true;
+    out.figure.height_px = 1500;
+  }
+  if (out.figure.panels.front().series.empty()) return std::nullopt;
+  const std::string words = choice_words(calibration, choice, torque);
+  out.caption = fmt::format("On the loop {}.{}", words, shift_words(calibration, choice));
+  out.how_to_read =
+      "In the steady loop opposite points lie equally far above and below gravity, so that their "
+      "mean and the mid-line are free of friction; a single point is not, and comes close only by "
+      "the way the first stroke began. Distrust a choice that lies outside the mid-line's "
+      "interval.";
+  out.alt = fmt::format("Hysteresis loop with the choice of torque: {}.{}", words,
+                        shift_words(calibration, choice));
+  return out;
+}
+
+}  // namespace tribolog::figures

@@ -1,0 +1,47 @@
+#include "friction/lugre.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.bristle_stiffness_Nm_rad, "bristle stiffness", "N·m/rad");
+  require_not_negative(p_.bristle_damping_Nms_rad, "bristle damping", "N·m·s/rad");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
+  require_positive(p_.static_Nm, "static torque", "N·m");
+  require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  if (p_.coulomb_Nm > p_.static_Nm) {
+    throw std::invalid_argument(
+        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
+                    p_.coulomb_Nm, p_.static_Nm));
+  }
+}
+
+double LuGreFriction::steady_deflection_rad(double speed_rad_s) const {
+  const double x = speed_rad_s / p_.stribeck_speed_rad_s;
+  return (p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) * std::exp(-x * x)) /
+         p_.bristle_stiffness_Nm_rad;
+}
+
+double LuGreFriction::deflection_rate_rad_s(double z_rad, double speed_rad_s) const {
+  return speed_rad_s - std::abs(speed_rad_s) * z_rad / steady_deflection_rad(speed_rad_s);
+}
+
+double LuGreFriction::torque_Nm(double z_rad, double dz_rad_s, double speed_rad_s) const {
+  return p_.bristle_stiffness_Nm_rad * z_rad + p_.bristle_damping_Nms_rad * dz_rad_s +
+         p_.viscous_Nms_rad * speed_rad_s;
+}
+
+double LuGreFriction::steady_torque_Nm(double speed_rad_s) const {
+  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  return sign * p_.bristle_stiffness_Nm_rad * steady_deflection_rad(speed_rad_s) +
+         p_.viscous_Nms_rad * speed_rad_s;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,41 @@
+#pragma once
+// LuGre friction (Canudas de Wit, Olsson, Astrom, Lischinsky 1995), eq. (3) to (5).
+//
+//   Tf    = s0 z + s1 dz/dt + s2 w                              (3)
+//   dz/dt = w - |w| z / g(w)                                    (4)
+//   s0 g(w) = Tc + (Ts - Tc) exp(-(w/ws)^2)                     (5)
+//
+// z: mean bristle deflection [rad, motor side], w: motor speed [rad/s].
+
+namespace tribolog {
+
+class LuGreFriction {
+ public:
+  struct Parameters {
+    double bristle_stiffness_Nm_rad{};  ///< s0 > 0
+    double bristle_damping_Nms_rad{};   ///< s1 >= 0
+    double viscous_Nms_rad{};           ///< s2 >= 0
+    double coulomb_Nm{};                ///< Tc > 0
+    double static_Nm{};                 ///< Ts >= Tc, break-away torque
+    double stribeck_speed_rad_s{1.0};   ///< ws > 0
+  };
+
+  /// @throw std::invalid_argument quoting the value and the rule, e.g. "Coulomb torque 1.4 N·m
+  /// exceeds static torque 1.1 N·m; it must not be larger".
+  explicit LuGreFriction(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  /// g(w) [rad]: the bristle deflection in steady sliding at this speed, always > 0.
+  [[nodiscard]] double steady_deflection_rad(double speed_rad_s) const;
+  /// dz/dt [rad/s], eq. (4).
+  [[nodiscard]] double deflection_rate_rad_s(double z_rad, double speed_rad_s) const;
+  /// Friction torque [N·m], eq. (3).
+  [[nodiscard]] double torque_Nm(double z_rad, double dz_rad_s, double speed_rad_s) const;
+  /// Torque of steady sliding at constant speed [N·m]: sgn(w) s0 g(w) + s2 w.
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const;
+
+ private:
+  Parameters p_;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,39 @@
+#include "friction/waiboer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+WaiboerFriction::WaiboerFriction(const Parameters& parameters) : p_(parameters) {
+  require_not_negative(p_.asperity_torque_Nm, "asperity torque", "N·m");
+  require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  require_positive(p_.stribeck_power, "Stribeck power", "");
+  require_not_negative(p_.viscous_coefficient, "viscous coefficient", "");
+  require_not_negative(p_.viscous_power, "viscous power", "");
+  require_positive(p_.smoothing_s_rad, "smoothing of eq. (7)", "s/rad");
+  if (p_.viscous_power >= 1) {
+    throw std::invalid_argument(
+        fmt::format("viscous power {} is not allowed; it must be < 1", p_.viscous_power));
+  }
+}
+
+double WaiboerFriction::magnitude_Nm(double absolute_speed_rad_s) const {
+  const double w = absolute_speed_rad_s;
+  const double asperity =
+      p_.asperity_torque_Nm * std::exp(-std::pow(w / p_.stribeck_speed_rad_s, p_.stribeck_power));
+  const double viscous = p_.viscous_coefficient * std::pow(w, 1 - p_.viscous_power);
+  return asperity + viscous;
+}
+
+double WaiboerFriction::torque_Nm(double speed_rad_s) const {
+  return 2 / std::numbers::pi * std::atan(p_.smoothing_s_rad * speed_rad_s) *
+         magnitude_Nm(std::abs(speed_rad_s));
+}
+
+}  // namespace tribolog

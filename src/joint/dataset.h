@@ -1,0 +1,52 @@
+#pragma once
+// A dataset: the manifest's facts about one joint, and its recordings.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "friction/waiboer.h"
+#include "joint/drive.h"
+#include "joint/recording.h"
+
+namespace tribolog {
+
+/// An input file as it was read; goes into the provenance.
+struct InputFile {
+  std::string name;     ///< As written in the manifest (no directory of the machine).
+  std::string role;     ///< "manifest" or the recording's role.
+  std::uint64_t bytes{};
+  std::string sha256;   ///< 64 hex digits.
+  std::size_t rows_read{};
+  std::size_t rows_used{};
+  std::vector<SkippedRows> skipped;
+};
+
+/// What the user states about the measurement. Texts may be empty where not stated.
+struct Manifest {
+  std::string robot;
+  std::string serial;
+  std::string joint;
+  std::string operator_name;
+  std::string measured_on;  ///< Free text or ISO date, as given.
+  std::string note;
+  Drive drive{1.0, EffortKind::motor_torque, Side::motor};
+  std::string payload;                  ///< Words.
+  std::optional<double> payload_kg;
+  std::optional<double> temperature_C;
+  double surrogate_distance_m{0.5};     ///< r_REPL, freely chosen.
+  double gravity_m_s2{9.81};
+  std::optional<WaiboerFriction> reference;  ///< Known curve (simulation), motor side.
+};
+
+struct Dataset {
+  Manifest manifest;
+  std::vector<Recording> recordings;  ///< In the manifest's order.
+  std::vector<InputFile> inputs;      ///< The manifest first, then one per recording's file.
+  std::vector<std::string> notes;     ///< What the reader noticed and the user should know.
+
+  [[nodiscard]] std::vector<const Recording*> with_role(Role role) const;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,52 @@
+#include "joint/drive.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace tribolog {
+
+std::string to_string(EffortKind kind) {
+  switch (kind) {
+    case EffortKind::motor_current:
+      return "motor_current";
+    case EffortKind::motor_torque:
+      return "motor_torque";
+    case EffortKind::joint_torque:
+      return "joint_torque";
+  }
+  return "unknown";
+}
+
+std::string to_string(Side side) { return side == Side::motor ? "motor" : "joint"; }
+
+Drive::Drive(double gear_ratio, EffortKind kind, Side side,
+             std::optional<double> torque_constant_Nm_A)
+    : gear_ratio_(gear_ratio), kind_(kind), side_(side), torque_constant_(torque_constant_Nm_A) {
+  if (!std::isfinite(gear_ratio) || gear_ratio <= 0) {
+    throw std::invalid_argument(fmt::format("gear ratio {} is not allowed; it must be > 0",
+                                            gear_ratio));
+  }
+  const bool is_current = kind == EffortKind::motor_current;
+  if (is_current && !torque_constant_) {
+    throw std::invalid_argument(
+        "a motor current needs a torque constant [N·m/A] to become a torque; none is given");
+  }
+  if (!is_current && torque_constant_) {
+    throw std::invalid_argument(fmt::format(
+        "torque constant {} N·m/A is given for an effort of kind {}; it belongs to motor_current",
+        *torque_constant_, to_string(kind)));
+  }
+  if (torque_constant_ && (!std::isfinite(*torque_constant_) || *torque_constant_ <= 0)) {
+    throw std::invalid_argument(
+        fmt::format("torque constant {} N·m/A is not allowed; it must be > 0", *torque_constant_));
+  }
+}
+
+double Drive::motor_torque_per_effort() const {
+  const double torque = torque_constant_.value_or(1.0);
+  return side_ == Side::motor ? torque : torque / gear_ratio_;
+}
+
+}  // namespace tribolog

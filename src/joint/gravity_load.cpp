@@ -1,0 +1,36 @@
+#include "joint/gravity_load.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad,
+                         double gravity_m_s2)
+    : mass_kg_(mass_kg),
+      distance_m_(distance_m),
+      q_peak_rad_(q_peak_rad),
+      gravity_m_s2_(gravity_m_s2) {
+  require_positive(mass_kg, "mass", "kg");
+  require_positive(distance_m, "distance of the centre of gravity", "m");
+  require_positive(gravity_m_s2, "gravity", "m/s²");
+  if (!std::isfinite(q_peak_rad)) {
+    throw std::invalid_argument(fmt::format("angle of the gravity peak {} is not finite", q_peak_rad));
+  }
+}
+
+double GravityLoad::amplitude_Nm() const { return mass_kg_ * gravity_m_s2_ * distance_m_; }
+
+double GravityLoad::torque_Nm(double q_rad) const {
+  return amplitude_Nm() * std::cos(q_rad - q_peak_rad_);
+}
+
+double surrogate_mass_kg(double torque_Nm, double gear_ratio, double surrogate_distance_m,
+                         double gravity_m_s2, double cos_from_peak) {
+  return gear_ratio * torque_Nm / (gravity_m_s2 * surrogate_distance_m * cos_from_peak);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,42 @@
+#pragma once
+// One recording of one joint: what was measured, in SI, every signal on a stated side.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tribolog {
+
+/// What the joint was made to do. A recording has one role; a dataset any number of each.
+enum class Role {
+  rough_sweep,     ///< Slow motion over the joint's range.
+  precise_sweep,   ///< Slow motion close around the gravity peak.
+  oscillation,     ///< Micro-oscillation, within or just beyond pre-sliding.
+  constant_speed,  ///< One or more plateaus of constant speed.
+};
+
+std::string to_string(Role role);
+
+/// Why a row of the file is not among the samples.
+struct SkippedRows {
+  std::string reason;  ///< "outside the window 5..62.3 s", "gap (nan) in column 'tau'", ...
+  std::size_t count{};
+};
+
+/// All vectors are as long as t_s, except the optional ones, which may be empty.
+struct Recording {
+  std::string name;                 ///< File as the manifest names it.
+  Role role{};
+  std::vector<double> t_s;          ///< Time [s], strictly increasing.
+  std::vector<double> q_rad;        ///< Joint angle [rad], arm side.
+  std::vector<double> dq_rad_s;     ///< Logged joint speed [rad/s], arm side; empty: not logged.
+  std::vector<double> torque_Nm;    ///< Driving torque T [N·m], motor side.
+  std::vector<double> z_rad;        ///< Mean bristle deflection [rad], motor side; usually empty.
+  std::vector<double> dz_rad_s;     ///< Its rate [rad/s], motor side; usually empty.
+  std::size_t rows_read{};          ///< Data rows in the file.
+  std::vector<SkippedRows> skipped; ///< rows_read = size() + the sum of these counts.
+
+  [[nodiscard]] std::size_t size() const { return t_s.size(); }
+};
+
+}  // namespace tribolog

@@ -1,0 +1,26 @@
+#include "parameter_rules.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace tribolog {
+namespace {
+
+void refuse(double value, const char* what, const char* unit, const char* rule) {
+  throw std::invalid_argument(
+      fmt::format("{} {}{}{} is not allowed; it must be {}", what, value, *unit ? " " : "", unit, rule));
+}
+
+}  // namespace
+
+void require_positive(double value, const char* what, const char* unit) {
+  if (!std::isfinite(value) || value <= 0) refuse(value, what, unit, "> 0");
+}
+
+void require_not_negative(double value, const char* what, const char* unit) {
+  if (!std::isfinite(value) || value < 0) refuse(value, what, unit, ">= 0");
+}
+
+}  // namespace tribolog

@@ -1,0 +1,63 @@
+#include "pipeline.h"
+
+#include "stages/verdict.h"
+
+namespace tribolog {
+
+Calibration identify(const Dataset& dataset, const StageProgress& progress) {
+  constexpr int all = 8;
+  int done = 0;
+  const auto begin = [&](const char* stage) {
+    if (progress) progress(stage, done, all);
+    ++done;
+  };
+  const Manifest& m = dataset.manifest;
+  const double n = m.drive.gear_ratio();
+  Calibration c;
+  c.manifest = m;
+  c.inputs = dataset.inputs;
+  c.notes = dataset.notes;
+
+  begin("centre of gravity, rough sweep");
+  c.rough = identify_cog_sweep("cog_rough", dataset.with_role(Role::rough_sweep), n);
+
+  begin("centre of gravity, precise sweep");
+  std::optional<Estimate> amplitude;
+  if (c.rough.found) amplitude = c.rough.gravity_Nm;
+  c.precise =
+      identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n, amplitude);
+  for (const CogSweepResult* sweep : {&c.rough, &c.precise}) {
+    if (!sweep->found) continue;
+    if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
+      c.q_peak_rad = sweep->q_peak_rad;
+      c.q_peak_source = sweep->stage.name;
+    }
+  }
+
+  begin("hysteresis loop");
+  c.hysteresis =
+      identify_hysteresis(dataset.with_role(Role::oscillation), c.rough, n, c.q_peak_rad);
+
+  begin("surrogate masses");
+  c.masses = identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n,
+                                       m.surrogate_distance_m, m.gravity_m_s2);
+
+  begin("viscous curves");
+  c.viscous = identify_viscous_curves(dataset.with_role(Role::constant_speed), c.rough, c.masses,
+                                      c.q_peak_rad, n);
+
+  begin("quality errors");
+  c.quality = identify_quality_errors(c.viscous, m.reference);
+
+  begin("selection");
+  c.selection = select_estimator(c.masses, c.quality, c.hysteresis, c.q_peak_rad);
+
+  begin("friction parameters");
+  c.friction = fit_friction_parameters(c.viscous, c.selection);
+
+  c.judgement = judge(c);
+  if (progress) progress("identified", all, all);
+  return c;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,115 @@
+// Stage 3.
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/paper_table.h"
+#include "report/units.h"
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+Table oscillations_table(const HysteresisResult& r, const Section& section) {
+  Table table;
+  table.id = section.id + "-oscillations";
+  table.caption = "The oscillations that were used";
+  double stroke = 0.0;
+  for (const Oscillation& o : r.oscillations) stroke = std::max(stroke, std::abs(o.amplitude_rad));
+  const Scale angle = radian_scale(stroke);
+  table.columns = {{"No.", "", false},       {"Centre", "°", true},    {"Amplitude", angle.unit, true},
+                   {"Frequency", "Hz", true}, {"Cycles", "", true},    {"Steady cycles", "", true},
+                   {"Encoder step", angle.unit, true}};
+  for (std::size_t i = 0; i < r.oscillations.size(); ++i) {
+    const Oscillation& o = r.oscillations[i];
+    table.rows.push_back({{std::to_string(i + 1), fixed(o.centre_rad * degree_scale().factor, 4),
+                           significant(o.amplitude_rad * angle.factor, 4),
+                           significant(o.frequency_Hz, 4), significant(o.cycles, 3),
+                           significant(o.steady_cycles, 3),
+                           o.encoder_step_rad > 0.0
+                               ? significant(o.encoder_step_rad * angle.factor, 3)
+                               : "continuous"},
+                          false});
+  }
+  table.note = "Angles are of the joint. Steady cycles are those behind the start-up stroke.";
+  return table;
+}
+
+Table points_table(const std::vector<LoopPoint>& points, const std::string& id,
+                   const std::string& caption) {
+  Table table;
+  table.id = id;
+  table.caption = caption;
+  double z = 0.0;
+  for (const LoopPoint& p : points) {
+    if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
+  }
+  const Scale bristle = radian_scale(z);
+  table.columns = {{"Point", "", false},  {"Where", "", false}, {"t", "s", true}, {"q", "°", true},
+                   {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
+                   {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
+  for (const LoopPoint& p : points) {
+    const std::string name(1, p.name);
+    const RoundedEstimate torque = round_by_interval(
+        {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
+    table.rows.push_back({{name, point_meaning(name), fixed(p.t_s, 4),
+                           fixed(p.q_rad * degree_scale().factor, 4), torque.plus_minus(),
+                           or_dash(torque.range()), significant(p.z_rad * bristle.factor, 3),
+                           significant(p.dz_rad_s * bristle.factor, 3)},
+                          false});
+  }
+  return table;
+}
+
+void add_results(const HysteresisResult& r, Section& section) {
+  Table table;
+  table.id = section.id + "-results";
+  table.caption = "Results of stage 3";
+  table.columns = estimate_columns();
+  if (r.midline_Nm) {
+    table.rows.push_back(estimate_row("Mid-line torque at q_peak, at the motor", *r.midline_Nm,
+                                      torque_scale(r.midline_Nm->value)));
+    table.rows.back().is_chosen = true;
+  }
+  if (r.found) {
+    table.rows.push_back(number_row("Height of the loop, at the motor", r.loop_height_Nm,
+                                    torque_scale(r.loop_height_Nm),
+                                    "largest less smallest torque"));
+  }
+  if (r.presliding_travel_rad) {
+    table.rows.push_back(number_row("Travel in which the torque turns over after a reversal",
+                                    *r.presliding_travel_rad, radian_scale(*r.presliding_travel_rad),
+                                    "reversals of the recordings"));
+  }
+  if (r.encoder_step_rad) {
+    table.rows.push_back(number_row("Encoder step", *r.encoder_step_rad,
+                                    radian_scale(*r.encoder_step_rad), "smallest step of the angle"));
+  }
+  if (!table.rows.empty()) section.tables.push_back(table);
+}
+
+}  // namespace
+
+void describe_hysteresis(const HysteresisResult& r, Section& section) {
+  if (r.found) {
+    section.facts.push_back({"Oscillations used", count(r.oscillations.size())});
+    section.facts.push_back(
+        {"Bristle deflection z", r.bristle_source.empty() ? "not known" : r.bristle_source});
+  }
+  add_results(r, section);
+  if (!r.oscillations.empty()) section.tables.push_back(oscillations_table(r, section));
+  if (!r.points.empty()) {
+    section.tables.push_back(points_table(r.points, section.id + "-points",
+                                          "Points A to F, read from the first strokes as the "
+                                          "paper does"));
+    section.tables.back().note =
+        "Torques at the motor. The first stroke starts from rest: A is read before the loop has "
+        "closed, which is why A and B do not mirror each other here.";
+  }
+  if (!r.steady_points.empty()) {
+    section.tables.push_back(points_table(r.steady_points, section.id + "-steady-points",
+                                          "Points A to F of the steady loop, mean of its cycles"));
+  }
+}
+
+}  // namespace tribolog::report

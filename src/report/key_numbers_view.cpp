@@ -1,0 +1,165 @@
+// The first table of the report: what the reader came for.
+
+#include <cmath>
+
+#include "report/units.h"
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+class KeyNumbers {
+ public:
+  explicit KeyNumbers(const Calibration& calibration)
+      : c_(calibration), n_(calibration.manifest.drive.gear_ratio()) {
+    table_.id = "table-key-numbers";
+    table_.caption = "Key numbers with 95 % intervals";
+    table_.columns = estimate_columns();
+    table_.note = n_ == 1.0
+                      ? "Gear ratio 1: motor side and joint side are the same."
+                      : "At the joint, torques are n times and viscous coefficients and stiffnesses "
+                        "n² times those at the motor; n = " +
+                            significant(n_, 6) + ".";
+  }
+
+  Table make() {
+    angles();
+    gravity();
+    masses();
+    friction();
+    return table_;
+  }
+
+ private:
+  void angle(const std::string& quantity, Estimate e, const std::string& from) {
+    e.method = from;
+    table_.rows.push_back(estimate_row(quantity, e, degree_scale()));
+    table_.rows.push_back(estimate_row(quantity, e, radian_scale(e.value)));
+  }
+
+  /// One row per side; `to_joint` is the factor from motor to joint.
+  void sides(const std::string& quantity, Estimate motor, double to_joint,
+             Scale (*scale_for)(double), const std::string& from) {
+    motor.method = from;
+    const std::string at_motor = n_ == 1.0 ? "" : ", at the motor";
+    table_.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
+    if (n_ == 1.0) return;
+    const Estimate joint = scaled(motor, to_joint);
+    table_.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale_for(joint.value)));
+  }
+
+  void missing(const std::string& quantity, StageId stage) {
+    const StageReport& report = stage_report(c_, stage);
+    table_.rows.push_back(not_identified_row(
+        quantity, stage_reference(stage) + ": " + status_in_words(report.state)));
+  }
+
+  void angles() {
+    const char* const peak = "Joint angle of largest gravity torque, q_peak";
+    if (c_.q_peak_rad) {
+      const bool precise = c_.q_peak_source == "cog_precise";
+      const StageId stage = precise ? StageId::cog_precise : StageId::cog_rough;
+      angle(peak, *c_.q_peak_rad, stage_reference(stage) + ", fit of the " +
+                                      (precise ? "precise" : "rough") + " sweep");
+    } else {
+      missing(peak, StageId::cog_rough);
+    }
+    const char* const link = "Link angle of the centre of gravity, q_c = −q_peak";
+    if (c_.selection.q_c_rad) {
+      angle(link, *c_.selection.q_c_rad, stage_reference(StageId::selection));
+    } else if (c_.q_peak_rad) {
+      angle(link, scaled(*c_.q_peak_rad, -1.0), "−q_peak");
+    }
+  }
+
+  void gravity() {
+    const char* const name = "Gravity torque";
+    if (const SurrogateMass* mass = recommended_mass(c_)) {
+      sides(name, mass->gravity_Nm, n_, torque_scale,
+            stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass->estimator));
+    } else if (c_.rough.found) {
+      sides(name, c_.rough.gravity_Nm, n_, torque_scale, stage_reference(StageId::cog_rough));
+    } else {
+      missing(name, StageId::surrogate_masses);
+    }
+  }
+
+  void masses() {
+    const std::string at =
+        " at r = " + significant(c_.manifest.surrogate_distance_m, 3) + "\u00a0m";
+    if (const SurrogateMass* mass = recommended_mass(c_)) {
+      mass_row("Surrogate mass" + at + ", recommended", *mass, true);
+    } else {
+      missing("Surrogate mass" + at, StageId::surrogate_masses);
+    }
+    const SurrogateMass* papers =
+        c_.selection.paper_rule.empty() ? nullptr : c_.masses.find(c_.selection.paper_rule);
+    if (papers != nullptr) mass_row("Surrogate mass" + at + ", by the paper's rule", *papers, false);
+  }
+
+  void mass_row(const std::string& quantity, const SurrogateMass& mass, bool is_chosen) {
+    Estimate e = mass.mass_kg;
+    e.method = stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass.estimator);
+    table_.rows.push_back(estimate_row(quantity, e, plain_scale("kg")));
+    table_.rows.back().is_chosen = is_chosen;
+  }
+
+  void friction() {
+    const HysteresisResult& loop = c_.hysteresis;
+    const bool has_lugre = loop.lugre && loop.lugre->converged;
+    const std::string from_loop = stage_reference(StageId::parameters) + ", LuGre fit of the loop";
+    if (has_lugre) {
+      sides("Break-away torque", loop.lugre->static_Nm, n_, torque_scale, from_loop);
+    } else {
+      missing("Break-away torque", StageId::hysteresis);
+    }
+    coulomb_and_viscous();
+    if (loop.found && std::isfinite(loop.loop_height_Nm)) {
+      const double height = loop.loop_height_Nm;
+      const std::string from = stage_reference(StageId::hysteresis);
+      const std::string name = "Height of the hysteresis loop";
+      table_.rows.push_back(number_row(n_ == 1.0 ? name : name + ", at the motor", height,
+                                       torque_scale(height), from));
+      if (n_ != 1.0) {
+        table_.rows.push_back(
+            number_row(name + ", at the joint", n_ * height, torque_scale(n_ * height), from));
+      }
+    }
+    if (has_lugre) {
+      sides("Bristle stiffness σ₀", loop.lugre->bristle_stiffness_Nm_rad, n_ * n_,
+            [](double) { return plain_scale("N·m/rad"); }, from_loop);
+    }
+  }
+
+  void coulomb_and_viscous() {
+    const auto& line = c_.friction.coulomb_viscous;
+    const std::string from_line = stage_reference(StageId::parameters) + ", straight line";
+    const std::string from_sweep = stage_reference(StageId::cog_rough) + ", sweep";
+    const char* const coulomb = "Coulomb torque";
+    if (line) {
+      sides(coulomb, line->coulomb_Nm, n_, torque_scale, from_line);
+    } else if (c_.rough.coulomb_Nm) {
+      sides(coulomb, *c_.rough.coulomb_Nm, n_, torque_scale, from_sweep);
+    } else {
+      missing(coulomb, StageId::parameters);
+    }
+    const char* const viscous = "Viscous coefficient";
+    if (line) {
+      sides(viscous, line->viscous_Nms_rad, n_ * n_, viscous_scale, from_line);
+    } else if (c_.rough.viscous_Nms_rad) {
+      sides(viscous, *c_.rough.viscous_Nms_rad, n_ * n_, viscous_scale, from_sweep);
+    } else {
+      missing(viscous, StageId::parameters);
+    }
+  }
+
+  const Calibration& c_;
+  double n_;
+  Table table_;
+};
+
+}  // namespace
+
+Table key_numbers_table(const Calibration& calibration) { return KeyNumbers(calibration).make(); }
+
+}  // namespace tribolog::report

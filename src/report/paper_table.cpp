@@ -1,0 +1,44 @@
+#include "report/paper_table.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "joint/gravity_load.h"
+
+namespace tribolog::report {
+
+double recomputed_mass_kg(double torque_Nm) {
+  return surrogate_mass_kg(torque_Nm, paper_gear_ratio, paper_distance_m, paper_gravity_m_s2, 1.0);
+}
+
+double printed_rounding_kg() {
+  constexpr double half_of_last_place = 0.0005;
+  return recomputed_mass_kg(half_of_last_place) + half_of_last_place;
+}
+
+std::string point_meaning(const std::string& point) {
+  if (point == "A") return "z = 0 while the arm rises";
+  if (point == "B") return "z = 0 while the arm drops";
+  if (point == "C") return "z at its maximum";
+  if (point == "D") return "z at its minimum";
+  if (point == "E") return "dz/dt at its maximum (arm rising)";
+  if (point == "F") return "dz/dt at its minimum (arm dropping)";
+  if (point == "AB") return "mean of A and B, steady loop";
+  if (point == "CD") return "mean of C and D, steady loop";
+  if (point == "EF") return "mean of E and F, steady loop";
+  if (point == "midline") return "mid-line of the steady loop";
+  if (point == "sweep") return "gravity amplitude of the rough sweep";
+  return "–";
+}
+
+bool is_papers_joint(const std::string& robot, double gear_ratio) {
+  std::string letters;
+  for (const char c : robot) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return letters.find("am100ib") != std::string::npos && gear_ratio == paper_gear_ratio;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,122 @@
+#pragma once
+// The report as ready text: what the templates print, and nothing that is still to be computed.
+//
+// Making the view is the only place where numbers are rounded. All texts are plain UTF-8 without
+// markup; the template engine escapes them.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "calibration.h"
+#include "figures/report_figure.h"
+#include "provenance.h"
+#include "render/renderer.h"
+
+namespace tribolog::report {
+
+struct Column {
+  std::string heading;
+  std::string unit;      ///< Shown in brackets below the heading; empty: none.
+  bool is_number{true};  ///< Right-aligned, tabular digits.
+};
+
+struct Row {
+  std::vector<std::string> cells;  ///< One per column; the first is the row's heading.
+  bool is_chosen{false};           ///< Emphasised: the value to use.
+};
+
+/// A table without rows is not printed.
+struct Table {
+  std::string id;       ///< Anchor, "table-..."
+  std::string caption;
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+  std::string note;     ///< Below the table; empty: none.
+};
+
+struct Fact {
+  std::string name;
+  std::string text;
+};
+
+struct FigureCard {
+  std::string id;
+  std::string heading;      ///< "Figure 15: Friction hysteresis"
+  std::string caption;
+  std::string how_to_read;
+  std::string alt;
+  const std::vector<std::byte>* png{nullptr};  ///< Null if the figure is missing.
+  int width_px{};
+  int height_px{};
+  bool is_lazy{false};
+  std::string error;        ///< Why the figure is missing.
+  std::vector<std::string> warnings;
+};
+
+/// How far a stage came; decides icon, word and colour.
+enum class Outcome { good, partial, bad, absent };
+
+struct Section {
+  int number{};
+  std::string id;            ///< "stage-3"
+  std::string title;
+  std::string explanation;   ///< File name of the template that explains the stage.
+  Outcome outcome{Outcome::absent};
+  std::string status;        ///< The outcome in words: "not identifiable".
+  std::string reason;        ///< Of the stage's report; may be empty if done.
+  std::string experiment;    ///< What would bring the missing numbers; empty if nothing is missing.
+  std::vector<Fact> facts;
+  std::vector<Table> tables;
+  std::vector<FigureCard> figures;
+};
+
+struct MissingResult {
+  std::string stage;
+  std::string section_id;
+  std::string reason;
+  std::string experiment;
+};
+
+/// The numbers that the errata section quotes, all computed from the printed table 2.
+struct ErrataNumbers {
+  std::string torque_A, mass_A_printed, mass_A_with_500_mm, mass_A_with_500_m;
+  std::string mass_A_with_n_below, mass_A_arm_torque_with_n_below;
+  std::string largest_deviation, allowed_deviation;
+  std::string cos_q_c, mass_A_with_cos_q_c;
+  std::string rad_of_22, rad_of_precise, cut_of_22, cut_of_precise;
+  std::string table_1_deflection_printed, table_1_deflection_meant, table_1_damping;
+  std::string pair_masses, pair_spread, single_spread;
+};
+
+struct ReportView {
+  std::string title;          ///< Of the document: robot and joint.
+  std::string subtitle;
+  std::vector<Fact> identity; ///< Robot, serial, joint, date...
+  std::string note;           ///< The operator's note; may be empty.
+  Outcome verdict{Outcome::absent};
+  std::string verdict_word;   ///< "USABLE"
+  std::string verdict_sentence;
+  std::vector<std::string> findings;
+  std::string figures_missing;         ///< "2 figures missing"; empty: all are there.
+  Table key_numbers;
+  std::vector<MissingResult> missing;
+  std::vector<Section> sections;       ///< Stages 1 to 8, and other figures if there are any.
+  Table paper_table;
+  ErrataNumbers errata;
+  std::vector<std::string> notes;      ///< From reading the input.
+  std::vector<Table> provenance_tables;
+  std::string command_line;
+  std::string created_utc;
+  std::string tool;           ///< "tribolog 0.1.0 (revision ...)"
+};
+
+/// Figures and drawn pictures pair up by id. A figure whose picture is missing or has an error
+/// becomes a card that says so; a picture without a figure is left out.
+/// `drawn` must outlive the view.
+ReportView make_report_view(const Calibration& calibration,
+                            const std::vector<ReportFigure>& figures,
+                            const std::vector<render::DrawnFigure>& drawn,
+                            const Provenance& provenance);
+
+}  // namespace tribolog::report

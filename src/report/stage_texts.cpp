@@ -1,0 +1,142 @@
+// Names and standing texts of the stages.
+
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+
+const StageReport& stage_report(const Calibration& c, StageId stage) {
+  switch (stage) {
+    case StageId::cog_rough:
+      return c.rough.stage;
+    case StageId::cog_precise:
+      return c.precise.stage;
+    case StageId::hysteresis:
+      return c.hysteresis.stage;
+    case StageId::surrogate_masses:
+      return c.masses.stage;
+    case StageId::viscous_curves:
+      return c.viscous.stage;
+    case StageId::quality_errors:
+      return c.quality.stage;
+    case StageId::selection:
+      return c.selection.stage;
+    case StageId::parameters:
+      break;
+  }
+  return c.friction.stage;
+}
+
+std::string section_anchor(StageId stage) {
+  return "stage-" + std::to_string(static_cast<int>(stage));
+}
+
+std::string stage_title(StageId stage) {
+  switch (stage) {
+    case StageId::cog_rough:
+      return "Centre of gravity, rough sweep";
+    case StageId::cog_precise:
+      return "Centre of gravity, precise sweep";
+    case StageId::hysteresis:
+      return "Friction hysteresis";
+    case StageId::surrogate_masses:
+      return "Surrogate masses";
+    case StageId::viscous_curves:
+      return "Viscous friction curves";
+    case StageId::quality_errors:
+      return "Quality errors";
+    case StageId::selection:
+      return "Selection";
+    case StageId::parameters:
+      break;
+  }
+  return "Friction parameters";
+}
+
+std::string explanation_template(StageId stage) {
+  switch (stage) {
+    case StageId::cog_rough:
+      return "explain_cog_rough.tpl";
+    case StageId::cog_precise:
+      return "explain_cog_precise.tpl";
+    case StageId::hysteresis:
+      return "explain_hysteresis.tpl";
+    case StageId::surrogate_masses:
+      return "explain_surrogate_masses.tpl";
+    case StageId::viscous_curves:
+      return "explain_viscous_curves.tpl";
+    case StageId::quality_errors:
+      return "explain_quality_errors.tpl";
+    case StageId::selection:
+      return "explain_selection.tpl";
+    case StageId::parameters:
+      break;
+  }
+  return "explain_parameters.tpl";
+}
+
+std::string helpful_experiment(StageId stage) {
+  switch (stage) {
+    case StageId::cog_rough:
+      return "Move the joint slowly and steadily (about 2 °/s) over as much of its range as it "
+             "allows, across the angle at which the arm's centre of gravity is level with the "
+             "axis, once in each direction. Log time, joint angle and motor torque, or motor "
+             "current with the torque constant of the drive.";
+    case StageId::cog_precise:
+      return "Repeat the slow sweep within ±1° of the rough result, slower (0.1 to 0.5 °/s) and "
+             "in both directions, several times.";
+    case StageId::hysteresis:
+      return "Oscillate the joint about the gravity peak with a sine of about 1 Hz and so small a "
+             "stroke that it stays in pre-sliding (some 0.1 mrad at the joint), ten cycles or "
+             "more, sampled at 1 kHz. The encoder must resolve the stroke into at least some "
+             "twenty steps. Repeat at several motor positions if the torque ripples with position.";
+    case StageId::surrogate_masses:
+      return "It needs the gravity torque of a rough sweep, or the hysteresis loop of a "
+             "micro-oscillation about the gravity peak.";
+    case StageId::viscous_curves:
+      return "Run the joint at ten to twenty constant speeds, from the slowest that is smooth to "
+             "the fastest allowed, in both directions over the same angles.";
+    case StageId::quality_errors:
+      return "Run every constant speed in both directions over the same angles: half of the "
+             "difference of the two torques is friction, whatever gravity is.";
+    case StageId::selection:
+      return "It follows from the stages above; see what they are missing.";
+    case StageId::parameters:
+      break;
+  }
+  return "Record at least ten constant speeds spread over the Stribeck dip and the viscous branch; "
+         "for the bristle parameters, a micro-oscillation that the encoder resolves.";
+}
+
+std::string stage_reference(StageId stage) {
+  return "stage " + std::to_string(static_cast<int>(stage));
+}
+
+Outcome outcome_of(StageState state) {
+  switch (state) {
+    case StageState::done:
+      return Outcome::good;
+    case StageState::partial:
+      return Outcome::partial;
+    case StageState::not_identifiable:
+      return Outcome::bad;
+    case StageState::skipped:
+      break;
+  }
+  return Outcome::absent;
+}
+
+std::string status_in_words(StageState state) {
+  switch (state) {
+    case StageState::done:
+      return "done";
+    case StageState::partial:
+      return "partial";
+    case StageState::not_identifiable:
+      return "not identifiable";
+    case StageState::skipped:
+      break;
+  }
+  return "no data";
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,27 @@
+#include "report/units.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace tribolog::report {
+namespace {
+
+// The prefix changes a decade below 1 so that "0.88 N·m" stays "0.88 N·m".
+Scale prefixed(double size, double base_from, const char* unit) {
+  const double absolute = std::abs(size);
+  if (!std::isfinite(absolute) || absolute == 0.0 || absolute >= base_from) return {1.0, unit};
+  if (absolute >= base_from * 1e-3) return {1e3, std::string("m") + unit};
+  return {1e6, std::string("µ") + unit};
+}
+
+}  // namespace
+
+Scale torque_scale(double size_Nm) { return prefixed(size_Nm, 0.1, "N·m"); }
+Scale radian_scale(double size_rad) { return prefixed(size_rad, 0.01, "rad"); }
+Scale viscous_scale(double size_Nms_rad) { return prefixed(size_Nms_rad, 0.1, "N·m·s/rad"); }
+Scale degree_scale() { return {180.0 / std::numbers::pi, "°"}; }
+Scale degree_per_second_scale() { return {180.0 / std::numbers::pi, "°/s"}; }
+Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
+
+}  // namespace tribolog::report

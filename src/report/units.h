@@ -1,0 +1,21 @@
+#pragma once
+// Which unit a size is read in: engineering prefixes, so that numbers lie between 0.1 and 1000.
+
+#include "report/rounding.h"
+
+namespace tribolog::report {
+
+/// N·m, mN·m or µN·m for torques of about this size.
+Scale torque_scale(double size_Nm);
+
+/// rad, mrad or µrad for angles of about this size.
+Scale radian_scale(double size_rad);
+
+/// N·m·s/rad, mN·m·s/rad or µN·m·s/rad.
+Scale viscous_scale(double size_Nms_rad);
+
+Scale degree_scale();                ///< rad -> °
+Scale degree_per_second_scale();     ///< rad/s -> °/s
+Scale plain_scale(std::string unit); ///< SI as it is.
+
+}  // namespace tribolog::report

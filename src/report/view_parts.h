@@ -1,0 +1,69 @@
+#pragma once
+// Internal to the report: the makers of the view's parts, one source file each.
+
+#include <string>
+#include <vector>
+
+#include "report/report_view.h"
+
+namespace tribolog::report {
+
+/// The method's eight stages, in its order.
+enum class StageId {
+  cog_rough = 1,
+  cog_precise,
+  hysteresis,
+  surrogate_masses,
+  viscous_curves,
+  quality_errors,
+  selection,
+  parameters,
+};
+
+const StageReport& stage_report(const Calibration& calibration, StageId stage);
+std::string section_anchor(StageId stage);  ///< "stage-3"
+std::string stage_title(StageId stage);
+std::string explanation_template(StageId stage);
+/// Which measurement would bring what the stage could not give.
+std::string helpful_experiment(StageId stage);
+/// "stage 3, hysteresis loop"
+std::string stage_reference(StageId stage);
+Outcome outcome_of(StageState state);
+std::string status_in_words(StageState state);
+
+// Contents of the stages' sections: facts and tables. Nothing is added where nothing was found.
+void describe_cog_sweep(const CogSweepResult& result, double gear_ratio, Section& section);
+void describe_hysteresis(const HysteresisResult& result, Section& section);
+void describe_surrogate_masses(const Calibration& calibration, Section& section);
+void describe_viscous_curves(const Calibration& calibration, Section& section);
+void describe_quality_errors(const Calibration& calibration, Section& section);
+void describe_selection(const Calibration& calibration, Section& section);
+void describe_parameters(const Calibration& calibration, Section& section);
+
+Table key_numbers_table(const Calibration& calibration);
+Table paper_comparison_table(const Calibration& calibration);
+ErrataNumbers errata_numbers();
+std::vector<Fact> identity_facts(const Manifest& manifest);
+std::vector<Table> provenance_tables(const Calibration& calibration, const Provenance& provenance);
+
+/// Pairs figures and pictures; the first three cards of a report are not lazy.
+std::vector<FigureCard> figure_cards(const std::vector<ReportFigure>& figures,
+                                     const std::vector<render::DrawnFigure>& drawn);
+
+/// Columns of a table of estimates: quantity, estimate ± half width, 95 % interval, unit, from.
+std::vector<Column> estimate_columns();
+Row estimate_row(const std::string& quantity, const Estimate& estimate, const Scale& scale);
+/// The same for a number without an interval.
+Row number_row(const std::string& quantity, double value, const Scale& scale,
+               const std::string& from);
+Row not_identified_row(const std::string& quantity, const std::string& why);
+
+/// "recommended estimator (midline)" and the like; what tables call the estimators.
+std::string estimator_name(const std::string& estimator);
+/// The chosen surrogate mass, or nullptr.
+const SurrogateMass* recommended_mass(const Calibration& calibration);
+
+/// A dash for text that is not stated.
+std::string or_dash(const std::string& text);
+
+}  // namespace tribolog::report

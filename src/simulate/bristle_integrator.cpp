@@ -1,0 +1,259 @@
+#include "simulate/bristle_integrator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+#include "simulate/exponential_step.h"
+
+// The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused
+// multiply-add both give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define TRIBOLOG_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define TRIBOLOG_WIDE
+#endif
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t block_steps = 1024;
+// Above this size of the parabola's last term (relative to g) a step is halved: what is left out,
+// the cubic term, is then below 1e-8 of g for a Stribeck curve.
+constexpr double roughest_step = 3e-4;
+constexpr int deepest_halving = 14;
+
+struct Block {
+  // Motor speed and g at the start of each step (one more: the end of the last) and at its middle.
+  std::array<double, block_steps + 1> w;
+  std::array<double, block_steps> w_middle;
+  std::array<double, block_steps + 1> g;
+  std::array<double, block_steps> g_middle;
+  std::array<double, block_steps + 1> inverse_g;
+  std::array<double, block_steps> length;
+  std::array<double, block_steps> c0;
+  std::array<double, block_steps> c1;
+  std::array<double, block_steps> c2;
+  std::array<double, block_steps> decay;
+  std::array<double, block_steps> source;
+};
+
+struct SteadyDeflection {
+  double coulomb_rad;
+  double excess_rad;
+  double per_speed;
+  explicit SteadyDeflection(const LuGreFriction::Parameters& p)
+      : coulomb_rad(p.coulomb_Nm / p.bristle_stiffness_Nm_rad),
+        excess_rad((p.static_Nm - p.coulomb_Nm) / p.bristle_stiffness_Nm_rad),
+        per_speed(1 / p.stribeck_speed_rad_s) {}
+  [[gnu::always_inline]] double operator()(double w) const {
+    const double x = w * per_speed;
+    return coulomb_rad + excess_rad * exp_nonpositive(-(x * x));
+  }
+  /// The same for speeds far below the Stribeck velocity, where the exponential is almost 1.
+  [[gnu::always_inline]] double at_micro_speed(double w) const {
+    const double x = w * per_speed;
+    return coulomb_rad + excess_rad * exp_near_zero(-(x * x));
+  }
+};
+
+/// What a pass over a block's speeds tells before any step is taken. Counts, because those
+/// vectorise where a minimum would not.
+struct SpeedCounts {
+  std::int64_t forward{};
+  std::int64_t backward{};
+  std::int64_t fast{};  ///< Not far below the Stribeck velocity.
+};
+
+TRIBOLOG_WIDE SpeedCounts count_speeds(const Block& b, std::size_t steps, double micro_speed) {
+  SpeedCounts counts;
+  const auto count = [&](double w) {
+    counts.forward += w > 0 ? 1 : 0;
+    counts.backward += w < 0 ? 1 : 0;
+    counts.fast += std::abs(w) > micro_speed ? 1 : 0;
+  };
+  for (std::size_t i = 0; i <= steps; ++i) count(b.w[i]);
+  for (std::size_t i = 0; i < steps; ++i) count(b.w_middle[i]);
+  return counts;
+}
+
+template <class Deflection>
+[[gnu::always_inline]] inline void shape(Block& b, std::size_t steps, double dt, Deflection g) {
+  for (std::size_t i = 0; i <= steps; ++i) {
+    b.g[i] = g(b.w[i]);
+    b.inverse_g[i] = 1.0 / b.g[i];
+  }
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double g_middle = g(b.w_middle[i]);
+    const StepShape<double> shape =
+        step_shape<double>(b.w[i], b.w_middle[i], b.w[i + 1], b.g[i], g_middle, b.g[i + 1],
+                           b.inverse_g[i], 1.0 / g_middle, b.inverse_g[i + 1], dt);
+    b.g_middle[i] = g_middle;
+    b.length[i] = shape.length;
+    b.c0[i] = shape.c0;
+    b.c1[i] = shape.c1;
+    b.c2[i] = shape.c2;
+  }
+}
+
+TRIBOLOG_WIDE void shape_block(const SteadyDeflection& g, Block& b, std::size_t steps, double dt,
+                               bool micro_speed) {
+  if (micro_speed) {
+    shape(b, steps, dt, [g](double w) { return g.at_micro_speed(w); });
+  } else {
+    shape(b, steps, dt, [g](double w) { return g(w); });
+  }
+}
+
+/// Whether some step of the block bends too sharply for one parabola.
+TRIBOLOG_WIDE bool is_rough(const Block& b, std::size_t steps) {
+  std::int64_t rough = 0;
+  for (std::size_t i = 0; i < steps; ++i) {
+    rough += std::abs(b.c2[i]) > roughest_step * b.g_middle[i] ? 1 : 0;
+  }
+  return rough > 0;
+}
+
+template <class Moments>
+[[gnu::always_inline]] inline void weigh(Block& b, std::size_t steps, Moments moments) {
+  for (std::size_t i = 0; i < steps; ++i) {
+    const StepMoments<double> m = moments(b.length[i]);
+    b.decay[i] = m.decay;
+    b.source[i] = step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
+  }
+}
+
+/// In a block that has long steps too, the short ones are weighed again by the series.
+void weigh_short_steps(Block& b, std::size_t steps) {
+  for (std::size_t i = 0; i < steps; ++i) {
+    if (b.length[i] >= series_below) continue;
+    const StepMoments<double> m = moments_by_series<10>(b.length[i]);
+    b.decay[i] = m.decay;
+    b.source[i] = step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
+  }
+}
+
+TRIBOLOG_WIDE void weigh_block(Block& b, std::size_t steps) {
+  double longest = 0;
+  for (std::size_t i = 0; i < steps; ++i) longest = std::max(longest, b.length[i]);
+  if (longest < 0.01) {
+    weigh(b, steps, [](double length) { return moments_by_series<5>(length); });
+  } else if (longest < series_below) {
+    weigh(b, steps, [](double length) { return moments_by_series<10>(length); });
+  } else {
+    weigh(b, steps, [](double length) {
+      return moments_by_exponential(length < series_below ? series_below : length);
+    });
+    weigh_short_steps(b, steps);
+  }
+}
+
+bool reverses(double w0, double wm, double w1) {
+  return (w0 > 0 || wm > 0 || w1 > 0) && (w0 < 0 || wm < 0 || w1 < 0);
+}
+
+/// Time in [a, b] at which the speed changes sign, by bisection to the last bit. The sign at `a` is
+/// the caller's: where the reversal is at `a` itself, rounding may say otherwise.
+double reversal_time(const Motion& motion, double a, double b, bool negative_first) {
+  for (int i = 0; i < 80; ++i) {
+    const double middle = a + (b - a) / 2;
+    if (middle <= a || middle >= b) break;
+    const double w = motion.speed(middle);
+    if (w == 0) return middle;
+    ((w < 0) == negative_first ? a : b) = middle;
+  }
+  return b;
+}
+
+/// Takes the steps that the block cannot: those with a reversal, and those where g bends sharply.
+class CarefulStepper {
+ public:
+  CarefulStepper(const SteadyDeflection& g, const Motion& motion) : g_(g), motion_(motion) {}
+
+  /// z at time b from z at time a; wa and wb are the speeds there.
+  [[nodiscard]] double step(double a, double b, double wa, double wb, double z,
+                            int halvings = deepest_halving) const {
+    const double middle = a + (b - a) / 2;
+    const double wm = motion_.speed(middle);
+    if (reverses(wa, wm, wb) && halvings > 0) {
+      double zero = middle;
+      if (wa * wm < 0) {
+        zero = reversal_time(motion_, a, middle, wa < 0);
+      } else if (wm * wb < 0) {
+        zero = reversal_time(motion_, middle, b, wm < 0);
+      }
+      if (zero > a && zero < b) {
+        z = step(a, zero, wa, 0.0, z, halvings - 1);
+        return step(zero, b, 0.0, wb, z, halvings - 1);
+      }
+    }
+    const double ga = g_(wa);
+    const double gm = g_(wm);
+    const double gb = g_(wb);
+    const StepShape<double> shape =
+        step_shape<double>(wa, wm, wb, ga, gm, gb, 1 / ga, 1 / gm, 1 / gb, b - a);
+    if (std::abs(shape.c2) > roughest_step * gm && halvings > 0) {
+      z = step(a, middle, wa, wm, z, halvings - 1);
+      return step(middle, b, wm, wb, z, halvings - 1);
+    }
+    return exponential_step<double>(wa, wm, wb, ga, gm, gb, b - a, z);
+  }
+
+ private:
+  const SteadyDeflection& g_;
+  const Motion& motion_;
+};
+
+}  // namespace
+
+void integrate_bristle(const LuGreFriction& friction, const Motion& motion, double t0_s,
+                       double dt_s, double z0_rad, std::span<double> z_rad,
+                       std::span<double> dz_rad_s) {
+  require_positive(dt_s, "sampling interval", "s");
+  if (!std::isfinite(z0_rad)) throw std::invalid_argument("initial deflection is not finite");
+  if (z_rad.size() != dz_rad_s.size()) {
+    throw std::invalid_argument("deflection and rate must have the same number of samples");
+  }
+  const std::size_t count = z_rad.size();
+  if (count == 0) return;
+
+  const SteadyDeflection g(friction.parameters());
+  const CarefulStepper careful(g, motion);
+  const double micro_speed = std::sqrt(near_zero) * friction.parameters().stribeck_speed_rad_s;
+  Block b;
+  double z = z0_rad;
+  z_rad[0] = z;
+  const double w0 = motion.speed(t0_s);
+  dz_rad_s[0] = w0 - std::abs(w0) * z / g(w0);
+  for (std::size_t first = 0; first + 1 < count; first += block_steps) {
+    const std::size_t steps = std::min(block_steps, count - 1 - first);
+    const double t = t0_s + static_cast<double>(first) * dt_s;
+    motion.speeds(t, dt_s, std::span(b.w).first(steps + 1));
+    motion.speeds(t + dt_s / 2, dt_s, std::span(b.w_middle).first(steps));
+    const SpeedCounts speeds = count_speeds(b, steps, micro_speed);
+    shape_block(g, b, steps, dt_s, speeds.fast == 0);
+    weigh_block(b, steps);
+    const bool some_need_care = (speeds.forward > 0 && speeds.backward > 0) || is_rough(b, steps);
+    const auto needs_care = [&](std::size_t i) {
+      return std::abs(b.c2[i]) > roughest_step * b.g_middle[i] ||
+             reverses(b.w[i], b.w_middle[i], b.w[i + 1]);
+    };
+    for (std::size_t i = 0; i < steps; ++i) {
+      if (some_need_care && needs_care(i)) {
+        const double a = t0_s + static_cast<double>(first + i) * dt_s;
+        z = careful.step(a, a + dt_s, b.w[i], b.w[i + 1], z);
+      } else {
+        z = b.decay[i] * z + b.source[i];
+      }
+      z_rad[first + i + 1] = z;
+    }
+    for (std::size_t i = 1; i <= steps; ++i) {
+      dz_rad_s[first + i] = b.w[i] - std::abs(b.w[i]) * z_rad[first + i] * b.inverse_g[i];
+    }
+  }
+}
+
+}  // namespace tribolog

@@ -1,0 +1,18 @@
+#pragma once
+// What a real drive makes of the true signals: ripple, white noise, quantised torque and angle,
+// speed from the filtered difference of the angle.
+
+#include <cstdint>
+
+#include "joint/recording.h"
+#include "simulate/scenario.h"
+
+namespace tribolog {
+
+/// Lays the noise on a recording of true signals. All-zero noise leaves it bit for bit as it was.
+/// @param stream number of the recording, so that each has its own random numbers.
+/// @throw std::invalid_argument if a noise quantity is negative or not finite.
+void add_drive_noise(Recording& recording, const Noise& noise, double gear_ratio,
+                     double sample_rate_Hz, std::uint64_t stream);
+
+}  // namespace tribolog

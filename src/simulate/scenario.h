@@ -1,0 +1,81 @@
+#pragma once
+// What to simulate: one joint, its friction, the experiments, and the noise of its drive.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "friction/lugre.h"
+#include "friction/waiboer.h"
+#include "joint/gravity_load.h"
+
+namespace tribolog {
+
+/// A slow motion at constant speed from one angle to another, with smooth starts and stops.
+struct SweepExperiment {
+  double from_rad{};
+  double to_rad{};            ///< != from_rad
+  double speed_rad_s{};       ///< > 0, joint side
+  bool both_directions{true}; ///< There and back; false: there only.
+  double acceleration_rad_s2{1.0};  ///< > 0, largest of the smooth ramps, joint side.
+  double sample_rate_Hz{1000.0};
+};
+
+/// q = centre + amplitude sin(2 pi f t), from z = 0 at t = 0 (eq. (3) to (5) for the friction).
+struct OscillationExperiment {
+  double centre_rad{};
+  double amplitude_rad{};  ///< > 0, joint side
+  double frequency_Hz{};   ///< > 0
+  double cycles{};         ///< >= 1
+  double sample_rate_Hz{1000.0};
+  bool record_bristle{true};  ///< Write z and dz/dt, which no real drive can.
+};
+
+/// One recording per speed, each with one plateau in each direction (eq. (6), (7)).
+struct ConstantSpeedExperiment {
+  std::vector<double> motor_speeds_rad_s;  ///< > 0 each
+  bool both_directions{true};
+  double centre_rad{};           ///< Middle of the travel, joint side.
+  double largest_travel_rad{};   ///< > 0: bound of a plateau's travel, joint side.
+  double longest_plateau_s{};    ///< > 0: bound of a plateau's duration.
+  double acceleration_rad_s2{};  ///< > 0, joint side
+  double sample_rate_Hz{1000.0};
+};
+
+/// What a real drive adds to its log; all zero: an ideal one.
+struct Noise {
+  double torque_white_Nm{};        ///< Standard deviation, motor side.
+  double torque_step_Nm{};         ///< Quantisation of the torque; 0: none.
+  double encoder_counts_per_turn{};///< Of the motor encoder; 0: continuous.
+  double speed_filter_Hz{};        ///< First-order low pass on the difference of the angle; 0: the
+                                   ///< true speed is logged.
+  struct Ripple {
+    double amplitude_Nm{};
+    double periods_per_turn{};     ///< Of the motor shaft.
+    double phase_rad{};
+  };
+  std::vector<Ripple> ripple;      ///< Torque periodic in the motor's angle.
+  std::uint64_t seed{1};
+};
+
+struct Scenario {
+  std::string name;
+  std::string robot;
+  std::string serial;
+  std::string joint;
+  double gear_ratio{1.0};          ///< n > 0
+  double motor_inertia_kgm2{};     ///< J of motor and gear, at the motor shaft, >= 0.
+  double arm_inertia_kgm2{};       ///< I about the joint's axis, >= 0.
+  GravityLoad load{1.0, 1.0, 0.0};
+  LuGreFriction presliding{{1.0, 0.0, 0.0, 1.0, 1.0, 1.0}};  ///< Drives the oscillation.
+  WaiboerFriction sliding{{1.0, 1.0, 1.0, 0.0, 0.0, 1e6}};   ///< Drives sweeps and runs.
+  double surrogate_distance_m{0.5};
+  std::optional<SweepExperiment> rough_sweep;
+  std::optional<SweepExperiment> precise_sweep;
+  std::optional<OscillationExperiment> oscillation;
+  std::optional<ConstantSpeedExperiment> constant_speed;
+  Noise noise;
+};
+
+}  // namespace tribolog

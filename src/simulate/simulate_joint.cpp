@@ -1,0 +1,137 @@
+#include "simulate/simulate_joint.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+#include "simulate/bristle_integrator.h"
+#include "simulate/drive_noise.h"
+#include "simulate/motion.h"
+
+namespace tribolog {
+namespace {
+
+Recording empty_recording(std::string name, Role role, std::size_t samples) {
+  Recording recording;
+  recording.name = std::move(name);
+  recording.role = role;
+  recording.t_s.reserve(samples);
+  recording.q_rad.reserve(samples);
+  recording.dq_rad_s.reserve(samples);
+  recording.torque_Nm.reserve(samples);
+  recording.rows_read = samples;
+  return recording;
+}
+
+/// Eq. (8): driving torque at the motor, given the friction torque.
+double driving_torque(const Scenario& s, double q, double ddq, double friction) {
+  return s.motor_inertia_kgm2 * s.gear_ratio * ddq + friction +
+         (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / s.gear_ratio;
+}
+
+/// A there-and-back travel with eq. (6), (7) for the friction.
+Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
+                 std::string name, Role role) {
+  require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
+  const TravelMotion motion(plan);
+  const auto samples = static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
+  Recording r = empty_recording(std::move(name), role, samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(i) / sample_rate_Hz;
+    const double q = motion.angle(t);
+    const double dq = motion.speed(t);
+    const double friction = s.sliding.torque_Nm(s.gear_ratio * dq);
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.dq_rad_s.push_back(dq);
+    r.torque_Nm.push_back(driving_torque(s, q, motion.acceleration(t), friction));
+  }
+  return r;
+}
+
+Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, Role role) {
+  return travel(s, {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions},
+                e.sample_rate_Hz, std::move(name), role);
+}
+
+Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
+  require_positive(e.sample_rate_Hz, "sample_rate_Hz", "Hz");
+  require_positive(e.amplitude_rad, "amplitude", "rad");
+  if (!(e.cycles >= 1)) {
+    throw std::invalid_argument(fmt::format("cycles {} is not allowed; it must be >= 1", e.cycles));
+  }
+  const double n = s.gear_ratio;
+  const auto motor = HarmonicMotion::sine(n * e.centre_rad, n * e.amplitude_rad, e.frequency_Hz);
+  const auto samples =
+      static_cast<std::size_t>(std::floor(e.cycles / e.frequency_Hz * e.sample_rate_Hz + 1e-9)) + 1;
+  const double dt = 1 / e.sample_rate_Hz;
+  std::vector<double> z(samples);
+  std::vector<double> dz(samples);
+  integrate_bristle(s.presliding, motor, 0.0, dt, 0.0, z, dz);
+  Recording r = empty_recording("oscillation.csv", Role::oscillation, samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(i) / e.sample_rate_Hz;
+    const double q = motor.angle(t) / n;
+    const double w = motor.speed(t);
+    const double friction = s.presliding.torque_Nm(z[i], dz[i], w);
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.dq_rad_s.push_back(w / n);
+    r.torque_Nm.push_back(driving_torque(s, q, motor.acceleration(t) / n, friction));
+  }
+  if (e.record_bristle) {
+    r.z_rad = std::move(z);
+    r.dz_rad_s = std::move(dz);
+  }
+  return r;
+}
+
+Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, std::size_t index) {
+  const double motor_speed = e.motor_speeds_rad_s[index];
+  require_positive(motor_speed, "motor_speeds_rad_s", "rad/s");
+  require_positive(e.largest_travel_rad, "largest_travel_rad", "rad");
+  require_positive(e.longest_plateau_s, "longest_plateau_s", "s");
+  const double speed = motor_speed / s.gear_ratio;
+  const double plateau = std::min(e.largest_travel_rad, speed * e.longest_plateau_s);
+  const double half_way = plateau / 2 + TravelMotion::ramp_way_rad(speed, e.acceleration_rad_s2);
+  return travel(s, {e.centre_rad - half_way, e.centre_rad + half_way, speed, e.acceleration_rad_s2,
+                    e.both_directions},
+                e.sample_rate_Hz, fmt::format("constant_speed_{:02}.csv", index + 1),
+                Role::constant_speed);
+}
+
+}  // namespace
+
+std::vector<Recording> simulate_joint(const Scenario& scenario) {
+  require_positive(scenario.gear_ratio, "gear ratio", "");
+  require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
+  require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");
+  std::vector<Recording> recordings;
+  std::vector<double> rates;
+  const auto keep = [&](Recording recording, double rate) {
+    recordings.push_back(std::move(recording));
+    rates.push_back(rate);
+  };
+  if (const auto& e = scenario.rough_sweep) {
+    keep(sweep(scenario, *e, "rough_sweep.csv", Role::rough_sweep), e->sample_rate_Hz);
+  }
+  if (const auto& e = scenario.precise_sweep) {
+    keep(sweep(scenario, *e, "precise_sweep.csv", Role::precise_sweep), e->sample_rate_Hz);
+  }
+  if (const auto& e = scenario.oscillation) {
+    keep(oscillation(scenario, *e), e->sample_rate_Hz);
+  }
+  if (const auto& e = scenario.constant_speed) {
+    for (std::size_t i = 0; i < e->motor_speeds_rad_s.size(); ++i) {
+      keep(constant_speed(scenario, *e, i), e->sample_rate_Hz);
+    }
+  }
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    add_drive_noise(recordings[i], scenario.noise, scenario.gear_ratio, rates[i], i);
+  }
+  return recordings;
+}
+
+}  // namespace tribolog

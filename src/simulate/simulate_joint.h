@@ -1,0 +1,21 @@
+#pragma once
+// A scenario to recordings: inverse dynamics of the joint under an ideal source of motion, eq. (8)
+//
+//   T = J phi'' + Tf + (I q'' + m g r cos(q - q_peak)) / n,      phi = n q
+//
+// with the noise of a real drive laid on top.
+
+#include <vector>
+
+#include "joint/recording.h"
+#include "simulate/scenario.h"
+
+namespace tribolog {
+
+/// The recordings in the order rough, precise, oscillation, constant speeds (as asked for by the
+/// scenario). Names are file names such as "rough_sweep.csv" and "constant_speed_07.csv".
+/// The same scenario, seed included, gives the same numbers on every machine.
+/// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key.
+std::vector<Recording> simulate_joint(const Scenario& scenario);
+
+}  // namespace tribolog

@@ -1,0 +1,82 @@
+#include "stages/encoder_resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribolog {
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Travels of one recording, one per reversal.
+void add_travels(const Recording& r, const std::vector<bool>& steady, const CogSweepResult& sweep,
+                 std::vector<double>& travels) {
+  const double coulomb = sweep.coulomb_Nm->value;
+  const auto friction = [&](std::size_t i) {
+    return r.torque_Nm[i] - sweep.offset_Nm -
+           sweep.gravity_Nm.value * std::cos(r.q_rad[i] - sweep.q_peak_rad.value);
+  };
+  // A reversal is the unsteady stretch between two steady ones of opposite direction.
+  for (std::size_t i = 1; i < r.size(); ++i) {
+    if (steady[i] || !steady[i - 1]) continue;
+    std::size_t end = i;
+    while (end < r.size() && !steady[end]) ++end;
+    const std::size_t reach = std::min(r.size(), end + (end - i));
+    if (end == r.size() || i < 2) break;
+    const double before = r.q_rad[i - 1] > r.q_rad[i - 2] ? 1.0 : -1.0;
+    std::size_t turn = i;
+    for (std::size_t k = i; k < end; ++k) {
+      if (before * r.q_rad[k] > before * r.q_rad[turn]) turn = k;
+    }
+    for (std::size_t k = turn; k + 2 < reach; ++k) {
+      const double mean = (friction(k) + friction(k + 1) + friction(k + 2)) / 3;
+      if (before * mean < -0.7 * coulomb) {
+        travels.push_back(std::abs(r.q_rad[k + 1] - r.q_rad[turn]));
+        break;
+      }
+    }
+    i = end;
+  }
+}
+
+}  // namespace
+
+double encoder_step_rad(const std::vector<double>& q_rad) {
+  constexpr double whole_within = 0.05;
+  constexpr double share_needed = 0.95;
+  constexpr double largest_multiple = 1e4;  // beyond, whole multiples are a matter of chance
+  std::vector<double> steps;
+  double scale = 0;
+  for (double q : q_rad) scale = std::max(scale, std::abs(q));
+  for (std::size_t i = 1; i < q_rad.size(); ++i) {
+    const double step = std::abs(q_rad[i] - q_rad[i - 1]);
+    if (step > 1e-12 * scale) steps.push_back(step);
+  }
+  if (steps.size() < 10) return 0;
+  const double smallest = *std::min_element(steps.begin(), steps.end());
+  std::size_t whole = 0;
+  for (double step : steps) {
+    const double multiple = step / smallest;
+    if (multiple < largest_multiple && std::abs(multiple - std::round(multiple)) < whole_within) {
+      ++whole;
+    }
+  }
+  return static_cast<double>(whole) >= share_needed * static_cast<double>(steps.size()) ? smallest
+                                                                                        : 0.0;
+}
+
+std::optional<double> presliding_travel_rad(const CogSweepResult& sweep) {
+  if (!sweep.found || !sweep.coulomb_Nm || !(sweep.coulomb_Nm->low > 0)) return std::nullopt;
+  std::vector<double> travels;
+  for (std::size_t k = 0; k < sweep.recordings.size(); ++k) {
+    add_travels(*sweep.recordings[k], sweep.used[k], sweep, travels);
+  }
+  if (travels.empty()) return std::nullopt;
+  return median(std::move(travels));
+}
+
+}  // namespace tribolog

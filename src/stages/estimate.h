@@ -1,0 +1,39 @@
+#pragma once
+// A number with its uncertainty, and how a stage says what came of it.
+
+#include <string>
+
+namespace tribolog {
+
+/// An estimate with a 95 % interval. `low <= estimate <= high`.
+struct Estimate {
+  double value{};
+  double low{};
+  double high{};
+  std::string method;  ///< How the interval was made, in a few words for the report.
+
+  [[nodiscard]] double half_width() const { return (high - low) / 2; }
+};
+
+/// An estimate whose interval is symmetric.
+Estimate symmetric_estimate(double value, double half_width, std::string method);
+
+/// The same quantity in another unit: value and interval times a factor of any sign.
+Estimate scaled(const Estimate& estimate, double factor);
+
+enum class StageState {
+  done,              ///< All it can give.
+  partial,           ///< Something is missing; `reason` says what and why.
+  not_identifiable,  ///< Data are there but do not show it; `reason` has the number.
+  skipped,           ///< No recording for it; `reason` says which would help.
+};
+
+std::string to_string(StageState state);
+
+struct StageReport {
+  std::string name;    ///< Stable: "cog_rough", "hysteresis", ...
+  StageState state{StageState::skipped};
+  std::string reason;  ///< Words for the user; empty only if done.
+};
+
+}  // namespace tribolog

@@ -1,0 +1,208 @@
+#include "stages/hysteresis_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/encoder_resolution.h"
+#include "stages/loop_midline.h"
+#include "stages/loop_points.h"
+#include "stages/moving_part.h"
+#include "stages/student_t.h"
+
+namespace tribolog {
+namespace {
+
+/// Says, from the reversals of the sweep, whether an oscillation would have been resolved.
+void explain_without_oscillation(const CogSweepResult& rough, HysteresisResult& out) {
+  out.stage.state = StageState::skipped;
+  out.stage.reason =
+      "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
+      "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
+  if (!rough.found || rough.recordings.empty()) return;
+  const double step = encoder_step_rad(rough.recordings.front()->q_rad);
+  const std::optional<double> travel = presliding_travel_rad(rough);
+  if (step <= 0 || !travel) return;
+  out.encoder_step_rad = step;
+  out.presliding_travel_rad = travel;
+  const double steps = *travel / step;
+  if (steps < fewest_steps_in_presliding) {
+    out.stage.state = StageState::not_identifiable;
+    out.stage.reason = fmt::format(
+        "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of {:.3g} "
+        "rad leaves {:.1f} steps in the {:.2g} rad within which friction turns over after a "
+        "reversal of the sweep; at least {:.0f} are needed",
+        step, steps, *travel, fewest_steps_in_presliding);
+  }
+}
+
+LoopTrace make_trace(const Recording& r) {
+  return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}};
+}
+
+/// All whole turns of the trace from `first` on, averaged point by point.
+std::vector<LoopPoint> average_turns(const LoopTrace& trace, const TraceReader& reader,
+                                     std::size_t first) {
+  std::vector<std::vector<LoopPoint>> turns;
+  std::size_t next = first;
+  while (auto points = find_loop_points(trace, reader, next, next)) turns.push_back(*points);
+  if (turns.empty()) return {};
+  std::vector<LoopPoint> mean = turns.front();
+  const auto n = static_cast<double>(turns.size());
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    double q = 0, torque = 0, z = 0, dz = 0, half_width = 0, squares = 0;
+    for (const auto& turn : turns) {
+      q += turn[k].q_rad / n;
+      torque += turn[k].torque_Nm / n;
+      z += turn[k].z_rad / n;
+      dz += turn[k].dz_rad_s / n;
+      half_width += (turn[k].torque_high_Nm - turn[k].torque_low_Nm) / 2 / n;
+    }
+    for (const auto& turn : turns) squares += std::pow(turn[k].torque_Nm - torque, 2);
+    // Turns scatter independently; with too few of them the reading's own width is all there is.
+    half_width = n >= 3 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)
+                        : half_width / std::sqrt(n);
+    mean[k] = {mean[k].name,        mean[k].t_s, q, torque, torque - half_width,
+               torque + half_width, z,           dz};
+  }
+  return mean;
+}
+
+struct LoopResult {
+  Oscillation oscillation;
+  LoopTrace trace;
+  LoopMidline midline;
+  std::string warning;
+};
+
+/// The mid-lines of all recordings as one estimate of the mean torque; where there are at least
+/// three, their scatter sets the interval (it carries what differs between positions: ripple).
+Estimate combine_midlines(const std::vector<LoopResult>& loops) {
+  if (loops.size() == 1) return loops.front().midline.torque_Nm;
+  const auto n = static_cast<double>(loops.size());
+  double mean = 0;
+  double variance = 0;
+  for (const LoopResult& loop : loops) {
+    mean += loop.midline.torque_Nm.value / loop.midline.mean_cos / n;
+    variance += std::pow(loop.midline.torque_Nm.half_width() / n, 2);
+  }
+  double squares = 0;
+  for (const LoopResult& loop : loops) {
+    squares += std::pow(loop.midline.torque_Nm.value / loop.midline.mean_cos - mean, 2);
+  }
+  if (n >= 3) {
+    const double error = std::sqrt(squares / (n - 1) / n);
+    return symmetric_estimate(mean, student_t_975(n - 1) * error, "scatter of the recordings");
+  }
+  const double between = std::sqrt(squares / (n - 1) / n) * student_t_975(n - 1);
+  return symmetric_estimate(mean, std::max(std::sqrt(variance), between),
+                            "scatter of the cycles and of the recordings");
+}
+
+/// The bristle state of the first loop: recorded, or observed by a fitted LuGre model.
+void observe_bristle(const Recording& recording, const OscillationMotion& motion,
+                     double gear_ratio, double q_peak, LoopTrace& trace, HysteresisResult& out) {
+  LuGreFit fit = fit_lugre(recording, motion, gear_ratio, q_peak);
+  if (!trace.z_rad.empty()) {
+    out.bristle_source = "recorded";
+  } else if (fit.converged) {
+    trace.z_rad = fit.z_rad;
+    trace.dz_rad_s = fit.dz_rad_s;
+    out.bristle_source = "LuGre model fitted to the loop";
+  }
+  out.lugre = std::move(fit);
+}
+
+}  // namespace
+
+HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscillations,
+                                     const CogSweepResult& rough, double gear_ratio,
+                                     const std::optional<Estimate>& q_peak_rad) {
+  HysteresisResult out;
+  out.stage.name = "hysteresis";
+  if (oscillations.empty()) {
+    explain_without_oscillation(rough, out);
+    return out;
+  }
+  std::vector<LoopResult> loops;
+  std::vector<std::string> reasons;
+  for (const Recording* whole : oscillations) {
+    const Recording recording = moving_part(*whole);
+    out.samples_at_rest += whole->size() - recording.size();
+    const auto motion = fit_oscillation_motion(recording);
+    if (!motion) {
+      reasons.push_back(fmt::format("{}: the angle does not swing through one whole cycle",
+                                    recording.name));
+      continue;
+    }
+    LoopResult loop;
+    loop.trace = make_trace(recording);
+    const double step = encoder_step_rad(recording.q_rad);
+    loop.oscillation = {motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step};
+    if (step > 0 && 2 * motion->amplitude_rad < fewest_steps_in_presliding * step) {
+      reasons.push_back(fmt::format(
+          "{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width of {:.3g} rad; "
+          "at least {:.0f} are needed",
+          recording.name, step, 2 * motion->amplitude_rad / step, 2 * motion->amplitude_rad,
+          fewest_steps_in_presliding));
+      out.encoder_step_rad = step;
+      continue;
+    }
+    const double q_peak = q_peak_rad ? q_peak_rad->value : motion->centre_rad;
+    const TraceReader reader(loop.trace, 1 / motion->frequency_Hz);
+    const auto midline =
+        find_loop_midline(recording, *motion, q_peak, reader.torque_noise_Nm());
+    if (!midline) continue;
+    loop.midline = *midline;
+    loop.oscillation.cycles = midline->cycles;
+    loop.oscillation.steady_cycles = midline->steady_cycles;
+    loop.trace.midline_q_rad = midline->q_rad;
+    loop.trace.midline_Nm = midline->midline_Nm;
+    if (midline->start_up_included) {
+      reasons.push_back(fmt::format(
+          "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
+          recording.name));
+    }
+    if (loops.empty()) observe_bristle(recording, *motion, gear_ratio, q_peak, loop.trace, out);
+    loops.push_back(std::move(loop));
+  }
+  for (const std::string& reason : reasons) {
+    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") + reason;
+  }
+  if (loops.empty()) {
+    out.stage.state = StageState::not_identifiable;
+    return out;
+  }
+
+  out.found = true;
+  out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
+  const LoopResult& first = loops.front();
+  out.midline_Nm = combine_midlines(loops);
+  out.midline_q_rad = first.midline.mean_q_rad;
+  out.midline_mean_cos = loops.size() == 1 ? first.midline.mean_cos : 1.0;
+  const auto [low, high] =
+      std::minmax_element(first.trace.torque_Nm.begin(), first.trace.torque_Nm.end());
+  out.loop_height_Nm = *high - *low;
+  if (!first.trace.z_rad.empty()) {
+    const TraceReader reader(first.trace, 1 / first.oscillation.frequency_Hz);
+    std::size_t next = 0;
+    if (auto points = find_loop_points(first.trace, reader, 0, next)) {
+      out.points = *points;
+      out.steady_points = average_turns(first.trace, reader, next);
+      if (out.steady_points.empty()) out.steady_points = out.points;
+    }
+  } else {
+    out.stage.state = StageState::partial;
+    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") +
+                        std::string("no bristle deflection is to be had: ") +
+                        (out.lugre ? out.lugre->reason : "");
+  }
+  for (LoopResult& loop : loops) {
+    out.oscillations.push_back(loop.oscillation);
+    out.traces.push_back(std::move(loop.trace));
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,128 @@
+#include "stages/plateaus.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribolog {
+namespace {
+
+/// Mean over [i - h, i) against mean over [i, i + h), by prefix sums: the slope over 2 h samples.
+std::vector<double> local_slope(const std::vector<double>& t, const std::vector<double>& y,
+                                std::size_t h) {
+  const std::size_t n = t.size();
+  std::vector<double> sum_t(n + 1, 0.0);
+  std::vector<double> sum_y(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    sum_t[i + 1] = sum_t[i] + (t[i] - t[0]);
+    sum_y[i + 1] = sum_y[i] + (y[i] - y[0]);
+  }
+  std::vector<double> slope(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t centre = std::clamp(i, std::min<std::size_t>(1, n - 1), n - 1);
+    const std::size_t left = std::min(h, centre);
+    const std::size_t right = std::min(h, n - centre);
+    if (left == 0 || right == 0) continue;
+    const double dl = static_cast<double>(left);
+    const double dr = static_cast<double>(right);
+    const double dt = (sum_t[centre + right] - sum_t[centre]) / dr -
+                      (sum_t[centre] - sum_t[centre - left]) / dl;
+    const double dy = (sum_y[centre + right] - sum_y[centre]) / dr -
+                      (sum_y[centre] - sum_y[centre - left]) / dl;
+    slope[i] = dt > 0 ? dy / dt : 0.0;
+  }
+  return slope;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Noise of the local slope, from second differences over windows that share no sample: a steady
+/// speed, a ramp and a slow sine all drop out.
+double slope_noise(const std::vector<double>& v, std::size_t window, double rest) {
+  std::vector<double> differences;
+  for (std::size_t i = window; i + window < v.size(); i += std::max<std::size_t>(1, window / 2)) {
+    if (std::abs(v[i]) < rest) continue;
+    differences.push_back(std::abs(v[i + window] - 2 * v[i] + v[i - window]));
+  }
+  return 1.4826 * median(std::move(differences)) / std::sqrt(6.0);
+}
+
+}  // namespace
+
+double MotionSegments::plateau_share() const {
+  const std::size_t moving = samples_on_plateaus + samples_trimmed + samples_accelerating;
+  return moving == 0 ? 0.0
+                     : static_cast<double>(samples_on_plateaus + samples_trimmed) /
+                           static_cast<double>(moving);
+}
+
+MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& options) {
+  MotionSegments out;
+  const std::size_t n = recording.size();
+  if (n < 8) {
+    out.speed_rad_s.assign(n, 0.0);
+    out.acceleration_rad_s2.assign(n, 0.0);
+    out.samples_at_rest = n;
+    return out;
+  }
+  constexpr std::size_t windows_in_recording = 500;
+  const std::size_t h = std::max<std::size_t>(3, n / windows_in_recording / 2);
+  out.speed_rad_s = local_slope(recording.t_s, recording.q_rad, h);
+  out.acceleration_rad_s2 = local_slope(recording.t_s, out.speed_rad_s, h);
+  const std::vector<double>& v = out.speed_rad_s;
+  // A single wild sample must not set the scale.
+  std::vector<double> magnitudes(n);
+  std::transform(v.begin(), v.end(), magnitudes.begin(), [](double x) { return std::abs(x); });
+  const std::size_t rank = n - 1 - n / 1000;
+  std::nth_element(magnitudes.begin(), magnitudes.begin() + static_cast<std::ptrdiff_t>(rank),
+                   magnitudes.end());
+  out.fastest_rad_s = magnitudes[rank];
+  const double rest = options.rest_share * out.fastest_rad_s;
+  const double noise = slope_noise(v, 2 * h, rest);
+  const auto shortest = std::max(
+      options.fewest_samples,
+      static_cast<std::size_t>(options.shortest_share * static_cast<double>(n)));
+  const auto tolerance = [&](double speed) {
+    constexpr double widest = 0.1;
+    return std::max(options.tolerance * speed, std::min(widest * speed, 4 * noise));
+  };
+
+  for (std::size_t i = 0; i < n;) {
+    if (std::abs(v[i]) <= rest) {
+      ++out.samples_at_rest;
+      ++i;
+      continue;
+    }
+    double sum = 0;
+    std::size_t end = i;
+    while (end < n && std::abs(v[end]) > rest) {
+      const double mean = end == i ? v[i] : sum / static_cast<double>(end - i);
+      if (std::abs(v[end] - mean) > tolerance(std::abs(mean))) break;
+      sum += v[end];
+      ++end;
+    }
+    const std::size_t length = end - i;
+    const std::size_t settling = std::max(2 * h, length / 20);
+    if (length < shortest + 2 * settling) {
+      const std::size_t skip = std::max<std::size_t>(1, length / 8);
+      out.samples_accelerating += skip;
+      i += skip;
+      continue;
+    }
+    Plateau plateau{i + settling, end - settling, 0.0};
+    plateau.speed_rad_s =
+        (recording.q_rad[plateau.last - 1] - recording.q_rad[plateau.first]) /
+        (recording.t_s[plateau.last - 1] - recording.t_s[plateau.first]);
+    out.samples_on_plateaus += plateau.size();
+    out.samples_trimmed += 2 * settling;
+    out.plateaus.push_back(plateau);
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,29 @@
+#pragma once
+// Stage 7: the estimator to use, and the corrected angle of the centre of gravity, eq. (14).
+
+#include <optional>
+#include <string>
+
+#include "stages/estimate.h"
+#include "stages/hysteresis_loop.h"
+#include "stages/quality_errors.h"
+#include "stages/surrogate_masses.h"
+
+namespace tribolog {
+
+struct SelectionResult {
+  StageReport stage;
+  std::string paper_rule;    ///< Of A..F the one of smallest rms error; empty: cannot be said.
+  std::string recommended;   ///< Ours: "midline" where there is one, else "sweep"; may be empty.
+  std::string why;           ///< One or two sentences for the report.
+  /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
+  std::optional<double> q_c_corrected_rad;
+  std::optional<Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.
+};
+
+SelectionResult select_estimator(const SurrogateMassesResult& masses,
+                                 const QualityErrorsResult& errors,
+                                 const HysteresisResult& hysteresis,
+                                 const std::optional<Estimate>& q_peak_rad);
+
+}  // namespace tribolog

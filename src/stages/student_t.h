@@ -1,0 +1,10 @@
+#pragma once
+// Student's t: the factor of a two-sided 95 % interval.
+
+namespace tribolog {
+
+/// The 97.5 % quantile for this many degrees of freedom (>= 1, need not be whole), to 4 digits.
+/// With less than one degree of freedom nothing can be said: infinity.
+double student_t_975(double degrees_of_freedom);
+
+}  // namespace tribolog

@@ -1,0 +1,217 @@
+#include "stages/viscous_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "stages/paired_sweep.h"
+#include "stages/plateaus.h"
+#include "stages/student_t.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A run with the samples it came from, needed to pair directions over common angles.
+struct RunSource {
+  const Recording* recording;
+  std::size_t first, last;
+  double low_rad, high_rad;
+};
+
+/// Mean of a signal over a plateau with the 95 % half width from the scatter of its blocks.
+template <class Signal>
+std::pair<double, double> block_mean(std::size_t first, std::size_t last, Signal signal) {
+  constexpr std::size_t most_blocks = 10;
+  const std::size_t n = last - first;
+  const std::size_t blocks = std::clamp<std::size_t>(n / 5, 1, most_blocks);
+  double mean = 0;
+  std::vector<double> means(blocks, 0.0);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t from = first + n * b / blocks;
+    const std::size_t to = first + n * (b + 1) / blocks;
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += signal(i);
+    means[b] = sum / static_cast<double>(to - from);
+    mean += sum / static_cast<double>(n);
+  }
+  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity()};
+  double squares = 0;
+  for (double m : means) squares += (m - mean) * (m - mean);
+  const auto b = static_cast<double>(blocks);
+  return {mean, student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b)};
+}
+
+/// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
+ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gear_ratio,
+                          double q_peak, double gravity) {
+  ConstantSpeedRun run;
+  run.recording = r.name;
+  run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
+  run.samples = plateau.size();
+  double q = 0;
+  double cosine = 0;
+  double torque = 0;
+  for (std::size_t i = plateau.first; i < plateau.last; ++i) {
+    q += r.q_rad[i];
+    cosine += std::cos(r.q_rad[i] - q_peak);
+    torque += r.torque_Nm[i];
+  }
+  const auto n = static_cast<double>(plateau.size());
+  run.q_rad = q / n;
+  run.mean_cos = cosine / n;
+  run.torque_Nm = torque / n;
+  run.torque_half_width_Nm =
+      block_mean(plateau.first, plateau.last,
+                 [&](std::size_t i) {
+                   return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+                 })
+          .second;
+  run.direction_difference_Nm = nan;
+  run.direction_difference_half_width_Nm = nan;
+  return run;
+}
+
+/// Mean torque of a run within [low, high], or NaN if it has no sample there.
+std::pair<double, double> torque_between(const RunSource& s, double low, double high) {
+  std::size_t from = s.last;
+  std::size_t to = s.first;
+  for (std::size_t i = s.first; i < s.last; ++i) {
+    if (s.recording->q_rad[i] < low || s.recording->q_rad[i] > high) continue;
+    from = std::min(from, i);
+    to = i + 1;
+  }
+  if (from + 5 > to) return {nan, nan};
+  return block_mean(from, to, [&](std::size_t i) { return s.recording->torque_Nm[i]; });
+}
+
+/// Pairs each rising run with the falling one of the same speed that shares most of its angles.
+void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunSource>& sources) {
+  constexpr double same_speed = 0.03;
+  constexpr double least_overlap = 0.2;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].speed_rad_s < 0) continue;
+    double best = least_overlap;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const double ratio = -runs[k].speed_rad_s / runs[i].speed_rad_s;
+      if (runs[k].partner >= 0 || std::abs(ratio - 1) > same_speed) continue;
+      const double low = std::max(sources[i].low_rad, sources[k].low_rad);
+      const double high = std::min(sources[i].high_rad, sources[k].high_rad);
+      const double overlap = (high - low) / (sources[i].high_rad - sources[i].low_rad);
+      if (overlap > best) {
+        best = overlap;
+        runs[i].partner = static_cast<int>(k);
+      }
+    }
+    if (runs[i].partner < 0) continue;
+    const auto k = static_cast<std::size_t>(runs[i].partner);
+    runs[k].partner = static_cast<int>(i);
+    const double low = std::max(sources[i].low_rad, sources[k].low_rad);
+    const double high = std::min(sources[i].high_rad, sources[k].high_rad);
+    const auto [up, up_width] = torque_between(sources[i], low, high);
+    const auto [down, down_width] = torque_between(sources[k], low, high);
+    runs[i].direction_difference_Nm = (up - down) / 2;
+    runs[k].direction_difference_Nm = -(up - down) / 2;
+    runs[i].direction_difference_half_width_Nm = std::hypot(up_width, down_width) / 2;
+    runs[k].direction_difference_half_width_Nm = runs[i].direction_difference_half_width_Nm;
+  }
+}
+
+void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return runs[a].speed_rad_s < runs[b].speed_rad_s;
+  });
+  std::vector<int> place(runs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
+  std::vector<ConstantSpeedRun> sorted;
+  sorted.reserve(runs.size());
+  for (const std::size_t i : order) {
+    sorted.push_back(runs[i]);
+    if (sorted.back().partner >= 0) {
+      sorted.back().partner = place[static_cast<std::size_t>(sorted.back().partner)];
+    }
+  }
+  runs = std::move(sorted);
+}
+
+}  // namespace
+
+const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
+  const auto it = std::find_if(curves.begin(), curves.end(), [&](const ViscousCurve& c) {
+    return c.estimator == estimator;
+  });
+  return it == curves.end() ? nullptr : &*it;
+}
+
+ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& recordings,
+                                            const CogSweepResult& rough,
+                                            const SurrogateMassesResult& masses,
+                                            const std::optional<Estimate>& q_peak_rad,
+                                            double gear_ratio) {
+  ViscousCurvesResult out;
+  out.stage = {"viscous_curves", StageState::skipped, ""};
+  const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
+  std::vector<RunSource> sources;
+  for (const Recording* r : recordings) {
+    const MotionSegments motion = find_plateaus(*r);
+    for (const Plateau& plateau : motion.plateaus) {
+      const auto begin = r->q_rad.begin();
+      const auto [low, high] =
+          std::minmax_element(begin + static_cast<std::ptrdiff_t>(plateau.first),
+                              begin + static_cast<std::ptrdiff_t>(plateau.last));
+      sources.push_back({r, plateau.first, plateau.last, *low, *high});
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak,
+                                  rough.found ? rough.gravity_Nm.value : 0.0));
+      out.samples_used += plateau.size();
+    }
+    out.samples_left_out += r->size() - motion.samples_on_plateaus;
+    if (motion.plateaus.empty()) ++out.recordings_without_plateau;
+  }
+  if (!out.runs.empty()) {
+    pair_directions(out.runs, sources);
+  } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
+    out.runs = pair_sweep_by_angle(rough, gear_ratio, q_peak);
+    out.from_sweep = !out.runs.empty();
+    for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
+    out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
+  }
+  sort_by_speed(out.runs);
+  for (const SurrogateMass& mass : masses.masses) {
+    ViscousCurve curve{mass.estimator, {}};
+    for (const ConstantSpeedRun& run : out.runs) {
+      curve.friction_Nm.push_back(run.torque_Nm - mass.gravity_Nm.value * run.mean_cos);
+    }
+    out.curves.push_back(std::move(curve));
+  }
+
+  if (out.runs.empty()) {
+    out.stage.reason = recordings.empty()
+                           ? "no constant_speed run was recorded; runs at ten or more speeds in "
+                             "both directions over the same angles would give the viscous curve"
+                           : "no plateau of constant speed was found in the constant_speed runs";
+    if (!recordings.empty()) out.stage.state = StageState::not_identifiable;
+  } else if (out.curves.empty()) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = "the runs' torque still contains gravity: no surrogate mass is known";
+  } else if (out.from_sweep) {
+    out.stage.state = StageState::partial;
+    out.stage.reason =
+        "no constant_speed run was recorded; friction comes from the sweep's two directions at "
+        "equal angle, so that speed and angle change together along the curve";
+  } else if (out.recordings_without_plateau > 0) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format("{} of {} runs hold no plateau of constant speed",
+                                   out.recordings_without_plateau, recordings.size());
+  } else {
+    out.stage.state = StageState::done;
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,96 @@
+#include "figures/figure_set.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_calibration.h"
+
+namespace tribolog {
+namespace {
+
+std::vector<int> numbers(const std::vector<ReportFigure>& figures) {
+  std::vector<int> all;
+  for (const ReportFigure& figure : figures) all.push_back(figure.number);
+  return all;
+}
+
+TEST(FigureSet, CompleteCalibrationGivesThePapersFigures) {
+  const Dataset dataset = test::hand_made_dataset();
+  const auto figures = figure_set(dataset, test::hand_made_calibration(dataset));
+  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22}));
+}
+
+TEST(FigureSet, SweepAloneHasNoLoopFigures) {
+  const Dataset dataset = test::hand_made_dataset();
+  const auto figures = figure_set(dataset, test::sweep_only_calibration(dataset));
+  EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 18, 19, 20, 21}));
+}
+
+TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
+  const Dataset dataset = test::hand_made_dataset();
+  Calibration calibration = test::hand_made_calibration(dataset);
+  calibration.hysteresis.bristle_source.clear();
+  calibration.hysteresis.points.clear();
+  calibration.hysteresis.traces.front().z_rad.clear();
+  calibration.hysteresis.traces.front().dz_rad_s.clear();
+  calibration.selection.paper_rule.clear();
+  EXPECT_EQ(numbers(figure_set(dataset, calibration)),
+            (std::vector<int>{11, 13, 14, 15, 18, 19, 20, 21, 22}));
+}
+
+TEST(FigureSet, NoReferenceNoComparison) {
+  const Dataset dataset = test::hand_made_dataset();
+  Calibration calibration = test::hand_made_calibration(dataset);
+  calibration.quality = {};
+  EXPECT_EQ(numbers(figure_set(dataset, calibration)),
+            (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 21, 22}));
+}
+
+TEST(FigureSet, NothingGivesNothing) { EXPECT_TRUE(figure_set(Dataset{}, Calibration{}).empty()); }
+
+TEST(FigureSet, EveryFigureIsCompleteInWords) {
+  const std::set<std::string> stages{"cog_rough",        "cog_precise",        "hysteresis",
+                                     "surrogate_masses", "viscous_curves",     "quality_errors",
+                                     "selection",        "friction_parameters"};
+  const std::string safe = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  const Dataset dataset = test::hand_made_dataset();
+  std::set<std::string> ids;
+  for (const ReportFigure& figure : figure_set(dataset, test::hand_made_calibration(dataset))) {
+    SCOPED_TRACE(figure.id);
+    EXPECT_TRUE(ids.insert(figure.id).second);
+    EXPECT_EQ(figure.id.find_first_not_of(safe), std::string::npos);
+    EXPECT_EQ(figure.id, figure.figure.id);
+    EXPECT_EQ(figure.title, figure.figure.title);
+    EXPECT_FALSE(figure.title.empty());
+    EXPECT_LE(figure.title.size(), 60U);
+    EXPECT_EQ(stages.count(figure.stage), 1U) << figure.stage;
+    for (const std::string& text : {figure.caption, figure.how_to_read, figure.alt}) {
+      ASSERT_FALSE(text.empty());
+      EXPECT_EQ(text.back(), '.') << text;
+      EXPECT_EQ(text.find("_{"), std::string::npos) << text;
+      EXPECT_EQ(text.find("unknown"), std::string::npos) << text;
+      EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+      EXPECT_EQ(text.find(".."), std::string::npos) << text;
+    }
+  }
+}
+
+TEST(FigureSet, SameInputSameFigures) {
+  const Dataset dataset = test::hand_made_dataset();
+  const Calibration calibration = test::hand_made_calibration(dataset);
+  const auto first = figure_set(dataset, calibration);
+  const auto second = figure_set(dataset, calibration);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].caption, second[i].caption);
+    EXPECT_EQ(first[i].alt, second[i].alt);
+    EXPECT_EQ(first[i].figure.panels.size(), second[i].figure.panels.size());
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,153 @@
+// Calibrations that no stage should make, and logs that are hardly logs: no crash, no wrong
+// lengths.
+
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_calibration.h"
+
+#include "figures/figure_set.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double huge = 1e300;
+
+void expect_drawable(const std::vector<ReportFigure>& figures) {
+  for (const ReportFigure& figure : figures) {
+    SCOPED_TRACE(figure.id);
+    EXPECT_FALSE(figure.figure.panels.empty());
+    EXPECT_FALSE(figure.caption.empty());
+    for (const render::Panel& panel : figure.figure.panels) {
+      EXPECT_FALSE(panel.series.empty());
+      for (const render::Series& series : panel.series) {
+        EXPECT_EQ(series.x.size(), series.y.size());
+      }
+    }
+  }
+}
+
+class HostileCalibration : public ::testing::Test {
+ protected:
+  void expect_figures_survive() const { expect_drawable(figure_set(dataset_, calibration_)); }
+
+  Dataset dataset_ = test::hand_made_dataset();
+  Calibration calibration_ = test::hand_made_calibration(dataset_);
+};
+
+TEST_F(HostileCalibration, FoundButEmpty) {
+  Calibration empty;
+  empty.rough.found = empty.precise.found = empty.hysteresis.found = true;
+  empty.selection.recommended = "midline";
+  empty.selection.paper_rule = "B";
+  empty.quality.reference = "analytic";
+  expect_drawable(figure_set(Dataset{}, empty));
+  expect_drawable(figure_set(dataset_, empty));
+}
+
+TEST_F(HostileCalibration, OneSampleEverywhere) {
+  for (Recording& recording : dataset_.recordings) {
+    recording.t_s.resize(1);
+    recording.q_rad.resize(1);
+    recording.torque_Nm.resize(1);
+    recording.z_rad.clear();
+  }
+  for (CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
+    sweep->used = {{true}};
+    sweep->fit_q_rad.resize(1);
+    sweep->fit_rising_Nm.resize(1);
+    sweep->fit_falling_Nm.resize(1);
+  }
+  LoopTrace& trace = calibration_.hysteresis.traces.front();
+  for (auto* signal : {&trace.t_s, &trace.q_rad, &trace.torque_Nm, &trace.z_rad, &trace.dz_rad_s,
+                       &trace.midline_q_rad, &trace.midline_Nm}) {
+    signal->resize(1);
+  }
+  calibration_.viscous.runs.resize(1);
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, RecordingsWithoutASample) {
+  dataset_.recordings.assign(3, Recording{});
+  calibration_.rough.recordings = {&dataset_.recordings[0], nullptr};
+  calibration_.rough.used.clear();
+  calibration_.hysteresis.traces.front() = LoopTrace{};
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, NumbersThatAreNone) {
+  for (const double poison : {nan, infinity, -infinity, huge, -huge}) {
+    SCOPED_TRACE(poison);
+    calibration_ = test::hand_made_calibration(dataset_);
+    const Estimate bad{poison, poison, poison, ""};
+    for (CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
+      sweep->q_peak_rad = sweep->gravity_Nm = bad;
+      sweep->argmax_rad = sweep->argmax_torque_Nm = sweep->argmax_low_rad = poison;
+      sweep->argmax_high_rad = poison;
+    }
+    calibration_.q_peak_rad = bad;
+    calibration_.hysteresis.midline_Nm = bad;
+    calibration_.hysteresis.loop_height_Nm = poison;
+    calibration_.hysteresis.oscillations.front() = {poison, poison, poison, poison, poison, poison};
+    for (LoopPoint& point : calibration_.hysteresis.points) {
+      point = {point.name, poison, poison, poison, poison, poison, poison, poison};
+    }
+    calibration_.hysteresis.traces.front().midline_Nm.front() = poison;
+    for (ConstantSpeedRun& run : calibration_.viscous.runs) run.torque_half_width_Nm = poison;
+    calibration_.viscous.runs.front().speed_rad_s = poison;
+    calibration_.viscous.curves.front().friction_Nm.front() = poison;
+    calibration_.quality.reference_Nm.front() = poison;
+    calibration_.quality.errors.front().percent.front() = poison;
+    calibration_.friction.coulomb_viscous->fastest_rad_s = poison;
+    calibration_.friction.fit_Nm.front() = poison;
+    for (SurrogateMass& mass : calibration_.masses.masses) mass.mass_kg = bad;
+    expect_figures_survive();
+  }
+}
+
+TEST_F(HostileCalibration, SamplesThatAreNotNumbersLeaveGaps) {
+  for (Recording& recording : dataset_.recordings) {
+    recording.torque_Nm[100] = nan;
+    recording.q_rad[200] = nan;
+  }
+  calibration_.hysteresis.traces.front().torque_Nm[10] = nan;
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
+  calibration_.rough.used.front().resize(10);
+  calibration_.rough.fit_rising_Nm.resize(3);
+  calibration_.precise.used.clear();
+  calibration_.hysteresis.traces.front().z_rad.resize(7);
+  calibration_.hysteresis.traces.front().torque_Nm.resize(20);
+  calibration_.hysteresis.traces.front().midline_Nm.push_back(1.0);
+  calibration_.viscous.curves.front().friction_Nm.resize(1);
+  calibration_.viscous.curves.back().friction_Nm.resize(50, 1.0);
+  calibration_.quality.reference_Nm.resize(2);
+  calibration_.quality.errors.front().percent.clear();
+  calibration_.friction.fit_Nm.resize(1);
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, NamesThatNobodyKnows) {
+  calibration_.selection.recommended = "_{<b>";
+  calibration_.selection.paper_rule = "";
+  calibration_.quality.reference = "archived";
+  for (LoopPoint& point : calibration_.hysteresis.points) point.name = '_';
+  calibration_.viscous.curves.front().estimator = "";
+  expect_figures_survive();
+}
+
+TEST_F(HostileCalibration, AllRunsAtStandstillOrOneDirection) {
+  for (ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 0.0;
+  expect_figures_survive();
+  for (ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 5.0;
+  expect_figures_survive();
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,121 @@
+// Figures 18 to 21.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_calibration.h"
+
+#include "figures/friction_curves.h"
+#include "figures/quality_error.h"
+#include "figures/selected_curve.h"
+
+namespace tribolog::figures {
+namespace {
+
+bool has_label(const render::Panel& panel, const std::string& part) {
+  return std::any_of(panel.series.begin(), panel.series.end(), [&](const render::Series& series) {
+    return series.label.find(part) != std::string::npos;
+  });
+}
+
+class RunFigures : public ::testing::Test {
+ protected:
+  Dataset dataset_ = test::hand_made_dataset();
+  Calibration calibration_ = test::hand_made_calibration(dataset_);
+};
+
+TEST_F(RunFigures, EveryCandidateHasACurveOnBothSidesOfZero) {
+  const auto figure = friction_curves_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const render::Panel& panel = figure->figure.panels.front();
+  EXPECT_EQ(panel.series.size(), 2 * calibration_.viscous.curves.size());
+  for (const render::Series& series : panel.series) {
+    // A line never crosses standstill, where friction jumps.
+    EXPECT_TRUE(series.x.back() < 0.0 || series.x.front() > 0.0);
+  }
+  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg)"));
+  EXPECT_NE(figure->caption.find("8 runs (4 forward, 4 backward) from 1.00 to 300 rad/s"),
+            std::string::npos)
+      << figure->caption;
+}
+
+TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
+  for (const auto& figure :
+       {friction_against_reference_figure(calibration_), quality_error_figure(calibration_)}) {
+    ASSERT_TRUE(figure);
+    ASSERT_EQ(figure->figure.panels.size(), 2U);
+    const render::Panel& near = figure->figure.panels[1];
+    EXPECT_NE(near.title.find("outside"), std::string::npos) << near.title;
+    EXPECT_FALSE(has_label(near, "D ("));
+    EXPECT_TRUE(has_label(near, "B ("));
+    EXPECT_TRUE(has_label(near, "mid-line"));
+    ASSERT_TRUE(near.y.minimum && near.y.maximum);
+    EXPECT_DOUBLE_EQ(*near.y.minimum, -*near.y.maximum);
+  }
+}
+
+TEST_F(RunFigures, DifferenceToTheReferenceIsTheErrorOfGravity) {
+  const auto figure = friction_against_reference_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const render::Panel& near = figure->figure.panels[1];
+  EXPECT_NE(near.y.title.find("[mN·m]"), std::string::npos) << near.y.title;
+  for (const render::Series& series : near.series) {
+    if (series.label.find("mid-line") == std::string::npos) continue;
+    for (const double difference : series.y) EXPECT_NEAR(difference, -5.0, 1e-6);
+  }
+  EXPECT_NE(figure->caption.find("5.0 mN·m"), std::string::npos) << figure->caption;
+}
+
+TEST_F(RunFigures, ErrorCaptionNamesBothSelections) {
+  const auto figure = quality_error_figure(calibration_);
+  ASSERT_TRUE(figure);
+  EXPECT_NE(figure->caption.find("B "), std::string::npos);
+  EXPECT_NE(figure->caption.find("mid-line "), std::string::npos);
+  EXPECT_NE(figure->caption.find("%"), std::string::npos);
+}
+
+TEST_F(RunFigures, AnalyticReferenceIsDrawnAsACurve) {
+  calibration_.quality.reference = "analytic";
+  calibration_.manifest.reference = WaiboerFriction({0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
+  const auto figure = friction_against_reference_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const auto& series = figure->figure.panels[0].series;
+  const auto reference = std::find_if(series.begin(), series.end(), [](const auto& one) {
+    return one.label == "reference: analytic curve";
+  });
+  ASSERT_NE(reference, series.end());
+  EXPECT_GT(reference->x.size(), calibration_.viscous.runs.size());
+  EXPECT_EQ(reference->marker, render::Marker::none);
+}
+
+TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
+  const auto figure = selected_curve_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const render::Panel& panel = figure->figure.panels.front();
+  EXPECT_TRUE(panel.x.logarithmic);
+  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg), forward"));
+  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg), backward"));
+  EXPECT_TRUE(has_label(panel, "Coulomb + viscous"));
+  EXPECT_TRUE(has_label(panel, "Waiboer"));
+  for (const render::Series& series : panel.series) {
+    for (const double speed : series.x) EXPECT_GT(speed, 0.0) << series.label;
+  }
+  EXPECT_EQ(panel.error_bars.size(), calibration_.viscous.runs.size());
+  EXPECT_NE(figure->caption.find("500.0 ± 4.0 mN·m"), std::string::npos) << figure->caption;
+}
+
+TEST_F(RunFigures, AngleBinsOfASweepStayMarkers) {
+  const Calibration sweep = test::sweep_only_calibration(dataset_);
+  const auto figure = friction_curves_figure(sweep);
+  ASSERT_TRUE(figure);
+  for (const render::Series& series : figure->figure.panels.front().series) {
+    EXPECT_EQ(series.style, render::LineStyle::none);
+    EXPECT_NE(series.marker, render::Marker::none);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog::figures
