@@ -1,6 +1,6 @@
 #include "pipeline.h"
 
-#include "stages/verdict.h"
+#include "verdict.h"
 
 namespace tribolog {
 

@@ -8,15 +8,14 @@
 
 #include "error.h"
 
-#if __has_include(<Eigen/Core>)
-#include <Eigen/Core>
-#endif
-
 #ifndef TRIBOLOG_VERSION
 #define TRIBOLOG_VERSION "unknown"
 #endif
 #ifndef TRIBOLOG_GIT_REVISION
 #define TRIBOLOG_GIT_REVISION "unknown"
+#endif
+#ifndef TRIBOLOG_EIGEN_VERSION
+#define TRIBOLOG_EIGEN_VERSION "unknown"
 #endif
 
 namespace tribolog {
@@ -29,15 +28,6 @@ std::string compiler_name() {
   return std::string("Clang ") + __clang_version__;
 #elif defined(__GNUC__)
   return std::string("GCC ") + __VERSION__;
-#else
-  return "unknown";
-#endif
-}
-
-std::string eigen_version() {
-#ifdef EIGEN_WORLD_VERSION
-  return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-         std::to_string(EIGEN_MINOR_VERSION);
 #else
   return "unknown";
 #endif
@@ -104,7 +94,7 @@ Provenance make_provenance(const std::vector<std::string>& arguments) {
   made.tool_version = TRIBOLOG_VERSION;
   made.git_revision = TRIBOLOG_GIT_REVISION;
   made.compiler = compiler_name();
-  made.eigen_version = eigen_version();
+  made.eigen_version = TRIBOLOG_EIGEN_VERSION;
   made.created_utc = creation_time_utc(std::getenv("SOURCE_DATE_EPOCH"));
   std::vector<std::string> command = arguments;
   if (!command.empty()) command.front() = last_part(command.front());

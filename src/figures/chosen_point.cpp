@@ -10,6 +10,8 @@
 namespace tribolog::figures {
 namespace {
 
+constexpr double worth_saying = 0.01;  // of the shift: a peak known better needs no word
+
 const LoopPoint* find(const std::vector<LoopPoint>& points, const std::string& name) {
   for (const LoopPoint& point : points) {
     if (name.size() == 1 && point.name == name.front()) return &point;
@@ -55,7 +57,7 @@ std::string choice_words(const Calibration& calibration, const Choice& choice,
   }
   if (choice.midline != nullptr) {
     if (!text.empty()) text += "; ";
-    text += fmt::format("the mid-line of the steady loop is at {}{}",
+    text += fmt::format("the mid-line of the steady loop averages {}{}",
                         with_interval(*choice.midline, torque), mass_words(calibration, "midline"));
   }
   return text;
@@ -69,9 +71,12 @@ std::string shift_words(const Calibration& calibration, const Choice& choice) {
   if (!std::isfinite(shift)) return {};
   const AxisScale scale = prefixed("rad", shift);
   std::string text = fmt::format(" Eq. (14) shifts the angle by {}", with_unit(shift, scale, 3));
-  if (half > std::abs(shift)) {
-    text += fmt::format(", less than the {} to which the peak itself is known",
-                        with_unit(half, prefixed("rad", half), 2));
+  if (half > worth_saying * std::abs(shift) && std::isfinite(half)) {
+    text += fmt::format("{} to ± {}",
+                        half > std::abs(shift) ? ", but the peak itself is only known"
+                                               : "; the peak itself is known",
+
+                        with_unit(half, scale, 2));
   }
   return text + ".";
 }

@@ -19,12 +19,12 @@ struct Choice {
 
 Choice choice_of(const Calibration& calibration);
 
-/// "the paper's rule reads 3.866 N·m at B (78.81 kg); the mid-line ... is at ...": for caption,
+/// "the paper's rule reads 3.866 N·m at B (78.81 kg); the mid-line ... averages ...": for caption,
 /// alt.
 std::string choice_words(const Calibration& calibration, const Choice& choice,
                          const AxisScale& torque);
 
-/// Eq. (14) in a sentence, and whether its shift is more than the peak's own uncertainty. Empty
+/// Eq. (14) in a sentence, with the uncertainty of the peak itself. Empty
 /// without a chosen point or a peak.
 std::string shift_words(const Calibration& calibration, const Choice& choice);
 

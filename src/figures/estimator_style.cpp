@@ -13,27 +13,31 @@ struct NamedStyle {
   SeriesStyle style;
 };
 
+// What is drawn first is wide and large, what comes on it narrow and small: candidates that agree
+// lie exactly on each other, and each must still show.
+constexpr double wide_px = 5.0;
 constexpr double usual_px = 2.5;
-constexpr double chosen_px = 3.5;
 
 // Single points: own marker. Pair means: all dash_dot_dot, in the colour of the pair's first point.
 const std::array<NamedStyle, styled_names.size()> styles{{
-    {"A", "A", {colour::sky_blue, LineStyle::dash, Marker::triangle, usual_px}},
-    {"B", "B", {colour::vermilion, LineStyle::solid, Marker::square, usual_px}},
-    {"C", "C", {colour::green, LineStyle::dot, Marker::circle, usual_px}},
-    {"D", "D", {colour::purple, LineStyle::dot, Marker::diamond, usual_px}},
-    {"E", "E", {colour::orange, LineStyle::dash_dot, Marker::cross, usual_px}},
-    {"F", "F", {colour::blue, LineStyle::dash_dot, Marker::plus, usual_px}},
+    {"A", "A", {colour::sky_blue, LineStyle::dash, Marker::triangle, usual_px, 11.0}},
+    {"B", "B", {colour::vermilion, LineStyle::solid, Marker::square, usual_px, 10.0}},
+    {"C", "C", {colour::green, LineStyle::dot, Marker::circle, usual_px, 9.0}},
+    {"D", "D", {colour::purple, LineStyle::dot, Marker::diamond, usual_px, 11.0}},
+    {"E", "E", {colour::orange, LineStyle::dash_dot, Marker::cross, usual_px, 10.0}},
+    {"F", "F", {colour::blue, LineStyle::dash_dot, Marker::plus, usual_px, 10.0}},
     {"AB",
      "mean of A and B",
-     {colour::sky_blue, LineStyle::dash_dot_dot, Marker::diamond, usual_px}},
-    {"CD", "mean of C and D", {colour::green, LineStyle::dash_dot_dot, Marker::square, usual_px}},
+     {colour::sky_blue, LineStyle::dash_dot_dot, Marker::diamond, usual_px, 14.0}},
+    {"CD",
+     "mean of C and D",
+     {colour::green, LineStyle::dash_dot_dot, Marker::square, usual_px, 8.0}},
     {"EF",
      "mean of E and F",
-     {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px}},
-    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, usual_px}},
-    {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px}},
-    {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, chosen_px}},
+     {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 7.0}},
+    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 3.5, 18.0}},
+    {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 22.0}},
+    {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, wide_px, 9.0}},
 }};
 
 const NamedStyle* find(const std::string& name) {
@@ -56,6 +60,7 @@ void apply(const SeriesStyle& style, render::Series& series) {
   series.style = style.line;
   series.marker = style.marker;
   series.width_px = style.width_px;
+  series.marker_size_px = style.marker_px;
 }
 
 std::string estimator_words(const std::string& name) {

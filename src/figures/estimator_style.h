@@ -14,6 +14,7 @@ struct SeriesStyle {
   render::LineStyle line{render::LineStyle::solid};
   render::Marker marker{render::Marker::none};
   double width_px{2.5};
+  double marker_px{9.0};
 };
 
 /// Every name that `estimator_style` knows, in the order of the surrogate masses; last the
@@ -24,7 +25,7 @@ inline constexpr std::array<const char*, 12> styled_names{
 /// Grey dots for a name it does not know.
 SeriesStyle estimator_style(const std::string& name);
 
-/// Gives a series the estimator's colour, dash, marker and width.
+/// Gives a series the estimator's colour, dash, marker and sizes.
 void apply(const SeriesStyle& style, render::Series& series);
 
 /// "mid-line", "sweep fit", "mean of A and B", "A": the estimator in words.
@@ -33,5 +34,7 @@ std::string estimator_words(const std::string& name);
 /// The two directions of motion, in every figure that tells them apart.
 inline constexpr render::Colour rising_colour = render::palette::blue;
 inline constexpr render::Colour falling_colour = render::palette::vermilion;
+/// The gravity peak and what follows from it; dark enough for text.
+inline constexpr render::Colour peak_colour{0, 105, 75};
 
 }  // namespace tribolog::figures

@@ -76,8 +76,9 @@ void add_folded_reference(render::Panel& panel, const Calibration& calibration,
   if (calibration.viscous.from_sweep) {
     series.style = render::LineStyle::none;
     series.marker = render::Marker::plus;
+    series.marker_size_px = 14.0;
   }
-  series.label = "reference: " + reference_words(calibration.quality.reference);
+  series.label = reference_label(calibration);
   add_visible(panel, std::move(series));
 }
 

@@ -20,13 +20,19 @@ AxisScale friction_scale(const Calibration& calibration) {
   return prefixed("N·m", all.largest());
 }
 
-render::Panel all_candidates(const Calibration& calibration, const AxisScale& scale) {
+render::Panel all_candidates(const Calibration& calibration, const AxisScale& scale,
+                             bool with_reference) {
   render::Panel panel;
   panel.x.title = "motor speed φ\u0307 [rad/s]";
   panel.y.title = axis_title("friction T_{f}", scale);
+  if (with_reference) add_reference(panel, calibration, scale);
+  std::vector<NamedValues> curves;
   for (const ViscousCurve& curve : calibration.viscous.curves) {
+    curves.push_back({curve.estimator, curve.friction_Nm});
+  }
+  for (const NamedValues& curve : in_drawing_order(std::move(curves))) {
     add_run_curve(panel, calibration.viscous, curve.estimator,
-                  candidate_words(calibration, curve.estimator), curve.friction_Nm, scale);
+                  candidate_words(calibration, curve.estimator), curve.values, scale);
   }
   return panel;
 }
@@ -41,10 +47,10 @@ std::string runs_words(const ViscousCurvesResult& viscous) {
     speeds.add(std::abs(run.speed_rad_s));
   }
   const AxisScale rad_s{1.0, "rad/s"};
-  return fmt::format(
-      "{} ({} forward, {} backward) from {} to {}",
-      counted(viscous.runs.size(), viscous.from_sweep ? "angle bin of the sweep" : "run"), forward,
-      backward, significant(speeds.low, 3), with_unit(speeds.high, rad_s, 3));
+  return fmt::format("{} ({} forward, {} backward) from {} to {}",
+                     counted(viscous.runs.size(), viscous.from_sweep ? "angle bin" : "run"),
+                     forward, backward, significant(speeds.low, 3),
+                     with_unit(speeds.high, rad_s, 3));
 }
 
 std::vector<NamedValues> differences(const Calibration& calibration) {
@@ -57,7 +63,7 @@ std::vector<NamedValues> differences(const Calibration& calibration) {
     }
     all.push_back(std::move(difference));
   }
-  return all;
+  return in_drawing_order(std::move(all));
 }
 
 }  // namespace
@@ -71,13 +77,18 @@ std::optional<ReportFigure> friction_curves_figure(const Calibration& calibratio
   out.title = "Friction against motor speed, all candidates";
   out.stage = "viscous_curves";
   const AxisScale scale = friction_scale(calibration);
-  out.figure.panels.push_back(all_candidates(calibration, scale));
+  out.figure.panels.push_back(all_candidates(calibration, scale, false));
   if (out.figure.panels.front().series.empty()) return std::nullopt;
   const std::string runs = runs_words(viscous);
+  Extent masses;
+  for (const SurrogateMass& mass : calibration.masses.masses) masses.add(mass.mass_kg.value);
   const std::string candidates =
-      counted(viscous.curves.size(), "candidate mass") + (viscous.curves.size() == 1 ? "" : "es");
+      masses.span() > 0.0
+          ? fmt::format("each of {} candidate masses ({} to {} kg)", viscous.curves.size(),
+                        significant(masses.low, 3), significant(masses.high, 3))
+          : "the candidate mass (" + significant(masses.low, 4) + " kg)";
   out.caption =
-      fmt::format("Driving torque less the gravity torque of each candidate mass, over {}.", runs);
+      fmt::format("Driving torque less the gravity torque of {}, over {}.", candidates, runs);
   out.how_to_read =
       "Friction is odd: the right mass gives a curve of equal height on both sides of zero. A "
       "wrong "
@@ -98,9 +109,8 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   out.title = "Friction against motor speed, with the reference";
   out.stage = "quality_errors";
   const AxisScale scale = friction_scale(calibration);
-  render::Panel curves = all_candidates(calibration, scale);
+  render::Panel curves = all_candidates(calibration, scale, true);
   if (curves.series.empty()) return std::nullopt;
-  add_reference(curves, calibration, scale);
   const auto difference = differences(calibration);
   const CloseUp close = close_up(difference, calibration.selection);
   render::Panel below = close_up_panel(calibration, difference, close, "T_{f} − reference", "N·m");

@@ -20,12 +20,16 @@ std::string cycles_words(const LoopView& view) {
 /// "A 3.924, C 4.759, ... N·m", in the order of the calibration.
 std::string points_words(const Calibration& calibration, LoopSignal signal,
                          const AxisScale& scale) {
+  Extent values;
+  for (const LoopPoint& point : calibration.hysteresis.points) {
+    values.add(scale(reading(point, signal)));
+  }
+  const double largest = values.largest();
   std::vector<std::string> words;
   for (const LoopPoint& point : calibration.hysteresis.points) {
-    const double value = signal == LoopSignal::torque       ? point.torque_Nm
-                         : signal == LoopSignal::deflection ? point.z_rad
-                                                            : point.dz_rad_s;
-    words.push_back(fmt::format("{} {}", point.name, significant(scale(value), 4)));
+    const double value = reading(point, signal);
+
+    words.push_back(fmt::format("{} {}", point.name, to_place(scale(value), largest, 4)));
   }
   return words.empty() ? std::string() : listed(words) + " " + scale.unit;
 }
@@ -66,9 +70,9 @@ std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
   const std::string midline =
       loop.midline_Nm ? with_interval(*loop.midline_Nm, torque.scale) : std::string("unknown");
   const std::string points = points_words(calibration, LoopSignal::torque, torque.scale);
-  out.caption =
-      fmt::format("Loop of {} height; mid-line of the steady loop at {}.{}{}", height, midline,
-                  points.empty() ? "" : " Readings: " + points + ".", bristle_words(*view));
+  out.caption = fmt::format("Loop of {} height; the mid-line of the steady loop averages {}.{}{}",
+                            height, midline, points.empty() ? "" : " Readings: " + points + ".",
+                            bristle_words(*view));
   out.how_to_read =
       "From rest at A the torque climbs into the loop; every later cycle should lie on the one "
       "before. Gravity is the mid-line: a loop that drifts, or that is a bare ellipse without flat "

@@ -15,13 +15,13 @@ render::Panel over_angle(const Calibration& calibration, const LoopView& view,
   panel.y.title = axis_title(curves.title, curves.scale);
   if (curves.all != nullptr) {
     add_visible(panel, line(curves.all_label, shown(view.trace->q_rad, view.angle),
-                            shown(*curves.all, curves.scale), cloud, 1.5));
+                            shown(*curves.all, curves.scale), cloud, cloud_px));
   }
   render::Series strokes =
       line(curves.strokes_label,
            shown(view.until(view.first_strokes_end_s, view.trace->q_rad), view.angle),
            shown(view.until(view.first_strokes_end_s, *curves.strokes), curves.scale),
-           render::palette::blue, 3.5);
+           render::palette::blue, strokes_px);
   strokes.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
   add_visible(panel, std::move(strokes));
   add_gravity_peak(panel, calibration, view);
@@ -41,8 +41,8 @@ render::Panel over_time(const Calibration& calibration, const LoopView& view,
                 line("", shown(view.until(view.shown_end_s, view.trace->t_s), time),
                      shown(view.until(view.shown_end_s, signal), curves.scale), colour, width));
   };
-  if (curves.all != nullptr) add(*curves.all, cloud, 1.5);
-  add(*curves.strokes, render::palette::blue, 3.5);
+  if (curves.all != nullptr) add(*curves.all, cloud, cloud_px);
+  add(*curves.strokes, render::palette::blue, strokes_px);
   add_loop_points(panel, calibration.hysteresis.points, curves.signal, true, view, curves.scale);
   return panel;
 }

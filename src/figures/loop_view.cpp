@@ -9,8 +9,11 @@ namespace tribolog::figures {
 namespace {
 
 constexpr double first_strokes = 1.25;  // periods: up, down, and up to where E has been passed
+constexpr double most_cycles = 1e6;
 constexpr double cycles_over_time = 2.25;
 constexpr double near_share = 0.25;  // of the loop's width, beyond its ends
+
+}  // namespace
 
 double reading(const LoopPoint& point, LoopSignal signal) {
   switch (signal) {
@@ -23,8 +26,6 @@ double reading(const LoopPoint& point, LoopSignal signal) {
   }
   return std::nan("");
 }
-
-}  // namespace
 
 std::vector<double> LoopView::until(double end_s, const std::vector<double>& signal) const {
   const auto& t = trace->t_s;
@@ -52,7 +53,8 @@ std::optional<LoopView> loop_view(const Calibration& calibration) {
   view.first_strokes_end_s = view.shown_end_s = trace.t_s.back();
   if (!loop.oscillations.empty()) {
     const Oscillation& oscillation = loop.oscillations.front();
-    view.cycles = std::isfinite(oscillation.cycles) ? oscillation.cycles : 0.0;
+    // Beyond belief counts as not known.
+    view.cycles = std::abs(oscillation.cycles) < most_cycles ? oscillation.cycles : 0.0;
     view.centre_rad = oscillation.centre_rad;
     if (oscillation.frequency_Hz > 0.0) {
       const double period = 1.0 / oscillation.frequency_Hz;
@@ -81,9 +83,9 @@ void add_loop_points(render::Panel& panel, const std::vector<LoopPoint>& points,
   for (const LoopPoint& point : points) {
     const std::string name(1, point.name);
     const SeriesStyle style = estimator_style(name);
-    add_visible(panel,
-                render::PointLabel{over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
-                                   y(reading(point, signal)), name, style.colour, style.marker});
+    add_visible(panel, render::PointLabel{
+                           over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
+                           y(reading(point, signal)), name, render::palette::black, style.marker});
   }
 }
 
@@ -94,8 +96,7 @@ bool add_gravity_peak(render::Panel& panel, const Calibration& calibration, cons
   const double margin = near_share * angles.span();
   if (peak < angles.low - margin || peak > angles.high + margin) return false;
   panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, view.angle(peak),
-                                   "q_{peak}", render::palette::green,
-                                   render::LineStyle::dash_dot});
+                                   "q_{peak}", peak_colour, render::LineStyle::dash_dot});
   return true;
 }
 

@@ -32,6 +32,10 @@ std::optional<LoopView> loop_view(const Calibration& calibration);
 
 /// The reading points A to F on a panel.
 enum class LoopSignal { torque, deflection, deflection_rate };
+
+/// That signal of a point, SI.
+double reading(const LoopPoint& point, LoopSignal signal);
+
 void add_loop_points(render::Panel& panel, const std::vector<LoopPoint>& points, LoopSignal signal,
                      bool over_time, const LoopView& view, const AxisScale& y);
 

@@ -24,8 +24,10 @@ std::string fixed(double value, int decimals) {
 
 /// Decimals that show `step` with so many significant digits.
 int decimals_for(double step, int digits) {
-  const double exponent = std::floor(std::log10(std::abs(step)));
-  return static_cast<int>(std::clamp(digits - 1 - exponent, 0.0, 12.0));
+  // Through the printed form, so that 0.99996 to three digits is 1.00 and not 1.000.
+  const std::string printed = fmt::format("{:.{}e}", std::abs(step), digits - 1);
+  const int exponent = std::stoi(printed.substr(printed.find('e') + 1));
+  return std::clamp(digits - 1 - exponent, 0, 12);
 }
 
 bool printable_in_full(double value) {
@@ -43,6 +45,12 @@ std::string significant(double value, int digits) {
   if (!std::isfinite(value)) return "unknown";
   if (!printable_in_full(value)) return with_minus(fmt::format("{:.{}e}", value, digits - 1));
   return fixed(value, value == 0.0 ? 0 : decimals_for(value, digits));
+}
+
+std::string to_place(double value, double largest, int digits) {
+  if (!std::isfinite(value)) return "unknown";
+  if (!printable_in_full(largest) || largest == 0.0) return significant(value, digits);
+  return fixed(value, decimals_for(largest, digits));
 }
 
 std::string with_unit(double si_value, const AxisScale& scale, int digits) {

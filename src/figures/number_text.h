@@ -14,6 +14,9 @@ namespace tribolog::figures {
 /// Beyond 1e-9 to 1e9 in scientific notation; not finite: "unknown".
 std::string significant(double value, int digits);
 
+/// The value to the place that shows `largest` with so many digits: members of one list.
+std::string to_place(double value, double largest, int digits);
+
 /// "3.8832 N·m"; degrees without the space: "−22.23°".
 std::string with_unit(double si_value, const AxisScale& scale, int digits);
 

@@ -29,6 +29,7 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
   for (const QualityError& error : quality.errors) {
     errors.push_back({error.estimator, error.percent});
   }
+  errors = in_drawing_order(std::move(errors));
 
   ReportFigure out;
   out.number = 20;

@@ -12,9 +12,10 @@
 namespace tribolog::figures {
 namespace {
 
-constexpr double room = 3.0;        // of the chosen curves' largest value: neighbours come in
+constexpr double room = 2.0;        // of the chosen curves' largest value: neighbours come in
 constexpr double worthwhile = 2.0;  // times larger must the whole be for a close-up
 constexpr int reference_points = 200;
+constexpr double bin_marker_px = 13.0;  // markers of a sweep: one candidate, nothing to lie under
 
 std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
   std::vector<double> speeds;
@@ -49,16 +50,17 @@ void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
     apply(estimator_style(estimator), series);
     if (viscous.from_sweep) {
       series.style = render::LineStyle::none;
+      series.marker_size_px = bin_marker_px;
       if (series.marker == render::Marker::none) series.marker = render::Marker::circle;
     }
-    series.marker_size_px = 9.0;
+
     labelled = add_visible(panel, std::move(series)) || labelled;
   }
 }
 
 void add_reference(render::Panel& panel, const Calibration& calibration, const AxisScale& scale) {
   const auto& analytic = calibration.manifest.reference;
-  const std::string label = "reference: " + reference_words(calibration.quality.reference);
+  const std::string label = reference_label(calibration);
   if (calibration.quality.reference != "analytic" || !analytic) {
     add_run_curve(panel, calibration.viscous, "reference", label, calibration.quality.reference_Nm,
                   scale);
@@ -82,6 +84,13 @@ void add_reference(render::Panel& panel, const Calibration& calibration, const A
   }
 }
 
+std::string reference_label(const Calibration& calibration) {
+  if (calibration.quality.reference != "direction_difference") {
+    return "reference: " + reference_words(calibration.quality.reference);
+  }
+  return "reference: (T(+φ\u0307) − T(−φ\u0307)) / 2";
+}
+
 std::string reference_words(const std::string& reference) {
   if (reference == "analytic") return "analytic curve";
   if (reference == "direction_difference") return "half the difference of the directions";
@@ -93,6 +102,16 @@ std::string candidate_words(const Calibration& calibration, const std::string& e
   if (mass == nullptr) return estimator_words(estimator);
   return fmt::format("{} ({})", estimator_words(estimator),
                      with_unit(mass->mass_kg.value, AxisScale{1.0, "kg"}, 4));
+}
+
+std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves) {
+  static const std::vector<std::string> first{"midline", "sweep", "AB", "CD", "EF"};
+  const auto rank = [](const NamedValues& curve) {
+    return std::find(first.begin(), first.end(), curve.estimator) - first.begin();
+  };
+  std::stable_sort(curves.begin(), curves.end(),
+                   [&](const auto& one, const auto& other) { return rank(one) < rank(other); });
+  return curves;
 }
 
 CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection) {

@@ -23,6 +23,9 @@ void add_reference(render::Panel& panel, const Calibration& calibration, const A
 /// "analytic curve" or "half the difference of the directions"
 std::string reference_words(const std::string& reference);
 
+/// The legend's text for the reference.
+std::string reference_label(const Calibration& calibration);
+
 /// "A (80.00 kg)"
 std::string candidate_words(const Calibration& calibration, const std::string& estimator);
 
@@ -35,6 +38,9 @@ struct NamedValues {
   std::string estimator;
   std::vector<double> values;
 };
+/// What coincides most first and largest, single points last, so that each stays visible.
+std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves);
+
 /// The band holds the paper's choice and the recommended estimator with room for their neighbours.
 /// `limit` is 0 if a close-up would show nothing new.
 CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection);

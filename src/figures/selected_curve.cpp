@@ -83,9 +83,16 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
   out.caption = fmt::format("Friction with gravity removed; {}.{}{}", recommended, paper,
                             fit_words(calibration.friction));
   out.how_to_read =
-      "Forward and backward runs are folded onto each other. With the right mass they coincide "
-      "within their bars and lie on the reference; a constant gap between them is twice the error "
-      "in gravity torque. The fitted laws should pass through the points without a pattern.";
+      calibration.viscous.from_sweep
+          ? "Each marker is the friction at one angle of the sweep, at the speed that the joint "
+            "had "
+            "there. Forward and backward should coincide within their bars; two branches at the "
+            "same speed mean that friction also depends on load or angle, and then no law of "
+            "speed alone fits."
+          : "Forward and backward runs are folded onto each other. With the right mass they "
+            "coincide within their bars and lie on the reference; a constant gap between them is "
+            "twice the error in gravity torque. The fitted laws should pass through the points "
+            "without a pattern.";
   out.alt =
       fmt::format("Friction torque against motor speed from {} to {}; {}.{}{}",
                   significant(speeds.low, 3), with_unit(speeds.high, AxisScale{1.0, "rad/s"}, 3),

@@ -22,7 +22,7 @@ render::Panel signal_panel(const std::vector<SweepTrace>& sweeps, Signal signal,
   panel.show_legend = legend;
   // The grey line runs through all samples, so that nothing seems missing between strokes.
   if (count(sweeps, Stroke::left_out) > 0) {
-    add_visible(panel, line(legend ? "left out: at rest, accelerating, reversing" : "",
+    add_visible(panel, line(legend ? "left out: rest, acceleration, reversal" : "",
                             signal_of(sweeps, &SweepTrace::t_s),
                             shown(signal_of(sweeps, signal), scale), render::palette::grey, 2.0));
   }
@@ -30,8 +30,8 @@ render::Panel signal_panel(const std::vector<SweepTrace>& sweeps, Signal signal,
     add_visible(panel, line(legend ? label : "", signal_of(sweeps, stroke, &SweepTrace::t_s),
                             shown(signal_of(sweeps, stroke, signal), scale), colour, 3.0));
   };
-  add(Stroke::rising, "used, arm rising", rising_colour);
-  add(Stroke::falling, "used, arm dropping", falling_colour);
+  add(Stroke::rising, "used, q rising", rising_colour);
+  add(Stroke::falling, "used, q falling", falling_colour);
   return panel;
 }
 
@@ -59,7 +59,7 @@ std::optional<ReportFigure> sweep_motion_figure(const Dataset& dataset,
   out.figure.panels = {
       signal_panel(sweeps, &SweepTrace::q_rad, "joint angle q", degrees(), true),
       signal_panel(sweeps, &SweepTrace::motor_speed_rad_s, "motor speed φ\u0307", speed, false),
-      signal_panel(sweeps, &SweepTrace::torque_Nm, "torque T", torque, false)};
+      signal_panel(sweeps, &SweepTrace::torque_Nm, "driving torque T", torque, false)};
   out.figure.panels_share_x = true;
   out.figure.height_px = 1300;
 
@@ -68,8 +68,8 @@ std::optional<ReportFigure> sweep_motion_figure(const Dataset& dataset,
   const std::size_t rising = count(sweeps, Stroke::rising);
   const std::size_t falling = count(sweeps, Stroke::falling);
   out.caption = fmt::format(
-      "The rough sweep from {} with the motor at up to {}. {} of {} samples were used ({} rising, "
-      "{} dropping); the rest is rest, acceleration or reversal.",
+      "The rough sweep from {} with the motor at up to {}. {} of {} samples were used ({} with the "
+      "angle rising, {} falling); at the others the joint rests, accelerates or reverses.",
       range, with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3),
       rising + falling, rising + falling + count(sweeps, Stroke::left_out), rising, falling);
   out.how_to_read =

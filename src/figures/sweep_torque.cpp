@@ -17,7 +17,8 @@
 namespace tribolog::figures {
 namespace {
 
-constexpr int pale = 90;  // alpha of raw samples under a fit
+constexpr double samples_px = 5.0;  // wider than the fit, to be seen beside it in a clean log
+constexpr int pale = 90;            // alpha of raw samples under a fit
 
 struct Direction {
   Stroke stroke;
@@ -29,8 +30,8 @@ struct Direction {
 
 std::vector<Direction> directions_of(const CogSweepResult& sweep) {
   return {
-      {Stroke::rising, sweep.fit_rising_Nm, "arm rising", rising_colour, render::LineStyle::solid},
-      {Stroke::falling, sweep.fit_falling_Nm, "arm dropping", falling_colour,
+      {Stroke::rising, sweep.fit_rising_Nm, "q rising", rising_colour, render::LineStyle::solid},
+      {Stroke::falling, sweep.fit_falling_Nm, "q falling", falling_colour,
        render::LineStyle::dash}};
 }
 
@@ -48,7 +49,7 @@ void add_direction(render::Panel& panel, const CogSweepResult& sweep,
               line(direction.words,
                    shown(signal_of(samples, direction.stroke, &SweepTrace::q_rad), degrees()),
                    shown(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm), torque),
-                   faded(direction.colour, pale), 2.0));
+                   faded(direction.colour, pale), samples_px));
   if (direction.fit_Nm.size() != sweep.fit_q_rad.size()) return;
   add_visible(panel,
               line("fit, " + direction.words, shown(sweep.fit_q_rad, degrees()),
@@ -68,13 +69,11 @@ double distance_to_argmax(const CogSweepResult& sweep, const Direction& directio
   return distance;
 }
 
-void add_words(ReportFigure& out, const CogSweepResult& sweep, const std::string& name) {
-  const AxisScale newton_metre = prefixed("N·m", sweep.gravity_Nm.value);
-  out.caption = fmt::format(
-      "{}: least squares puts the gravity peak at {}, with a gravity torque of {} at the motor; "
-      "{}.",
-      name, with_interval(sweep.q_peak_rad, degrees()),
-      with_interval(sweep.gravity_Nm, newton_metre), argmax_words(sweep));
+void add_words(ReportFigure& out, const CogSweepResult& sweep, const std::string& name,
+               const std::string& amplitude) {
+  out.caption =
+      fmt::format("{}: least squares puts the gravity peak at {}{}; {}.", name,
+                  with_interval(sweep.q_peak_rad, degrees()), amplitude, argmax_words(sweep));
   if (sweep.coulomb_Nm) {
     out.caption +=
         fmt::format(" Half the distance of the directions is {} of friction.",
@@ -116,7 +115,9 @@ std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
   add_argmax(panel, sweep, torque);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
-  add_words(out, sweep, "Rough sweep");
+  add_words(out, sweep, "Rough sweep",
+            fmt::format(", with a gravity torque of {} at the motor",
+                        with_interval(sweep.gravity_Nm, prefixed("N·m", sweep.gravity_Nm.value))));
   out.how_to_read =
       "The two directions should be the same cosine, one friction torque above and below gravity, "
       "and the fit should run through the middle of the samples everywhere. A fit that leaves the "
@@ -144,7 +145,7 @@ std::optional<ReportFigure> precise_torque_figure(const Dataset& dataset,
     const AxisScale torque = levelled("N·m", torques);
     render::Panel panel;
     panel.x.title = axis_title("joint angle q", degrees());
-    panel.y.title = axis_title("torque T", torque, "N·m");
+    panel.y.title = axis_title("driving torque T", torque, "N·m");
     add_direction(panel, sweep, samples, direction, torque);
     if (panel.series.empty()) continue;
     add_peak(panel, sweep, torques, torque);
@@ -154,7 +155,7 @@ std::optional<ReportFigure> precise_torque_figure(const Dataset& dataset,
   if (out.figure.panels.empty()) return std::nullopt;
   out.figure.panels_share_x = true;
   if (out.figure.panels.size() > 1) out.figure.height_px = 1200;
-  add_words(out, sweep, "Precise sweep");
+  add_words(out, sweep, "Precise sweep", "");
   out.how_to_read =
       "Near its peak torque is flat: one degree beside it only 0.015 % are missing. Trust the "
       "fitted vertex and the width of its interval, not the one highest sample; if the black bar "

@@ -16,8 +16,15 @@
 namespace tribolog::figures {
 namespace {
 
-constexpr double zoom = 1.7;          // of the farthest reading's distance from the mid-line
-constexpr double dimension_at = 0.1;  // of the loop's height, above its lowest torque
+constexpr double zoom = 1.7;           // of the farthest reading's distance from the mid-line
+constexpr double same_share = 0.05;    // of the close-up's reach: one reading, not two
+constexpr double dimension_at = 0.22;  // of the loop's height, above its lowest torque
+
+/// Whether two readings of a point would lie on each other in the close-up.
+bool coincide(const LoopPoint* first, const LoopPoint* steady, double same_Nm) {
+  return first != nullptr && steady != nullptr &&
+         std::abs(first->torque_Nm - steady->torque_Nm) <= same_Nm;
+}
 
 void add_loop(render::Panel& panel, const Calibration& calibration, const LoopView& view,
               const AxisScale& torque, bool legend) {
@@ -26,11 +33,11 @@ void add_loop(render::Panel& panel, const Calibration& calibration, const LoopVi
       view.model_torque_Nm != nullptr && calibration.hysteresis.bristle_source != "recorded";
   const auto& strokes = model ? *view.model_torque_Nm : trace.torque_Nm;
   add_visible(panel, line(legend ? "measured" : "", shown(trace.q_rad, view.angle),
-                          shown(trace.torque_Nm, torque), cloud, 1.5));
+                          shown(trace.torque_Nm, torque), cloud, cloud_px));
   render::Series first = line(legend ? (model ? "first strokes, LuGre fit" : "first strokes") : "",
                               shown(view.until(view.first_strokes_end_s, trace.q_rad), view.angle),
                               shown(view.until(view.first_strokes_end_s, strokes), torque),
-                              render::palette::blue, 2.5);
+                              render::palette::blue, strokes_px);
   first.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
   add_visible(panel, std::move(first));
   add_visible(panel, line(legend ? "mid-line of the steady loop" : "",
@@ -40,15 +47,15 @@ void add_loop(render::Panel& panel, const Calibration& calibration, const LoopVi
 
 /// A dimension line with an arrow head at each end.
 void add_dimension(render::Panel& panel, double from, double to, double level,
-                   const std::string& text) {
+                   render::Colour colour, const std::string& text) {
   const double middle = (from + to) / 2;
   for (const double end : {from, to}) {
-    render::Series half = line("", {middle, end}, {level, level}, render::palette::vermilion, 2.5);
+    render::Series half = line("", {middle, end}, {level, level}, colour, 2.5);
     half.direction_arrows_at = {1.0};
     add_visible(panel, std::move(half));
   }
-  add_visible(panel, render::PointLabel{middle, level, text, render::palette::vermilion,
-                                        render::Marker::none});
+  add_visible(
+      panel, render::PointLabel{middle, level, text, render::palette::black, render::Marker::none});
 }
 
 void add_reading(render::Panel& panel, const LoopPoint* point, const std::string& extra,
@@ -64,7 +71,7 @@ void add_reading(render::Panel& panel, const LoopPoint* point, const std::string
   add_visible(panel,
               render::PointLabel{x, torque(point->torque_Nm),
                                  name + extra + ": " + with_unit(point->torque_Nm, torque, 4),
-                                 style.colour, style.marker});
+                                 render::palette::black, style.marker});
 }
 
 render::Panel whole_loop(const Calibration& calibration, LoopView view, const Choice& choice,
@@ -80,14 +87,15 @@ render::Panel whole_loop(const Calibration& calibration, LoopView view, const Ch
   const std::string name(1, choice.chosen->name);
   const SeriesStyle style = estimator_style(name);
   const double x = view.angle(choice.chosen->q_rad);
-  add_visible(panel, render::PointLabel{x, torque(choice.chosen->torque_Nm),
-                                        name + ", the paper's choice", style.colour, style.marker});
+  add_visible(panel,
+              render::PointLabel{x, torque(choice.chosen->torque_Nm), name + ", the paper's choice",
+                                 render::palette::black, style.marker});
   if (!at_peak || !std::isfinite(x)) return panel;
   const double peak = view.angle(calibration.q_peak_rad->value);
   panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, x,
                                    "q_{" + name + "}", style.colour, render::LineStyle::dot});
   const Extent torques = extent_of(view.trace->torque_Nm);
-  add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()),
+  add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()), style.colour,
                 "eq. (14): q_{" + name + "} − q_{peak} = " + significant(x - peak, 3) + " " +
                     view.angle.unit);
   return panel;
@@ -119,16 +127,22 @@ render::Panel around_midline(const Calibration& calibration, const LoopView& vie
                            {angles.low, angles.high},
                            {torque(choice.midline->low), torque(choice.midline->low)},
                            {torque(choice.midline->high), torque(choice.midline->high)},
-                           faded(render::palette::green, 70)});
+                           faded(peak_colour, 60)});
   }
   add_loop(panel, calibration, view, torque, false);
   panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, torque(middle),
-                                   "mid-line " + with_interval(*choice.midline, torque),
-                                   render::palette::green, render::LineStyle::dash});
+                                   "mean of the mid-line " + with_interval(*choice.midline, torque),
+                                   peak_colour, render::LineStyle::dash});
   add_reading(panel, choice.chosen, "", view, torque);
   add_reading(panel, choice.other, "", view, torque);
-  add_reading(panel, choice.chosen_steady, " steady", view, torque);
-  add_reading(panel, choice.other_steady, " steady", view, torque);
+  const double same_Nm = same_share * reach;
+  if (!coincide(choice.chosen, choice.chosen_steady, same_Nm)) {
+    add_reading(panel, choice.chosen_steady, " steady", view, torque);
+  }
+  if (!coincide(choice.other, choice.other_steady, same_Nm)) {
+    add_reading(panel, choice.other_steady, " steady", view, torque);
+  }
+
   return panel;
 }
 

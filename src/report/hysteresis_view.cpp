@@ -35,6 +35,18 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
   return table;
 }
 
+/// Decimals that show the largest of a column to four digits, so that numbers around zero read 0.
+int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::*member,
+                    double factor) {
+  double largest = 0.0;
+  for (const LoopPoint& p : points) {
+    if (std::isfinite(p.*member)) largest = std::max(largest, std::abs(p.*member) * factor);
+  }
+  constexpr int digits = 4;
+  if (largest == 0.0) return 0;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 12);
+}
+
 Table points_table(const std::vector<LoopPoint>& points, const std::string& id,
                    const std::string& caption) {
   Table table;
@@ -48,14 +60,16 @@ Table points_table(const std::vector<LoopPoint>& points, const std::string& id,
   table.columns = {{"Point", "", false},  {"Where", "", false}, {"t", "s", true}, {"q", "°", true},
                    {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
                    {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
+  const int z_decimals = column_decimals(points, &LoopPoint::z_rad, bristle.factor);
+  const int rate_decimals = column_decimals(points, &LoopPoint::dz_rad_s, bristle.factor);
   for (const LoopPoint& p : points) {
     const std::string name(1, p.name);
     const RoundedEstimate torque = round_by_interval(
         {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
     table.rows.push_back({{name, point_meaning(name), fixed(p.t_s, 4),
                            fixed(p.q_rad * degree_scale().factor, 4), torque.plus_minus(),
-                           or_dash(torque.range()), significant(p.z_rad * bristle.factor, 3),
-                           significant(p.dz_rad_s * bristle.factor, 3)},
+                           or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
+                           fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
                           false});
   }
   return table;

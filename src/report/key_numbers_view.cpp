@@ -19,7 +19,7 @@ class KeyNumbers {
                       ? "Gear ratio 1: motor side and joint side are the same."
                       : "At the joint, torques are n times and viscous coefficients and stiffnesses "
                         "n² times those at the motor; n = " +
-                            significant(n_, 6) + ".";
+                            as_stated(n_) + ".";
   }
 
   Table make() {
@@ -86,7 +86,7 @@ class KeyNumbers {
 
   void masses() {
     const std::string at =
-        " at r = " + significant(c_.manifest.surrogate_distance_m, 3) + "\u00a0m";
+        " at r = " + as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
     if (const SurrogateMass* mass = recommended_mass(c_)) {
       mass_row("Surrogate mass" + at + ", recommended", *mass, true);
     } else {
@@ -127,7 +127,7 @@ class KeyNumbers {
     }
     if (has_lugre) {
       sides("Bristle stiffness σ₀", loop.lugre->bristle_stiffness_Nm_rad, n_ * n_,
-            [](double) { return plain_scale("N·m/rad"); }, from_loop);
+            stiffness_scale, from_loop);
     }
   }
 

@@ -54,6 +54,10 @@ std::string significant(double value, int digits) {
   return fixed(value, decimals);
 }
 
+std::string as_stated(double value) {
+  return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : "unknown";
+}
+
 RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale) {
   RoundedEstimate text;
   if (!std::isfinite(estimate.value)) {

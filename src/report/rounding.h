@@ -45,6 +45,10 @@ std::string fixed(double value, int decimals);
 /// So many significant digits, in fixed notation between 1e-6 and 1e9, else "1.2×10^-9".
 std::string significant(double value, int digits);
 
+/// A number as somebody stated it, with up to ten significant digits and no zeros behind:
+/// "100", "9.81".
+std::string as_stated(double value);
+
 /// Value and unit: "3.883 N·m", "22.2°" (no space before the degree sign).
 std::string with_unit(const std::string& number, const std::string& unit);
 

@@ -87,11 +87,11 @@ std::string helpful_experiment(StageId stage) {
     case StageId::hysteresis:
       return "Oscillate the joint about the gravity peak with a sine of about 1 Hz and so small a "
              "stroke that it stays in pre-sliding (some 0.1 mrad at the joint), ten cycles or "
-             "more, sampled at 1 kHz. The encoder must resolve the stroke into at least some "
-             "twenty steps. Repeat at several motor positions if the torque ripples with position.";
+             "more, sampled at 1 kHz. The encoder must resolve the stroke into at least fifty "
+             "steps. Repeat at several motor positions if the torque ripples with position.";
     case StageId::surrogate_masses:
-      return "It needs the gravity torque of a rough sweep, or the hysteresis loop of a "
-             "micro-oscillation about the gravity peak.";
+      return "The gravity torque of a rough sweep gives one mass; the others need the hysteresis "
+             "loop of stage 3.";
     case StageId::viscous_curves:
       return "Run the joint at ten to twenty constant speeds, from the slowest that is smooth to "
              "the fastest allowed, in both directions over the same angles.";

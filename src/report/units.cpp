@@ -20,6 +20,12 @@ Scale prefixed(double size, double base_from, const char* unit) {
 Scale torque_scale(double size_Nm) { return prefixed(size_Nm, 0.1, "N·m"); }
 Scale radian_scale(double size_rad) { return prefixed(size_rad, 0.01, "rad"); }
 Scale viscous_scale(double size_Nms_rad) { return prefixed(size_Nms_rad, 0.1, "N·m·s/rad"); }
+Scale stiffness_scale(double size_Nm_rad) {
+  const double absolute = std::abs(size_Nm_rad);
+  if (absolute >= 1e7) return {1e-6, "MN·m/rad"};
+  return absolute >= 1e4 ? Scale{1e-3, "kN·m/rad"} : Scale{1.0, "N·m/rad"};
+}
+
 Scale degree_scale() { return {180.0 / std::numbers::pi, "°"}; }
 Scale degree_per_second_scale() { return {180.0 / std::numbers::pi, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }

@@ -14,6 +14,9 @@ Scale radian_scale(double size_rad);
 /// N·m·s/rad, mN·m·s/rad or µN·m·s/rad.
 Scale viscous_scale(double size_Nms_rad);
 
+/// N·m/rad, kN·m/rad or MN·m/rad for stiffnesses.
+Scale stiffness_scale(double size_Nm_rad);
+
 Scale degree_scale();                ///< rad -> °
 Scale degree_per_second_scale();     ///< rad/s -> °/s
 Scale plain_scale(std::string unit); ///< SI as it is.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/report_view.h"
+#include "report/rounding.h"
 
 namespace tribolog::report {
 
@@ -62,6 +63,9 @@ Row not_identified_row(const std::string& quantity, const std::string& why);
 std::string estimator_name(const std::string& estimator);
 /// The chosen surrogate mass, or nullptr.
 const SurrogateMass* recommended_mass(const Calibration& calibration);
+
+/// With a capital letter and a full stop. A leading symbol ("q_peak", "n") keeps its letter.
+std::string as_sentence(const std::string& text);
 
 /// A dash for text that is not stated.
 std::string or_dash(const std::string& text);

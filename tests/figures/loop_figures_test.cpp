@@ -117,7 +117,7 @@ TEST_F(LoopFigures, ChoiceMarksThePapersPointAndItsShiftFromThePeak) {
       figure->figure.panels[0].point_labels.begin(), figure->figure.panels[0].point_labels.end(),
       [](const auto& one) { return one.text.find("= −15.6 µrad") != std::string::npos; }));
   // The peak is known to 500 µrad.
-  EXPECT_NE(figure->caption.find("less than the 500 µrad"), std::string::npos) << figure->caption;
+  EXPECT_NE(figure->caption.find("only known to ± 500 µrad"), std::string::npos) << figure->caption;
 }
 
 TEST_F(LoopFigures, CloseUpHoldsAllItsReadings) {

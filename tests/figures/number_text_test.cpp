@@ -36,11 +36,6 @@ TEST(NumberText, LopsidedIntervalIsShownByItsEnds) {
   EXPECT_EQ(with_interval(estimate, newton_metre), "1.00 N·m (0.90 to 1.40)");
 }
 
-TEST(NumberText, IntervalFollowsAScaleOfAnySign) {
-  EXPECT_EQ(with_interval(symmetric_estimate(0.5, 0.01, ""), AxisScale{-1.0, "N·m"}),
-            "−0.500 ± 0.010 N·m");
-}
-
 TEST(NumberText, WithoutAnInterval) {
   EXPECT_EQ(with_interval(Estimate{3.883186, 3.883186, 3.883186, ""}, newton_metre), "3.8832 N·m");
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -21,6 +21,12 @@ bool has_label(const render::Panel& panel, const std::string& part) {
   });
 }
 
+bool has_label_beginning(const render::Panel& panel, const std::string& beginning) {
+  return std::any_of(panel.series.begin(), panel.series.end(), [&](const render::Series& series) {
+    return series.label.rfind(beginning, 0) == 0;
+  });
+}
+
 class RunFigures : public ::testing::Test {
  protected:
   Dataset dataset_ = test::hand_made_dataset();
@@ -49,8 +55,8 @@ TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
     ASSERT_EQ(figure->figure.panels.size(), 2U);
     const render::Panel& near = figure->figure.panels[1];
     EXPECT_NE(near.title.find("outside"), std::string::npos) << near.title;
-    EXPECT_FALSE(has_label(near, "D ("));
-    EXPECT_TRUE(has_label(near, "B ("));
+    EXPECT_FALSE(has_label_beginning(near, "D ("));
+    EXPECT_TRUE(has_label_beginning(near, "B ("));
     EXPECT_TRUE(has_label(near, "mid-line"));
     ASSERT_TRUE(near.y.minimum && near.y.maximum);
     EXPECT_DOUBLE_EQ(*near.y.minimum, -*near.y.maximum);
@@ -104,7 +110,7 @@ TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
     for (const double speed : series.x) EXPECT_GT(speed, 0.0) << series.label;
   }
   EXPECT_EQ(panel.error_bars.size(), calibration_.viscous.runs.size());
-  EXPECT_NE(figure->caption.find("500.0 ± 4.0 mN·m"), std::string::npos) << figure->caption;
+  EXPECT_NE(figure->caption.find("0.5000 ± 0.0040 N·m"), std::string::npos) << figure->caption;
 }
 
 TEST_F(RunFigures, AngleBinsOfASweepStayMarkers) {

@@ -49,7 +49,8 @@ TEST_F(SweepFigures, MotorSpeedIsTheGearRatioTimesTheSlope) {
   const render::Series& rising = figure->figure.panels[1].series[1];
   // 2.4 rad in 4 s at the joint.
   for (const double speed : rising.y) {
-    if (std::isfinite(speed)) EXPECT_NEAR(speed, 60.0, 0.5);
+    if (std::isnan(speed)) continue;
+    EXPECT_NEAR(speed, 60.0, 0.5);
   }
 }
 

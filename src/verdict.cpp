@@ -1,4 +1,4 @@
-#include "stages/verdict.h"
+#include "verdict.h"
 
 #include <fmt/format.h>
 

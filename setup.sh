@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Installs what is missing from the distribution's packages, and builds. Called by examples/run.sh
+# and tests/run.sh; not meant to be called by hand.
+#   ./setup.sh program        what the program needs; builds it into build/
+#   ./setup.sh tests          that and what the tests need; builds them too
+#   ./setup.sh bench          all of it and what the benchmarks need
+# Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
+set -euo pipefail
+cd "$(dirname "$0")"
+goal=${1:-program}
+build=${TRIBOLOG_BUILD:-build}
+
+needed=(cmake ninja-build g++ pkg-config git
+  libvtk9-dev libfreetype-dev libdeflate-dev fonts-dejavu-core
+  libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+  libctemplate-dev libssl-dev)
+case $goal in
+  tests | bench) needed+=(libgtest-dev librapidcheck-dev libsundials-dev libpng-dev
+    python3-minimal python3-jsonschema) ;;&
+  bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib) ;;
+esac
+
+say() { printf 'tribolog: %s\n' "$*"; }
+
+installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
+
+install_missing() {
+  local missing=()
+  for package in "${needed[@]}"; do installed "$package" || missing+=("$package"); done
+  # Off-screen drawing: OSMesa where Mesa still has it, else EGL.
+  if ! installed libosmesa6-dev && ! { installed libegl-dev && installed libegl1; }; then
+    missing+=(offscreen)
+  fi
+  [ ${#missing[@]} -eq 0 ] && return
+  command -v apt-get >/dev/null || {
+    say "these packages are missing, and there is no apt-get to install them: ${missing[*]}" >&2
+    exit 1
+  }
+  local root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      say "to install ${missing[*]} this needs root or sudo" >&2
+      exit 1
+    }
+    root=(sudo)
+  fi
+  say "installing: ${missing[*]}"
+  "${root[@]}" apt-get -qq update
+  local wanted=()
+  for package in "${missing[@]}"; do
+    if [ "$package" != offscreen ]; then
+      wanted+=("$package")
+    elif [ -n "$(apt-cache policy libosmesa6-dev 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; then
+      wanted+=(libosmesa6-dev)
+    else
+      wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
+    fi
+  done
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
+    --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
+}
+
+install_missing
+tests=OFF
+bench=OFF
+case $goal in
+  tests) tests=ON ;;
+  bench) tests=ON bench=ON ;;
+esac
+# A build directory made for the tests keeps them: switching goals would rebuild for nothing.
+[ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_TESTS:BOOL=ON' "$build/CMakeCache.txt" && tests=ON
+[ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_BENCH:BOOL=ON' "$build/CMakeCache.txt" && bench=ON
+# shellcheck disable=SC2086
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_TESTS=$tests \
+  -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
+  { cat "$build.log" >&2; exit 1; }
+rm -f "$build.log"
+target=(tribolog)
+[ "$goal" != program ] && target=(all)
+cmake --build "$build" --target "${target[@]}"

@@ -1,0 +1,12 @@
+#pragma once
+// The command line: which command, with which options.
+
+#include "error.h"
+
+namespace tribolog {
+
+/// Parses the arguments and runs the command.
+/// @throw tribolog::Error for everything that the user is to be told.
+ExitStatus run_command_line(int argc, char** argv);
+
+}  // namespace tribolog

@@ -1,0 +1,50 @@
+#pragma once
+// The commands, one file each.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration.h"
+#include "cli/console.h"
+#include "error.h"
+
+namespace tribolog {
+
+struct SimulateOptions {
+  std::string scenario;
+  std::string directory;
+  std::optional<unsigned long long> seed;  ///< Instead of the scenario's.
+};
+
+struct IdentifyOptions {
+  std::string dataset;
+  std::string output;
+  std::optional<Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
+};
+
+struct FiguresOptions {
+  std::string dataset;
+  std::string directory;
+  int processes{2};
+};
+
+struct ReportOptions {
+  std::string dataset;
+  std::string output;
+  std::string calibration;  ///< Empty: beside the report.
+  std::optional<Verdict> fail_on;
+  int processes{2};
+  bool figures{true};
+};
+
+/// @param arguments the whole command line, for the provenance.
+ExitStatus run_simulate(const SimulateOptions& options, Console& console);
+ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
+                        Console& console);
+ExitStatus run_figures(const FiguresOptions& options, Console& console);
+ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
+                      Console& console);
+ExitStatus run_version(Console& console);
+
+}  // namespace tribolog

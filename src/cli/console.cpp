@@ -1,0 +1,49 @@
+#include "cli/console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+namespace tribolog {
+
+Console::Console(bool quiet)
+    : quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()) {}
+
+Console::~Console() { finish(); }
+
+void Console::progress(const std::string& what, std::size_t done, std::size_t all) {
+  if (quiet_ || all == 0) return;
+  if (!terminal_) {
+    if (what != last_) std::cerr << "tribolog: " << what << '\n';
+    last_ = what;
+    return;
+  }
+  using std::chrono::steady_clock;
+  if (!drawn_ && steady_clock::now() - start_ < std::chrono::seconds(1)) return;
+  constexpr std::size_t width = 30;
+  const std::size_t filled = width * done / all;
+  std::cerr << fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
+                           std::string(width - filled, '.'), done, all, what)
+            << std::flush;
+  drawn_ = true;
+}
+
+void Console::finish() {
+  if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
+  drawn_ = false;
+}
+
+void Console::say(const std::string& line) {
+  finish();
+  if (!quiet_) std::cout << line << '\n' << std::flush;
+}
+
+void Console::warn(const std::string& line) {
+  finish();
+  std::cerr << "tribolog: " << line << '\n';
+}
+
+}  // namespace tribolog

@@ -1,0 +1,36 @@
+#pragma once
+// What the user sees while a command works: a bar on a terminal, plain lines in a pipe, nothing
+// with --quiet. Goes to standard error; results go to standard output.
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace tribolog {
+
+class Console {
+ public:
+  explicit Console(bool quiet);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  /// A step of work: `done` of `all`. Drawn on a terminal once the work has taken a second; in a
+  /// pipe each new step is one line.
+  void progress(const std::string& what, std::size_t done, std::size_t all);
+  /// Ends the bar, so that the next line starts clean.
+  void finish();
+  /// A line about the result, to standard output; nothing with --quiet.
+  void say(const std::string& line);
+  /// A line that the user must not miss, to standard error, also with --quiet.
+  void warn(const std::string& line);
+
+ private:
+  bool quiet_;
+  bool terminal_;
+  bool drawn_{false};
+  std::string last_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace tribolog

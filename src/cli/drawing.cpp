@@ -1,0 +1,50 @@
+#include "cli/drawing.h"
+
+#include <fmt/format.h>
+
+#include "error.h"
+
+namespace tribolog {
+
+std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, int processes,
+                                      Console& console) {
+  std::vector<render::Figure> descriptions;
+  descriptions.reserve(figures.size());
+  for (const ReportFigure& figure : figures) descriptions.push_back(figure.figure);
+  render::DrawOptions options;
+  options.processes = processes;
+  options.progress = [&](std::size_t done, std::size_t all) {
+    console.progress("drawing figures", done, all);
+  };
+  try {
+    return render::draw_figures(descriptions, options);
+  } catch (const FigureError& error) {
+    std::vector<render::DrawnFigure> none(figures.size());
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      none[i].id = figures[i].id;
+      none[i].error = error.what();
+    }
+    return none;
+  }
+}
+
+std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console) {
+  std::size_t failures = 0;
+  std::string last;
+  for (const render::DrawnFigure& figure : drawn) {
+    for (const std::string& warning : figure.warnings) {
+      console.warn(fmt::format("{}: note: {}", figure.id, warning));
+    }
+    if (figure.error.empty()) continue;
+    ++failures;
+    if (figure.error != last) console.warn(fmt::format("{}: {}", figure.id, figure.error));
+    last = figure.error;
+  }
+  if (failures > 0) {
+    console.warn(fmt::format("error: {} of {} figures could not be drawn; the numbers are kept",
+                             failures, drawn.size()));
+  }
+  return failures;
+}
+
+}  // namespace tribolog

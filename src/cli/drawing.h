@@ -1,0 +1,21 @@
+#pragma once
+// Drawing a calibration's figures with progress, and naming those that failed.
+
+#include <cstddef>
+#include <vector>
+
+#include "cli/console.h"
+#include "figures/report_figure.h"
+#include "render/renderer.h"
+
+namespace tribolog {
+
+/// Pictures in the order of the figures. A graphics stack that cannot start at all leaves every
+/// picture with its error.
+std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, int processes,
+                                      Console& console);
+
+/// Warns of each figure that failed; returns how many did.
+std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console);
+
+}  // namespace tribolog

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "cli/commands.h"
+#include "cli/drawing.h"
+#include "cli/identification.h"
+#include "figures/figure_set.h"
+#include "files/atomic_file.h"
+
+namespace tribolog {
+
+ExitStatus run_figures(const FiguresOptions& options, Console& console) {
+  const Dataset dataset = load_dataset(options.dataset, console);
+  create_output_directory(options.directory);
+  const Calibration calibration = run_identification(dataset, console);
+  const std::vector<ReportFigure> figures = figure_set(dataset, calibration);
+  const std::vector<render::DrawnFigure> drawn = draw(figures, options.processes, console);
+  std::size_t written = 0;
+  for (const render::DrawnFigure& figure : drawn) {
+    if (!figure.error.empty()) continue;
+    const std::string_view bytes(reinterpret_cast<const char*>(figure.png.data()),
+                                 figure.png.size());
+    write_file_atomically(options.directory + "/" + figure.id + ".png", bytes);
+    ++written;
+  }
+  console.say(fmt::format("{}: {} figures", options.directory, written));
+  for (const StageReport& stage : calibration.stages()) {
+    if (stage.state != StageState::done) {
+      console.say(fmt::format("  {}: {}", stage.name, stage.reason));
+    }
+  }
+  return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,64 @@
+#include "cli/identification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "ingest/dataset_file.h"
+#include "pipeline.h"
+
+namespace tribolog {
+
+Dataset load_dataset(const std::string& manifest, Console& console) {
+  console.progress("reading " + printable(manifest), 0, 1);
+  Dataset dataset = read_dataset(manifest);
+  for (const std::string& note : dataset.notes) console.warn("note: " + note);
+  return dataset;
+}
+
+Calibration run_identification(const Dataset& dataset, Console& console) {
+  return identify(dataset, [&](const std::string& stage, int done, int all) {
+    console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
+  });
+}
+
+void tell_outcome(const Calibration& c, Console& console) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const auto say = [&](const std::string& name, const Estimate& e, double factor,
+                       const char* unit) {
+    const Estimate s = scaled(e, factor);
+    console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, s.value, unit,
+                            s.low, s.high));
+  };
+  console.say(fmt::format("verdict: {} - {}", to_string(c.judgement.verdict),
+                          c.judgement.sentence));
+  const double n = c.manifest.drive.gear_ratio();
+  if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees, "deg");
+  if (const SurrogateMass* mass = c.masses.find(c.selection.recommended)) {
+    say("surrogate mass, " + mass->estimator, mass->mass_kg, 1, "kg");
+    say("gravity torque at the joint", mass->gravity_Nm, n, "N·m");
+  }
+  if (const auto& line = c.friction.coulomb_viscous) {
+    say("Coulomb torque at the joint", line->coulomb_Nm, n, "N·m");
+  }
+  std::size_t read = 0;
+  std::size_t used = 0;
+  for (const InputFile& input : c.inputs) {
+    read += input.rows_read;
+    used += input.rows_used;
+    for (const SkippedRows& skipped : input.skipped) {
+      console.say(fmt::format("  {}: {} rows skipped: {}", printable(input.name), skipped.count,
+                              printable(skipped.reason, 200)));
+    }
+  }
+  console.say(fmt::format("  rows: {} read, {} used", read, used));
+}
+
+ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {
+  const bool fails =
+      fail_on && static_cast<int>(calibration.judgement.verdict) >= static_cast<int>(*fail_on);
+  return fails ? ExitStatus::verdict_failed : ExitStatus::done;
+}
+
+}  // namespace tribolog

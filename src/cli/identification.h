@@ -1,0 +1,26 @@
+#pragma once
+// What identify, figures and report have in common: reading a dataset and running the stages with
+// progress, and telling the outcome.
+
+#include <optional>
+#include <string>
+
+#include "calibration.h"
+#include "cli/console.h"
+#include "error.h"
+
+namespace tribolog {
+
+/// Reads the manifest and its recordings; notes go to the console.
+Dataset load_dataset(const std::string& manifest, Console& console);
+
+/// Runs every stage.
+Calibration run_identification(const Dataset& dataset, Console& console);
+
+/// A few lines for the terminal: verdict, angle, mass, friction, and rows left out.
+void tell_outcome(const Calibration& calibration, Console& console);
+
+/// 1 if the verdict is the given one or worse.
+ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on);
+
+}  // namespace tribolog

@@ -1,0 +1,20 @@
+#include "calibration_json.h"
+#include "cli/commands.h"
+#include "cli/identification.h"
+#include "files/atomic_file.h"
+
+namespace tribolog {
+
+ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
+                        Console& console) {
+  check_output_can_be_written(options.output, {options.dataset});
+  const Provenance provenance = make_provenance(arguments);
+  const Dataset dataset = load_dataset(options.dataset, console);
+  const Calibration calibration = run_identification(dataset, console);
+  write_file_atomically(options.output, calibration_json(calibration, provenance));
+  tell_outcome(calibration, console);
+  console.say("calibration: " + options.output);
+  return status_of(calibration, options.fail_on);
+}
+
+}  // namespace tribolog

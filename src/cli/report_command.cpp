@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include "calibration_json.h"
+#include "cli/commands.h"
+#include "cli/drawing.h"
+#include "cli/identification.h"
+#include "figures/figure_set.h"
+#include "files/atomic_file.h"
+#include "report/html_report.h"
+
+namespace tribolog {
+namespace {
+
+/// report.html -> report.calibration.json
+std::string calibration_beside(const std::string& report) {
+  const std::size_t slash = report.find_last_of('/');
+  const std::size_t dot = report.find_last_of('.');
+  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
+  return (has_ending ? report.substr(0, dot) : report) + ".calibration.json";
+}
+
+}  // namespace
+
+ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
+                      Console& console) {
+  const std::string numbers =
+      options.calibration.empty() ? calibration_beside(options.output) : options.calibration;
+  check_output_can_be_written(options.output, {options.dataset, numbers});
+  check_output_can_be_written(numbers, {options.dataset});
+  Provenance provenance = make_provenance(arguments);
+
+  const Dataset dataset = load_dataset(options.dataset, console);
+  const Calibration calibration = run_identification(dataset, console);
+  write_file_atomically(numbers, calibration_json(calibration, provenance));
+
+  std::vector<ReportFigure> figures;
+  std::vector<render::DrawnFigure> drawn;
+  if (options.figures) {
+    figures = figure_set(dataset, calibration);
+    drawn = draw(figures, options.processes, console);
+    provenance.drawing = drawing_software(drawn);
+  }
+  console.progress("writing the report", 1, 1);
+  write_file_atomically(options.output, html_report(calibration, figures, drawn, provenance));
+  tell_outcome(calibration, console);
+  console.say("calibration: " + numbers);
+  console.say("report: " + options.output);
+  if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
+  return status_of(calibration, options.fail_on);
+}
+
+}  // namespace tribolog

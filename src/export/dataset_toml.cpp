@@ -1,0 +1,98 @@
+#include "export/dataset_toml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "export/shortest_number.h"
+
+namespace tribolog {
+namespace {
+
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+/// A basic string of TOML.
+std::string toml_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(byte));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted += '"';
+}
+
+std::string reference(const WaiboerFriction::Parameters& p) {
+  std::string text = "\n# The friction that was simulated: sweeps and runs at constant speed.\n";
+  text += "[reference.waiboer]\n";
+  const auto add = [&](const char* key, double value) {
+    text += fmt::format("{} = {}\n", key, number(value));
+  };
+  add("asperity_torque_Nm", p.asperity_torque_Nm);
+  add("stribeck_speed_rad_s", p.stribeck_speed_rad_s);
+  add("stribeck_power", p.stribeck_power);
+  add("viscous_coefficient", p.viscous_coefficient);
+  add("viscous_power", p.viscous_power);
+  add("smoothing_s_rad", p.smoothing_s_rad);
+  return text;
+}
+
+constexpr const char* speed_column = R"(speed = {name = "dq_rad_s", unit = "rad/s"})";
+
+/// Columns that not every recording has.
+std::string own_columns(const Recording& recording, bool speed_is_common) {
+  std::string columns;
+  const auto add = [&](bool is_there, const char* column) {
+    if (!is_there) return;
+    if (!columns.empty()) columns += ", ";
+    columns += column;
+  };
+  add(!recording.dq_rad_s.empty() && !speed_is_common, speed_column);
+  add(!recording.z_rad.empty(), R"(bristle = {name = "z_rad", unit = "rad"})");
+  add(!recording.dz_rad_s.empty(), R"(bristle_rate = {name = "dz_rad_s", unit = "rad/s"})");
+  return columns;
+}
+
+}  // namespace
+
+std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>& recordings) {
+  std::string text = "schema = \"tribolog-dataset-1\"\n\n[robot]\n";
+  text += fmt::format("name = {}\n", toml_text(scenario.robot));
+  if (!scenario.serial.empty()) text += fmt::format("serial = {}\n", toml_text(scenario.serial));
+  text += fmt::format("note = {}\n", toml_text("simulated: " + scenario.name));
+  text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", toml_text(scenario.joint),
+                      number(scenario.gear_ratio));
+  text += "\n[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n";
+  text += fmt::format("\n[surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
+                      number(scenario.surrogate_distance_m), number(scenario.load.gravity_m_s2()));
+  text +=
+      "\n[columns]\n"
+      "time = {name = \"t_s\", unit = \"s\"}\n"
+      "angle = {name = \"q_rad\", unit = \"rad\", side = \"joint\"}\n"
+      "effort = {name = \"torque_Nm\", unit = \"Nm\"}\n";
+  const bool speed_is_common =
+      std::all_of(recordings.begin(), recordings.end(),
+                  [](const Recording& recording) { return !recording.dq_rad_s.empty(); });
+  if (speed_is_common) text += fmt::format("{}\n", speed_column);
+  text += reference(scenario.sliding.parameters());
+  for (const Recording& recording : recordings) {
+    text += fmt::format("\n[[recording]]\nrole = \"{}\"\nfile = {}\n", to_string(recording.role),
+                        toml_text(recording.name));
+    const std::string columns = own_columns(recording, speed_is_common);
+    if (!columns.empty()) text += fmt::format("columns = {{{}}}\n", columns);
+  }
+  return text;
+}
+
+}  // namespace tribolog

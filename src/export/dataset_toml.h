@@ -1,0 +1,17 @@
+#pragma once
+// The manifest of a simulated dataset.
+
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "simulate/scenario.h"
+
+namespace tribolog {
+
+/// A manifest that read_dataset accepts, for recordings written by recording_csv() beside it under
+/// their names. It states the torque as motor torque before the gear, and the sliding friction of
+/// the scenario as the known reference.
+std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>& recordings);
+
+}  // namespace tribolog

@@ -1,0 +1,68 @@
+#include "files/temporary_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string_view>
+
+namespace tribolog {
+namespace {
+
+constexpr std::string_view random_part = "XXXXXX";
+
+/// `.<name>.tmp-`, with the name cut where the whole would exceed what file systems allow.
+std::string prefix_of(const std::filesystem::path& target) {
+  constexpr std::size_t longest_name = 255;
+  constexpr std::string_view tail = ".tmp-";
+  std::string prefix = ".";
+  prefix += target.filename().string();
+  prefix.resize(std::min(prefix.size(), longest_name - tail.size() - random_part.size()));
+  return prefix.append(tail);
+}
+
+bool is_temporary_of(std::string_view name, std::string_view prefix) {
+  const auto is_letter_or_digit = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  return name.size() == prefix.size() + random_part.size() &&
+         name.substr(0, prefix.size()) == prefix &&
+         std::all_of(name.end() - random_part.size(), name.end(), is_letter_or_digit);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const std::filesystem::path& target)
+    : path_((target.parent_path() / (prefix_of(target) + std::string(random_part))).string()),
+      file_(::mkostemp(path_.data(), O_CLOEXEC)) {
+  if (!file_.is_open()) path_.clear();
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+bool TemporaryFile::rename_to(const std::filesystem::path& target) {
+  if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
+  path_.clear();
+  return true;
+}
+
+void remove_stale_temporary_files(const std::filesystem::path& target) {
+  constexpr std::time_t one_day_s = 24 * 60 * 60;
+  const std::string prefix = prefix_of(target);
+  const std::filesystem::path directory = target.has_parent_path() ? target.parent_path() : ".";
+  std::error_code error;
+  std::filesystem::directory_iterator entry(directory, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (!is_temporary_of(entry->path().filename().string(), prefix)) continue;
+    struct stat status {};
+    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
+    if (std::time(nullptr) - status.st_mtime > one_day_s) ::unlink(entry->path().c_str());
+  }
+}
+
+}  // namespace tribolog

@@ -1,0 +1,34 @@
+#pragma once
+// The temporary file beside an output file.
+
+#include <filesystem>
+#include <string>
+
+#include "files/file_descriptor.h"
+
+namespace tribolog {
+
+/// Open for writing from the constructor on; removed by the destructor unless it was renamed.
+class TemporaryFile {
+ public:
+  /// Creates `.<name>.tmp-XXXXXX` in the target's directory. is_open() tells whether that worked;
+  /// where not, errno does.
+  explicit TemporaryFile(const std::filesystem::path& target);
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile();
+
+  [[nodiscard]] FileDescriptor& file() { return file_; }
+  /// Takes the target's place. @return false: errno tells why, and nothing has changed.
+  [[nodiscard]] bool rename_to(const std::filesystem::path& target);
+
+ private:
+  std::string path_;
+  FileDescriptor file_;
+};
+
+/// Removes the temporary files of this target that an interrupted run left more than a day ago.
+/// What cannot be removed is left.
+void remove_stale_temporary_files(const std::filesystem::path& target);
+
+}  // namespace tribolog

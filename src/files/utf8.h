@@ -1,0 +1,45 @@
+#pragma once
+// UTF-8 as bytes: one character at a time, and where it is broken.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace tribolog {
+
+struct Utf8Character {
+  char32_t code_point{};
+  std::size_t bytes{};  ///< 1 to 4; 0: the text does not start with a well-formed character.
+};
+
+/// The character at the start of a text. Overlong forms, surrogates and code points above U+10FFFF
+/// are not well-formed.
+constexpr Utf8Character first_utf8_character(std::string_view text) {
+  if (text.empty()) return {};
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
+  char32_t code_point = lead & (0xffU >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80) return {};
+    code_point = (code_point << 6) | (byte(i) & 0x3fU);
+  }
+  const bool is_overlong = (bytes == 3 && code_point < 0x800) || (bytes == 4 && code_point < 0x10000);
+  const bool is_surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
+  if (is_overlong || is_surrogate || code_point > 0x10ffff) return {};
+  return {code_point, bytes};
+}
+
+/// Offset of the first byte that is not part of a well-formed character.
+constexpr std::optional<std::size_t> first_broken_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t bytes = first_utf8_character(text.substr(i)).bytes;
+    if (bytes == 0) return i;
+    i += bytes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tribolog

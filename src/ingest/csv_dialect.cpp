@@ -1,0 +1,197 @@
+#include "ingest/csv_dialect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ingest/closest_match.h"
+#include "ingest/csv_lines.h"
+#include "ingest/number_field.h"
+
+namespace tribolog {
+namespace {
+
+/// Number of columns that a row has under a delimiter; quotes are respected, broken ones ignored.
+std::size_t count_columns(std::string_view row, Delimiter delimiter) {
+  std::size_t columns = 0;
+  bool in_field = false;
+  bool within_quotes = false;
+  for (const char c : row) {
+    if (c == '"') within_quotes = !within_quotes;
+    if (delimiter == Delimiter::spaces) {
+      const bool blank = !within_quotes && (c == ' ' || c == '\t');
+      if (!blank && !in_field) ++columns;
+      in_field = !blank;
+    } else if (!within_quotes && c == static_cast<char>(delimiter)) {
+      ++columns;
+    }
+  }
+  return delimiter == Delimiter::spaces ? columns : columns + 1;
+}
+
+struct Fit {
+  Delimiter delimiter{};
+  std::size_t columns{};    ///< Of the header.
+  std::size_t rows_alike{}; ///< Sampled rows with as many; one trailing delimiter is forgiven.
+};
+
+Fit fit_of(Delimiter delimiter, const std::vector<std::string_view>& rows) {
+  Fit fit{delimiter, count_columns(rows.front(), delimiter), 0};
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t columns = count_columns(rows[i], delimiter);
+    const bool has_trailing = trimmed(rows[i]).ends_with(static_cast<char>(delimiter));
+    if (columns == fit.columns || (has_trailing && columns == fit.columns + 1)) ++fit.rows_alike;
+  }
+  return fit;
+}
+
+class RowSplitter {
+ public:
+  RowSplitter(std::string_view row, Delimiter delimiter, const Location& line)
+      : row_(row), delimiter_(delimiter), line_(line) {}
+
+  std::vector<Field> split() {
+    const bool by_spaces = delimiter_ == Delimiter::spaces;
+    for (skip_blanks(); !(by_spaces && at_end()); skip_blanks()) {
+      fields_.push_back(next_field());
+      if (fields_.size() > most_columns) {
+        fail({line_.file, line_.line, 0}, {"more than 4096 columns", "", "", ""});
+      }
+      skip_blanks();
+      if (at_end()) break;
+      if (!by_spaces) ++i_;  // the delimiter
+      if (!by_spaces && at_end()) {
+        fields_.push_back({"", i_ + 1});
+        break;
+      }
+    }
+    return std::move(fields_);
+  }
+
+ private:
+  [[noreturn]] static void fail(const Location& where, const InputError::Problem& problem) {
+    throw InputError(where, problem);
+  }
+  [[nodiscard]] bool at_end() const { return i_ >= row_.size(); }
+  [[nodiscard]] bool at_delimiter() const {
+    return delimiter_ == Delimiter::spaces ? row_[i_] == ' ' || row_[i_] == '\t'
+                                           : row_[i_] == static_cast<char>(delimiter_);
+  }
+  [[nodiscard]] Location at(std::size_t i) const {
+    return {line_.file, line_.line, static_cast<long>(i + 1)};
+  }
+  void skip_blanks() {
+    while (!at_end() && (row_[i_] == ' ' || row_[i_] == '\t') &&
+           (delimiter_ == Delimiter::spaces || !at_delimiter())) {
+      ++i_;
+    }
+  }
+
+  Field next_field() {
+    const std::size_t start = i_;
+    if (!at_end() && row_[i_] == '"') return quoted_field();
+    while (!at_end() && !at_delimiter()) ++i_;
+    check_length(start, i_ - start);
+    return {std::string(trimmed(row_.substr(start, i_ - start))), start + 1};
+  }
+
+  Field quoted_field() {
+    const std::size_t start = i_++;
+    std::string text;
+    for (;; ++i_) {
+      if (at_end()) {
+        fail(at(start), {"quote is not closed in its line", "", "",
+                         "a line end within quotes is not supported"});
+      }
+      if (row_[i_] == '"' && (i_ + 1 >= row_.size() || row_[i_ + 1] != '"')) break;
+      if (row_[i_] == '"') ++i_;
+      text += row_[i_];
+    }
+    ++i_;
+    check_length(start, text.size());
+    skip_blanks_within();
+    if (!at_end() && !at_delimiter()) {
+      fail(at(i_), {"text after a closing quote", in_quotes(row_.substr(i_, 20)),
+                    "a delimiter or the end of the line", ""});
+    }
+    return {std::string(trimmed(text)), start + 1};
+  }
+  void skip_blanks_within() {
+    if (delimiter_ != Delimiter::spaces) skip_blanks();
+  }
+
+  void check_length(std::size_t start, std::size_t bytes) const {
+    if (bytes <= longest_field_bytes) return;
+    fail(at(start), {"field is longer than 64 KiB", std::to_string(bytes) + " bytes", "", ""});
+  }
+
+  std::string_view row_;
+  Delimiter delimiter_;
+  const Location& line_;
+  std::size_t i_{0};
+  std::vector<Field> fields_;
+};
+
+}  // namespace
+
+std::string to_string(Delimiter delimiter) {
+  switch (delimiter) {
+    case Delimiter::comma:
+      return "commas";
+    case Delimiter::semicolon:
+      return "semicolons";
+    case Delimiter::tab:
+      return "tabs";
+    case Delimiter::spaces:
+      return "spaces";
+  }
+  return "unknown";
+}
+
+std::vector<Field> split_row(std::string_view row, Delimiter delimiter, const Location& line) {
+  return RowSplitter(row, delimiter, line).split();
+}
+
+Delimiter sniff_delimiter(std::string_view text, const std::string& file) {
+  constexpr std::size_t sampled_rows = 20;
+  std::vector<std::string_view> rows;
+  RowCursor cursor(text);
+  long header_line = 0;
+  while (rows.size() < sampled_rows && cursor.next()) {
+    if (rows.empty()) header_line = cursor.line();
+    rows.push_back(cursor.row());
+  }
+  if (rows.empty()) return Delimiter::comma;
+  std::vector<Fit> fits;
+  for (const Delimiter d : {Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
+    if (const Fit fit = fit_of(d, rows); fit.columns > 1) fits.push_back(fit);
+  }
+  if (fits.empty()) {
+    const Fit spaces = fit_of(Delimiter::spaces, rows);
+    const bool is_one_name = rows.size() > 1 && spaces.rows_alike == 0 && spaces.columns == 2 &&
+                             count_columns(rows[1], Delimiter::spaces) == 1;  // "tau [Nm]"
+    return spaces.columns > 1 && !is_one_name ? Delimiter::spaces : Delimiter::comma;
+  }
+  std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
+    return a.rows_alike != b.rows_alike ? a.rows_alike > b.rows_alike : a.columns > b.columns;
+  });
+  if (fits.size() > 1 && fits[1].rows_alike == fits[0].rows_alike && fits[0].rows_alike > 0) {
+    throw InputError({file, header_line, 0},
+                     {"it is not clear what separates the columns", "",
+                      to_string(fits[0].delimiter) + " or " + to_string(fits[1].delimiter),
+                      "write the log with one of them only"});
+  }
+  return fits[0].delimiter;
+}
+
+ColumnHeader read_header_field(const std::string& field) {
+  ColumnHeader header{field, field, ""};
+  const char close = field.empty() ? '\0' : field.back();
+  if (close != ']' && close != ')') return header;
+  const std::size_t open = field.rfind(close == ']' ? '[' : '(');
+  if (open == std::string::npos || open == 0) return header;
+  header.name = trimmed(std::string_view(field).substr(0, open));
+  header.unit = trimmed(std::string_view(field).substr(open + 1, field.size() - open - 2));
+  return header;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,23 @@
+#pragma once
+// The experiments of a scenario file.
+
+#include <string>
+
+#include "ingest/toml_table.h"
+#include "simulate/scenario.h"
+
+namespace tribolog {
+
+/// An angle given as `<name>_rad` or `<name>_deg` [rad]. @throw InputError if both or neither is.
+double read_angle(const TomlTable& table, const std::string& name, Sign sign = Sign::any);
+
+/// As above where the key may be left out.
+double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad);
+
+// Each refuses what cannot be carried out. @throw InputError at the key.
+SweepExperiment read_sweep(const TomlTable& table);
+OscillationExperiment read_oscillation(const TomlTable& table);
+ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
+Noise read_noise(const TomlTable& table);
+
+}  // namespace tribolog

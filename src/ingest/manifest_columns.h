@@ -1,0 +1,38 @@
+#pragma once
+// Which column of a log is what: the `columns` table of a manifest.
+
+#include <optional>
+#include <string>
+
+#include "error.h"
+#include "ingest/toml_table.h"
+#include "ingest/units.h"
+#include "joint/drive.h"
+
+namespace tribolog {
+
+struct ColumnEntry {
+  std::string name;
+  std::string unit;
+  Quantity quantity{};
+  double si_factor{1.0};
+  Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
+  Location where;
+};
+
+struct ColumnEntries {
+  std::optional<ColumnEntry> time;
+  std::optional<ColumnEntry> angle;
+  std::optional<ColumnEntry> speed;
+  std::optional<ColumnEntry> effort;
+  std::optional<ColumnEntry> bristle;
+  std::optional<ColumnEntry> bristle_rate;
+};
+
+/// Reads a `columns` table; what it does not mention is taken from `otherwise`.
+/// @param effort_kind decides whether the effort is a current or a torque.
+/// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind.
+ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
+                           const ColumnEntries& otherwise);
+
+}  // namespace tribolog

@@ -1,0 +1,123 @@
+#include "ingest/scenario_file.h"
+
+#include <cmath>
+
+#include "error.h"
+#include "files/file_contents.h"
+#include "ingest/experiment_tables.h"
+#include "ingest/friction_tables.h"
+#include "ingest/key_guard.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
+constexpr double most_samples = 2e7;  ///< Of one recording; a gigabyte of memory.
+
+std::string required_name(const TomlTable& table) {
+  std::string name = table.text("name");
+  if (name.empty()) table.refuse("name", {"is empty", "", "a name", ""});
+  return name;
+}
+
+void read_joint(const TomlTable& joint, Scenario& scenario) {
+  scenario.joint = required_name(joint);
+  scenario.gear_ratio = joint.number("gear_ratio", Sign::positive);
+  scenario.motor_inertia_kgm2 = joint.number("motor_inertia_kgm2", Sign::not_negative);
+  scenario.arm_inertia_kgm2 = joint.number("arm_inertia_kgm2", Sign::not_negative);
+  joint.refuse_unknown_keys();
+}
+
+GravityLoad read_load(const TomlTable& load) {
+  const double mass_kg = load.number("mass_kg", Sign::positive);
+  const double distance_m = load.number("distance_m", Sign::positive);
+  const double q_peak_rad = read_angle(load, "q_peak");
+  const double gravity_m_s2 = load.number_or("gravity_m_s2", 9.81, Sign::positive);
+  load.refuse_unknown_keys();
+  return guarded(load, "mass_kg",
+                 [&] { return GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
+}
+
+void read_friction(const TomlTable& friction, Scenario& scenario) {
+  const TomlTable presliding = friction.table("presliding");
+  (void)presliding.choice("model", {"lugre"});
+  scenario.presliding = read_lugre(presliding);
+  const TomlTable sliding = friction.table("sliding");
+  (void)sliding.choice("model", {"waiboer"});
+  scenario.sliding = read_waiboer(sliding);
+  friction.refuse_unknown_keys();
+}
+
+/// A misplaced point in a speed or a rate asks for more samples than there is memory for.
+void refuse_endless(const TomlTable& table, double duration_s, double sample_rate_Hz) {
+  const double samples = duration_s * sample_rate_Hz;
+  if (samples <= most_samples) return;
+  throw InputError(table.where(), {"the experiment has too many samples", "",
+                                   "no more than 20 million in one recording",
+                                   "is it too slow, too long, or sampled too fast?"});
+}
+
+void read_experiments(const TomlTable& top, Scenario& scenario) {
+  const auto sweep = [&](const char* key) -> std::optional<SweepExperiment> {
+    const auto table = top.find_table(key);
+    if (!table) return std::nullopt;
+    const SweepExperiment e = read_sweep(*table);
+    const double strokes = e.both_directions ? 2 : 1;
+    refuse_endless(*table, strokes * std::abs(e.to_rad - e.from_rad) / e.speed_rad_s,
+                   e.sample_rate_Hz);
+    return e;
+  };
+  scenario.rough_sweep = sweep("rough_sweep");
+  scenario.precise_sweep = sweep("precise_sweep");
+  if (const auto table = top.find_table("oscillation")) {
+    const OscillationExperiment e = read_oscillation(*table);
+    refuse_endless(*table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+    scenario.oscillation = e;
+  }
+  if (const auto table = top.find_table("constant_speed")) {
+    scenario.constant_speed = read_constant_speed(*table);
+    const ConstantSpeedExperiment& e = *scenario.constant_speed;
+    for (const double motor_speed : e.motor_speeds_rad_s) {
+      const double speed = motor_speed / scenario.gear_ratio;
+      const double plateau_s = std::min(e.largest_travel_rad / speed, e.longest_plateau_s);
+      refuse_endless(*table, 2 * plateau_s + 8 * speed / e.acceleration_rad_s2, e.sample_rate_Hz);
+    }
+  }
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view text, const std::string& file) {
+  const TomlTable top = TomlTable::parse(text, file);
+  (void)top.choice("schema", {"tribolog-scenario-1"});
+  Scenario scenario;
+  scenario.name = required_name(top);
+  const TomlTable robot = top.table("robot");
+  scenario.robot = required_name(robot);
+  scenario.serial = robot.text_or("serial", "");
+  robot.refuse_unknown_keys();
+  read_joint(top.table("joint"), scenario);
+  scenario.load = read_load(top.table("load"));
+  if (const auto surrogate = top.find_table("surrogate")) {
+    scenario.surrogate_distance_m =
+        surrogate->number_or("distance_m", scenario.surrogate_distance_m, Sign::positive);
+    surrogate->refuse_unknown_keys();
+  }
+  read_friction(top.table("friction"), scenario);
+  read_experiments(top, scenario);
+  if (const auto noise = top.find_table("noise")) scenario.noise = read_noise(*noise);
+  top.refuse_unknown_keys();
+  if (!scenario.rough_sweep && !scenario.precise_sweep && !scenario.oscillation &&
+      !scenario.constant_speed) {
+    throw InputError({file, 0, 0},
+                     {"no experiment is stated", "",
+                      "[rough_sweep], [precise_sweep], [oscillation] or [constant_speed]", ""});
+  }
+  return scenario;
+}
+
+Scenario read_scenario(const std::string& path) {
+  return parse_scenario(read_file(path, largest_scenario_bytes), path);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,63 @@
+#pragma once
+// Typed access to a TOML table, with an error at file:line:column for whatever does not fit.
+//
+// A table remembers which of its keys were asked for. refuse_unknown_keys() refuses the first one
+// that nobody asked for; readers call it after the last key, so that a misspelt optional key is
+// never passed over in silence.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "error.h"
+
+namespace tribolog {
+
+/// Which numbers a key takes. Finite in every case.
+enum class Sign { any, not_negative, positive };
+
+class TomlTable {
+ public:
+  /// The top-level table of a document.
+  /// @throw InputError for a syntax error, a key given twice, broken UTF-8, or absurdly deep nesting.
+  static TomlTable parse(std::string_view text, const std::string& file);
+
+  // Required keys. @throw InputError if missing (with the hint) or of another type or range.
+  [[nodiscard]] std::string text(const std::string& key, const std::string& hint = {}) const;
+  [[nodiscard]] double number(const std::string& key, Sign sign = Sign::any,
+                              const std::string& hint = {}) const;
+  [[nodiscard]] std::vector<double> numbers(const std::string& key, Sign sign = Sign::any) const;
+  [[nodiscard]] TomlTable table(const std::string& key, const std::string& hint = {}) const;
+  /// Index of the text among the options.
+  [[nodiscard]] std::size_t choice(const std::string& key, const std::vector<std::string>& options,
+                                   const std::string& hint = {}) const;
+
+  // Optional keys. @throw InputError if of another type or range.
+  [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] double number_or(const std::string& key, double otherwise,
+                                 Sign sign = Sign::any) const;
+  [[nodiscard]] std::optional<double> find_number(const std::string& key,
+                                                  Sign sign = Sign::any) const;
+  [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;
+  [[nodiscard]] std::uint64_t count_or(const std::string& key, std::uint64_t otherwise) const;
+  [[nodiscard]] std::optional<TomlTable> find_table(const std::string& key) const;
+  [[nodiscard]] std::vector<TomlTable> tables(const std::string& key) const;  ///< `[[key]]`
+
+  [[nodiscard]] bool has(const std::string& key) const;
+  [[nodiscard]] Location where() const;
+  [[nodiscard]] Location where(const std::string& key) const;  ///< The table's if there is no such.
+  /// @throw InputError naming the key in full at its place: "key 'joint.gear_ratio': <what>".
+  [[noreturn]] void refuse(const std::string& key, InputError::Problem problem) const;
+  /// @throw InputError at the first key that was not asked for, with the closest that was.
+  void refuse_unknown_keys() const;
+
+ private:
+  struct View;
+  explicit TomlTable(std::shared_ptr<View> view) : view_(std::move(view)) {}
+  std::shared_ptr<View> view_;
+};
+
+}  // namespace tribolog

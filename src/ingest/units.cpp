@@ -1,0 +1,115 @@
+#include "ingest/units.h"
+
+#include <array>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "ingest/closest_match.h"
+
+namespace tribolog {
+namespace {
+
+using std::numbers::pi;
+
+struct Unit {
+  std::string_view name;  ///< Without blanks and multiplication signs.
+  double si_factor;
+  bool listed{true};  ///< Other spellings are accepted silently.
+};
+
+constexpr std::array times = {
+    Unit{"s", 1}, Unit{"ms", 1e-3}, Unit{"us", 1e-6}, Unit{"ns", 1e-9},
+    Unit{"µs", 1e-6, false} /* micro sign */, Unit{"μs", 1e-6, false} /* Greek mu */,
+    Unit{"sec", 1, false}};
+constexpr std::array angles = {Unit{"rad", 1}, Unit{"mrad", 1e-3}, Unit{"deg", pi / 180},
+                               Unit{"°", pi / 180, false}};
+constexpr std::array angular_speeds = {
+    Unit{"rad/s", 1}, Unit{"mrad/s", 1e-3}, Unit{"deg/s", pi / 180}, Unit{"rpm", 2 * pi / 60},
+    Unit{"°/s", pi / 180, false}, Unit{"1/min", 2 * pi / 60, false}};
+constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
+constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
+
+std::span<const Unit> units_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      return times;
+    case Quantity::angle:
+      return angles;
+    case Quantity::angular_speed:
+      return angular_speeds;
+    case Quantity::torque:
+      return torques;
+    case Quantity::current:
+      return currents;
+  }
+  return {};
+}
+
+/// Without blanks, '*' and the two signs '·' (middle dot, dot operator).
+std::string bare(std::string_view unit) {
+  std::string result;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const std::string_view rest = unit.substr(i);
+    if (rest.starts_with("·")) {
+      i += std::string_view("·").size() - 1;
+    } else if (rest.starts_with("⋅")) {
+      i += std::string_view("⋅").size() - 1;
+    } else if (rest[0] != ' ' && rest[0] != '*') {
+      result += rest[0];
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> listed_units(Quantity quantity) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units_of(quantity)) {
+    if (unit.listed) names.emplace_back(unit.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string to_string(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      return "a time";
+    case Quantity::angle:
+      return "an angle";
+    case Quantity::angular_speed:
+      return "an angular speed";
+    case Quantity::torque:
+      return "a torque";
+    case Quantity::current:
+      return "a current";
+  }
+  return "unknown";
+}
+
+std::optional<double> find_si_factor(Quantity quantity, std::string_view unit) {
+  const std::string name = bare(unit);
+  for (const Unit& known : units_of(quantity)) {
+    if (known.name == name) return known.si_factor;
+  }
+  return std::nullopt;
+}
+
+double si_factor(Quantity quantity, std::string_view unit, const Location& where) {
+  if (const auto factor = find_si_factor(quantity, unit)) return *factor;
+  throw InputError(where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
+                           "one of " + known_units(quantity),
+                           did_you_mean(bare(unit), listed_units(quantity))});
+}
+
+std::string known_units(Quantity quantity) {
+  std::string list;
+  for (const std::string& name : listed_units(quantity)) {
+    if (!list.empty()) list += ", ";
+    list += name;
+  }
+  return list;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,27 @@
+#pragma once
+// Units of a log's columns, and their factors to SI.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "error.h"
+
+namespace tribolog {
+
+enum class Quantity { time, angle, angular_speed, torque, current };
+
+/// "an angle", for messages.
+std::string to_string(Quantity quantity);
+
+/// Factor from the unit to s, rad, rad/s, N·m or A; nothing for a unit that is not one of this
+/// quantity. Case counts ("mNm" is not "MNm"); "N·m", "N*m", "N m" and "Nm" are the same.
+std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);
+
+/// As above. @throw InputError at `where`, listing the known units and naming the closest.
+double si_factor(Quantity quantity, std::string_view unit, const Location& where);
+
+/// The known units as they are listed in messages: "rad, mrad, deg".
+std::string known_units(Quantity quantity);
+
+}  // namespace tribolog

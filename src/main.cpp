@@ -1,0 +1,28 @@
+// Arguments -> command -> exit status. Every error becomes one clear line and its status.
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+
+#include "cli/command_line.h"
+#include "error.h"
+
+int main(int argc, char** argv) {
+  using tribolog::ExitStatus;
+  // A reader that goes away (| head) is no fault: writing fails quietly instead of killing us.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return static_cast<int>(tribolog::run_command_line(argc, argv));
+  } catch (const tribolog::Error& error) {
+    std::cerr << "tribolog: error: " << error.what() << '\n';
+    return static_cast<int>(error.status());
+  } catch (const std::bad_alloc&) {
+    std::cerr << "tribolog: error: out of memory; nothing was written\n";
+  } catch (const std::exception& error) {
+    std::cerr << "tribolog: internal error: " << error.what()
+              << "; please report it with the command and its input\n";
+  }
+  return static_cast<int>(ExitStatus::internal);
+}

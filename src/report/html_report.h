@@ -1,0 +1,27 @@
+#pragma once
+// A calibration as one HTML file that needs nothing else: no script, no link to the outside.
+
+#include <string>
+#include <vector>
+
+#include "calibration.h"
+#include "figures/report_figure.h"
+#include "provenance.h"
+#include "render/renderer.h"
+
+namespace tribolog {
+
+/// UTF-8 HTML. The style is inline and named by its hash in a content security policy, pictures
+/// are data URIs, and the result as JSON stands in `<script type="application/json"
+/// id="tribolog-result">`, which a browser does not run. Same arguments, same bytes.
+///
+/// Figures and drawn pictures pair up by id. A figure that could not be drawn gets a placeholder
+/// with the reason, and the banner says how many are missing.
+std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
+                        const std::vector<render::DrawnFigure>& drawn,
+                        const Provenance& provenance);
+
+/// The graphics stack as the provenance keeps it.
+DrawingSoftware drawing_software(const render::RendererInfo& info);
+
+}  // namespace tribolog

@@ -1,0 +1,93 @@
+// Stage 4, and the comparison with the paper's table 2.
+
+#include <cmath>
+
+#include "report/paper_table.h"
+#include "report/units.h"
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+bool is_chosen(const Calibration& c, const std::string& estimator) {
+  return estimator == c.selection.recommended;
+}
+
+/// Deviation in per cent with its sign: "+0.12".
+std::string percent_text(double share) {
+  constexpr int decimals = 2;
+  const std::string text = fixed(100.0 * share, decimals);
+  return share > 0.0 ? "+" + text : text;
+}
+
+}  // namespace
+
+void describe_surrogate_masses(const Calibration& c, Section& section) {
+  if (c.masses.masses.empty()) return;
+  section.facts.push_back(
+      {"Surrogate distance r", with_unit(as_stated(c.manifest.surrogate_distance_m), "m") +
+                                   ", freely chosen"});
+  section.facts.push_back(
+      {"Gravity g", with_unit(as_stated(c.manifest.gravity_m_s2), "m/s²")});
+
+  Table table;
+  table.id = section.id + "-results";
+  table.caption = "Surrogate mass of every estimator";
+  table.columns = {{"Estimator", "", false},     {"What it is", "", false},
+                   {"Torque T", "N·m", true},    {"Read at q", "°", true},
+                   {"Surrogate mass", "kg", true}, {"95 % interval", "kg", true}};
+  for (const SurrogateMass& m : c.masses.masses) {
+    const RoundedEstimate torque = round_by_interval(m.torque_Nm, plain_scale("N·m"));
+    const RoundedEstimate mass = round_by_interval(m.mass_kg, plain_scale("kg"));
+    table.rows.push_back({{estimator_name(m.estimator), point_meaning(m.estimator),
+                           torque.plus_minus(), fixed(m.q_rad * degree_scale().factor, 3),
+                           mass.plus_minus(), or_dash(mass.range())},
+                          is_chosen(c, m.estimator)});
+  }
+  table.note = "Torques are at the motor. The marked row is the one this program recommends.";
+  section.tables.push_back(table);
+  if (is_papers_joint(c.manifest.robot, c.manifest.drive.gear_ratio())) {
+    section.tables.push_back(paper_comparison_table(c));
+  }
+}
+
+Table paper_comparison_table(const Calibration& c) {
+  const bool is_same_joint = is_papers_joint(c.manifest.robot, c.manifest.drive.gear_ratio());
+  Table table;
+  table.id = "table-paper-2";
+  table.caption = "Table 2 of the paper, recomputed";
+  table.columns = {{"Point", "", false},
+                   {"Torque, printed", "N·m", true},
+                   {"Mass, printed", "kg", true},
+                   {"Mass from the printed torque by eq. (12)", "kg", true},
+                   {"Recomputed less printed", "kg", true}};
+  if (is_same_joint) {
+    table.columns.push_back({"This dataset", "kg", true});
+    table.columns.push_back({"This dataset against printed", "%", true});
+  }
+  for (const PaperRow& printed : paper_table_2) {
+    constexpr int decimals = 3;
+    const double mass = recomputed_mass_kg(printed.torque_Nm);
+    const std::string name(1, printed.point);
+    Row row{{name, fixed(printed.torque_Nm, decimals), fixed(printed.mass_kg, decimals),
+             fixed(mass, decimals), fixed(mass - printed.mass_kg, decimals)},
+            false};
+    if (is_same_joint) {
+      const SurrogateMass* ours = c.masses.find(name);
+      row.cells.push_back(
+          ours ? round_by_interval(ours->mass_kg, plain_scale("kg")).plus_minus() : "–");
+      row.cells.push_back(ours ? percent_text(ours->mass_kg.value / printed.mass_kg - 1.0) : "–");
+    }
+    table.rows.push_back(row);
+  }
+  table.note = "Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
+               "printed figures alone allows " +
+               fixed(printed_rounding_kg(), 4) + " kg of difference.";
+  if (!is_same_joint) {
+    table.note += " The joint of this report is another one: its masses are in stage 4 and are not "
+                  "to be compared with these.";
+  }
+  return table;
+}
+
+}  // namespace tribolog::report

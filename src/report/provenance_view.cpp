@@ -1,0 +1,131 @@
+// Who, with what, from what: identity of the joint, inputs and software.
+
+#include "report/units.h"
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+std::string skipped_in_words(const std::vector<SkippedRows>& skipped) {
+  std::string words;
+  for (const SkippedRows& rows : skipped) {
+    if (!words.empty()) words += "; ";
+    words += count(rows.count) + ": " + rows.reason;
+  }
+  return words.empty() ? "none" : words;
+}
+
+Table inputs_table(const std::vector<InputFile>& inputs) {
+  Table table;
+  table.id = "table-inputs";
+  table.caption = "Input files";
+  table.columns = {{"File", "", false},     {"Role", "", false},     {"Size", "bytes", true},
+                   {"Rows read", "", true}, {"Rows used", "", true}, {"Rows skipped, and why", "", false},
+                   {"SHA-256", "", false}};
+  for (const InputFile& file : inputs) {
+    const bool has_rows = file.rows_read > 0 || file.rows_used > 0 || !file.skipped.empty();
+    table.rows.push_back({{or_dash(file.name), or_dash(file.role),
+                           count(static_cast<std::size_t>(file.bytes)),
+                           has_rows ? count(file.rows_read) : "–",
+                           has_rows ? count(file.rows_used) : "–",
+                           has_rows ? skipped_in_words(file.skipped) : "–", or_dash(file.sha256)},
+                          false});
+  }
+  return table;
+}
+
+Table two_columns(const std::string& id, const std::string& caption, const std::string& first) {
+  Table table;
+  table.id = id;
+  table.caption = caption;
+  table.columns = {{first, "", false}, {"Value", "", false}};
+  return table;
+}
+
+void add(Table& table, const std::string& name, const std::string& text) {
+  table.rows.push_back({{name, or_dash(text)}, false});
+}
+
+std::string effort_in_words(const Drive& drive) {
+  const std::string side = drive.side() == Side::motor ? "motor side" : "joint side";
+  switch (drive.kind()) {
+    case EffortKind::motor_current:
+      return "motor current in A, torque constant stated for the " + side;
+    case EffortKind::motor_torque:
+      return "torque made by the motor, " + side;
+    case EffortKind::joint_torque:
+      return "torque at the joint, " + side;
+  }
+  return "–";
+}
+
+Table manifest_table(const Manifest& m) {
+  Table table = two_columns("table-manifest", "What the manifest states", "Fact");
+  add(table, "Gear ratio n", as_stated(m.drive.gear_ratio()));
+  add(table, "Effort column", effort_in_words(m.drive));
+  if (m.drive.torque_constant_Nm_A()) {
+    add(table, "Torque constant",
+        with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
+  }
+  add(table, "Motor torque per unit of effort",
+      with_unit(as_stated(m.drive.motor_torque_per_effort()),
+                m.drive.kind() == EffortKind::motor_current ? "N·m/A" : ""));
+  add(table, "Payload", m.payload_kg
+                            ? with_unit(as_stated(*m.payload_kg), "kg") +
+                                  (m.payload.empty() ? "" : ", " + m.payload)
+                            : m.payload);
+  add(table, "Temperature",
+      m.temperature_C ? with_unit(as_stated(*m.temperature_C), "°C") : "not stated");
+  add(table, "Surrogate distance r", with_unit(as_stated(m.surrogate_distance_m), "m"));
+  add(table, "Gravity g", with_unit(as_stated(m.gravity_m_s2), "m/s²"));
+  add(table, "Known friction curve", m.reference ? "yes: the data are simulated" : "none");
+  return table;
+}
+
+Table software_table(const Provenance& p) {
+  Table table = two_columns("table-software", "Software", "Part");
+  add(table, "tribolog", p.tool_version);
+  add(table, "Revision", p.git_revision);
+  add(table, "Compiler", p.compiler);
+  add(table, "Eigen", p.eigen_version);
+  if (p.drawing) {
+    add(table, "VTK", p.drawing->vtk_version);
+    add(table, "Off-screen back end", p.drawing->back_end);
+    add(table, "OpenGL", p.drawing->gl_version);
+    add(table, "Renderer", p.drawing->gl_renderer);
+    add(table, "Font", p.drawing->font);
+    add(table, "FreeType", p.drawing->freetype_version);
+  } else {
+    add(table, "VTK", "not used: no figure was drawn");
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Fact> identity_facts(const Manifest& m) {
+  const bool is_direct = m.drive.gear_ratio() == 1.0;
+  std::vector<Fact> facts{{"Robot", or_dash(m.robot)},
+                          {"Joint", or_dash(m.joint)},
+                          {"Serial number", or_dash(m.serial)},
+                          {"Measured on", or_dash(m.measured_on)},
+                          {"Operator", or_dash(m.operator_name)},
+                          {"Gear ratio", is_direct ? "1 (direct drive)"
+                                                   : as_stated(m.drive.gear_ratio())}};
+  if (m.reference) facts.push_back({"Data", "simulated, the true curve is known"});
+  return facts;
+}
+
+std::vector<Table> provenance_tables(const Calibration& c, const Provenance& p) {
+  std::vector<Table> tables{inputs_table(c.inputs), manifest_table(c.manifest)};
+  if (!p.configuration.empty()) {
+    tables.push_back(two_columns("table-configuration", "Configuration", "Setting"));
+    for (const NamedText& setting : p.configuration) {
+      add(tables.back(), or_dash(setting.name), setting.text);
+    }
+  }
+  tables.push_back(software_table(p));
+  return tables;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,144 @@
+#include "report/report_view.h"
+
+#include <algorithm>
+
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+constexpr StageId all_stages[] = {StageId::cog_rough,      StageId::cog_precise,
+                                  StageId::hysteresis,     StageId::surrogate_masses,
+                                  StageId::viscous_curves, StageId::quality_errors,
+                                  StageId::selection,      StageId::parameters};
+
+void describe(const Calibration& c, StageId stage, Section& section) {
+  switch (stage) {
+    case StageId::cog_rough:
+      return describe_cog_sweep(c.rough, c.manifest.drive.gear_ratio(), section);
+    case StageId::cog_precise:
+      return describe_cog_sweep(c.precise, c.manifest.drive.gear_ratio(), section);
+    case StageId::hysteresis:
+      return describe_hysteresis(c.hysteresis, section);
+    case StageId::surrogate_masses:
+      return describe_surrogate_masses(c, section);
+    case StageId::viscous_curves:
+      return describe_viscous_curves(c, section);
+    case StageId::quality_errors:
+      return describe_quality_errors(c, section);
+    case StageId::selection:
+      return describe_selection(c, section);
+    case StageId::parameters:
+      return describe_parameters(c, section);
+  }
+}
+
+Section make_section(const Calibration& c, StageId stage) {
+  const StageReport& report = stage_report(c, stage);
+  Section section;
+  section.number = static_cast<int>(stage);
+  section.id = section_anchor(stage);
+  section.title = stage_title(stage);
+  section.explanation = explanation_template(stage);
+  section.outcome = outcome_of(report.state);
+  section.status = status_in_words(report.state);
+  section.reason = as_sentence(report.reason);
+  if (report.state != StageState::done) section.experiment = helpful_experiment(stage);
+  describe(c, stage, section);
+  return section;
+}
+
+/// Puts each figure into its stage's section; those of no stage into one of their own.
+void place_figures(const Calibration& c, const std::vector<ReportFigure>& figures,
+                   const std::vector<render::DrawnFigure>& drawn, ReportView& view) {
+  const std::vector<FigureCard> cards = figure_cards(figures, drawn);
+  Section others;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const auto* const home =
+        std::find_if(std::begin(all_stages), std::end(all_stages), [&](StageId stage) {
+          return stage_report(c, stage).name == figures[i].stage;
+        });
+    Section& section =
+        home == std::end(all_stages)
+            ? others
+            : view.sections[static_cast<std::size_t>(home - std::begin(all_stages))];
+    section.figures.push_back(cards[i]);
+  }
+  if (others.figures.empty()) return;
+  others.number = static_cast<int>(view.sections.size()) + 1;
+  others.id = "other-figures";
+  others.title = "Other figures";
+  others.explanation = "explain_other_figures.tpl";
+  others.outcome = Outcome::good;
+  others.status = "done";
+  view.sections.push_back(others);
+}
+
+std::string missing_figures(const ReportView& view) {
+  std::size_t missing = 0;
+  for (const Section& section : view.sections) {
+    for (const FigureCard& card : section.figures) missing += card.png == nullptr ? 1 : 0;
+  }
+  if (missing == 0) return "";
+  return std::to_string(missing) + (missing == 1 ? " figure missing" : " figures missing");
+}
+
+void add_verdict(const Judgement& judgement, ReportView& view) {
+  view.verdict_sentence = or_dash(as_sentence(judgement.sentence));
+  for (const std::string& finding : judgement.findings) {
+    view.findings.push_back(as_sentence(finding));
+  }
+  switch (judgement.verdict) {
+    case Verdict::usable:
+      view.verdict = Outcome::good;
+      view.verdict_word = "USABLE";
+      return;
+    case Verdict::doubtful:
+      view.verdict = Outcome::partial;
+      view.verdict_word = "DOUBTFUL";
+      return;
+    case Verdict::not_identifiable:
+      view.verdict = Outcome::bad;
+      view.verdict_word = "NOT IDENTIFIABLE";
+      return;
+  }
+}
+
+std::string robot_and_joint(const Manifest& m) {
+  const std::string robot = m.robot.empty() ? "Robot not named" : m.robot;
+  return m.joint.empty() ? robot : robot + ", joint " + m.joint;
+}
+
+}  // namespace
+
+ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure>& figures,
+                            const std::vector<render::DrawnFigure>& drawn,
+                            const Provenance& provenance) {
+  ReportView view;
+  view.title = robot_and_joint(c.manifest);
+  view.subtitle = "Identification of centre of gravity, surrogate mass and friction";
+  view.identity = identity_facts(c.manifest);
+  view.note = c.manifest.note;
+  add_verdict(c.judgement, view);
+  view.key_numbers = key_numbers_table(c);
+  for (const StageId stage : all_stages) {
+    view.sections.push_back(make_section(c, stage));
+    const Section& section = view.sections.back();
+    if (section.outcome == Outcome::good) continue;
+    view.missing.push_back({std::to_string(section.number) + ". " + section.title + ": " +
+                                section.status,
+                            section.id, or_dash(section.reason), section.experiment});
+  }
+  place_figures(c, figures, drawn, view);
+  view.figures_missing = missing_figures(view);
+  view.paper_table = paper_comparison_table(c);
+  view.errata = errata_numbers();
+  for (const std::string& note : c.notes) view.notes.push_back(as_sentence(note));
+  view.provenance_tables = provenance_tables(c, provenance);
+  view.command_line = or_dash(provenance.command_line);
+  view.created_utc = or_dash(provenance.created_utc);
+  view.tool = "tribolog " + provenance.tool_version;
+  return view;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,21 @@
+#pragma once
+// What the templates print without the engine's escaping, each checked here instead.
+//
+// `{{PNG:x-png}}` base64 text -> a data URI of an image; anything else -> an empty picture.
+// `{{JSON:x-json}}` JSON for a `<script type="application/json">`: `<`, `>`, `&`, U+2028 and U+2029
+//                   become \uXXXX, which JSON reads back as the same text.
+// `{{CSS:x-css}}`   the embedded style sheet, and no other text.
+
+#include <string>
+
+namespace tribolog::report {
+
+inline constexpr char style_sheet_name[] = "report.css";
+
+/// Makes the modifiers known to the engine; may be called more than once.
+void register_template_modifiers();
+
+/// JSON as it may stand inside a script element.
+std::string json_for_script(const std::string& json);
+
+}  // namespace tribolog::report

@@ -1,0 +1,2 @@
+{{%AUTOESCAPE context="HTML"}}
+<p class="explain">Figures that belong to no single stage.</p>

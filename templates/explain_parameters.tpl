@@ -1,0 +1,6 @@
+{{%AUTOESCAPE context="HTML"}}
+<div class="explain">
+<p>The chosen curve is fitted with the five parameters of Waiboer's friction model, eq. (6), and with a straight line beside it, which is what many controllers take; ω is the absolute motor speed:</p>
+<math display="block"><mrow><mo stretchy="false">|</mo><msub><mi>T</mi><mi mathvariant="normal">f</mi></msub><mo stretchy="false">|</mo><mo>=</mo><msub><mi>T</mi><mi mathvariant="normal">a</mi></msub><msup><mi>e</mi><mrow><mo>−</mo><msup><mrow><mo stretchy="false">(</mo><mi>ω</mi><mo>/</mo><msub><mi>ω</mi><mi mathvariant="normal">s</mi></msub><mo stretchy="false">)</mo></mrow><msub><mi>δ</mi><mi mathvariant="normal">a</mi></msub></msup></mrow></msup><mo>+</mo><msub><mi>c</mi><mi mathvariant="normal">v</mi></msub><msup><mi>ω</mi><mrow><mn>1</mn><mo>−</mo><msub><mi>δ</mi><mi mathvariant="normal">v</mi></msub></mrow></msup><mo>,</mo><mspace width="1.5em"/><mo stretchy="false">|</mo><msub><mi>T</mi><mi mathvariant="normal">f</mi></msub><mo stretchy="false">|</mo><mo>=</mo><msub><mi>T</mi><mi mathvariant="normal">c</mi></msub><mo>+</mo><mi>c</mi><mi>ω</mi></mrow></math>
+<p>Break-away torque, bristle stiffness and bristle damping come from the LuGre model fitted to the loop of stage 3. From the motor to the joint, torques grow by <i>n</i>, stiffness and viscous coefficients by <i>n</i>².</p>
+</div>

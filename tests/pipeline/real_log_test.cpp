@@ -1,0 +1,48 @@
+// Logs of robots that exist. They are not part of the project; see support/real_logs.h.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ingest/dataset_file.h"
+#include "pipeline.h"
+#include "support/real_logs.h"
+
+namespace tribolog {
+namespace {
+
+Calibration identify_manifest(const std::string& name, Dataset& dataset) {
+  dataset = read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
+  return identify(dataset);
+}
+
+TEST(RealLog, Ur10eJoint2) {
+  TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("ur10e_joint_2.toml", dataset);
+  ASSERT_TRUE(c.rough.found);
+  // 10.2 A at 10.696 N·m/A.
+  EXPECT_NEAR(c.rough.gravity_Nm.value / (10.2 * 10.696), 1, 0.03);
+  ASSERT_TRUE(c.friction.coulomb_viscous);
+  EXPECT_GT(c.friction.coulomb_viscous->coulomb_Nm.value, 12);
+  EXPECT_LT(c.friction.coulomb_viscous->coulomb_Nm.value, 16);
+  EXPECT_EQ(c.quality.reference, "direction_difference");
+  EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
+  ASSERT_TRUE(c.hysteresis.encoder_step_rad && c.hysteresis.presliding_travel_rad);
+  EXPECT_NEAR(*c.hysteresis.encoder_step_rad, 1e-4, 1e-8);
+  // "Six steps of the encoder."
+  EXPECT_NEAR(*c.hysteresis.presliding_travel_rad / *c.hysteresis.encoder_step_rad, 6, 4);
+  EXPECT_NE(c.judgement.verdict, Verdict::usable);
+}
+
+TEST(RealLog, Ur10eJoint3) {
+  TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_3.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("ur10e_joint_3.toml", dataset);
+  ASSERT_TRUE(c.rough.found);
+  EXPECT_NEAR(c.rough.gravity_Nm.value / (4.37 * 8.457), 1, 0.03);
+  EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
+}
+
+}  // namespace
+}  // namespace tribolog

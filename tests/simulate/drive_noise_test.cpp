@@ -1,0 +1,78 @@
+#include "simulate/drive_noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "simulate/simulate_joint.h"
+#include "support/paper_joint.h"
+
+namespace tribolog {
+namespace {
+
+const Recording& oscillation_of(const std::vector<Recording>& recordings) {
+  for (const Recording& r : recordings) {
+    if (r.role == Role::oscillation) return r;
+  }
+  throw std::runtime_error("no oscillation");
+}
+
+TEST(DriveNoise, NoneLeavesEveryBit) {
+  const auto clean = simulate_joint(test::paper_joint());
+  Recording r = oscillation_of(clean);
+  add_drive_noise(r, Noise{}, 100, 1000, 0);
+  EXPECT_EQ(r.torque_Nm, oscillation_of(clean).torque_Nm);
+  EXPECT_EQ(r.q_rad, oscillation_of(clean).q_rad);
+  EXPECT_EQ(r.dq_rad_s, oscillation_of(clean).dq_rad_s);
+}
+
+TEST(DriveNoise, IsWhatWasAskedFor) {
+  const Scenario noisy = test::noisy_paper_joint(5);
+  Scenario quiet = noisy;
+  quiet.noise = Noise{};
+  const auto with = simulate_joint(noisy);
+  const auto without = simulate_joint(quiet);
+  const Recording& a = oscillation_of(with);
+  const Recording& b = oscillation_of(without);
+  double squares = 0;
+  const double encoder_step = 2 * std::numbers::pi / 131072 / 100;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = a.torque_Nm[i] - b.torque_Nm[i];
+    squares += d * d;
+    EXPECT_NEAR(std::remainder(a.torque_Nm[i], 0.005), 0, 1e-12);
+    EXPECT_GE(b.q_rad[i] - a.q_rad[i], -1e-15);
+    EXPECT_LT(b.q_rad[i] - a.q_rad[i], encoder_step * (1 + 1e-9));
+  }
+  // White noise and the rounding's variance, step^2/12; five standard errors.
+  const double variance = 0.02 * 0.02 + 0.005 * 0.005 / 12;
+  const auto n = static_cast<double>(a.size());
+  EXPECT_NEAR(squares / n, variance, 5 * variance * std::sqrt(2 / n));
+}
+
+TEST(DriveNoise, RippleRepeatsWithTheMotorTurn) {
+  Scenario s = test::paper_joint();
+  s.noise.ripple = {{0.02, 1, 0.3}, {0.02, 6, 0}};
+  const auto with = simulate_joint(s);
+  const auto without = simulate_joint(test::paper_joint());
+  const Recording& a = with.front();
+  for (std::size_t i = 0; i < a.size(); i += 97) {
+    const double motor = 100 * a.q_rad[i];
+    const double expected = 0.02 * std::sin(motor + 0.3) + 0.02 * std::sin(6 * motor);
+    EXPECT_NEAR(a.torque_Nm[i] - without.front().torque_Nm[i], expected, 1e-12);
+  }
+}
+
+TEST(DriveNoise, SameSeedSameNumbersOtherSeedOthers) {
+  const auto a = simulate_joint(test::noisy_paper_joint(1));
+  const auto b = simulate_joint(test::noisy_paper_joint(1));
+  const auto c = simulate_joint(test::noisy_paper_joint(2));
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].torque_Nm, b[k].torque_Nm);
+    EXPECT_NE(a[k].torque_Nm, c[k].torque_Nm);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,65 @@
+#include "simulate/simulate_joint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "support/paper_joint.h"
+
+namespace tribolog {
+namespace {
+
+TEST(SimulateJoint, GivesEveryExperimentAskedFor) {
+  const auto recordings = simulate_joint(test::paper_joint());
+  ASSERT_EQ(recordings.size(), 23U);
+  EXPECT_EQ(recordings[0].role, Role::rough_sweep);
+  EXPECT_EQ(recordings[1].role, Role::precise_sweep);
+  EXPECT_EQ(recordings[2].role, Role::oscillation);
+  EXPECT_EQ(recordings[22].name, "constant_speed_20.csv");
+  for (const Recording& r : recordings) {
+    EXPECT_EQ(r.q_rad.size(), r.size());
+    EXPECT_EQ(r.torque_Nm.size(), r.size());
+    EXPECT_EQ(r.z_rad.empty(), r.role != Role::oscillation);
+    EXPECT_EQ(r.rows_read, r.size());
+  }
+  Scenario only_sweep = test::paper_joint();
+  only_sweep.precise_sweep.reset();
+  only_sweep.oscillation.reset();
+  only_sweep.constant_speed.reset();
+  EXPECT_EQ(simulate_joint(only_sweep).size(), 1U);
+}
+
+TEST(SimulateJoint, SweepTorqueIsFrictionPlusGravityWhileSpeedIsConstant) {
+  const Scenario s = test::paper_joint();
+  const Recording sweep = simulate_joint(s).front();
+  const double speed = s.rough_sweep->speed_rad_s;
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    if (std::abs(std::abs(sweep.dq_rad_s[i]) - speed) > 1e-15) continue;
+    const double gravity =
+        test::true_gravity_Nm * std::cos(sweep.q_rad[i] - test::true_q_peak_rad());
+    const double friction = sweep.torque_Nm[i] - gravity;
+    EXPECT_NEAR(friction, s.sliding.torque_Nm(100 * sweep.dq_rad_s[i]), 1e-12);
+    ++checked;
+  }
+  EXPECT_GT(checked, 100'000U);
+}
+
+TEST(SimulateJoint, RefusesExperimentsThatCannotBe) {
+  Scenario s = test::paper_joint();
+  s.oscillation->cycles = 0.5;
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  s = test::paper_joint();
+  s.rough_sweep->to_rad = s.rough_sweep->from_rad;
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  s = test::paper_joint();
+  s.constant_speed->motor_speeds_rad_s.push_back(-3);
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  s = test::paper_joint();
+  s.noise.torque_white_Nm = -1;
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,54 @@
+#include "stages/oscillation_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/paper_joint.h"
+
+namespace tribolog {
+namespace {
+
+Recording sampled(const Motion& motion, double duration_s, double rate_Hz) {
+  Recording r;
+  const auto n = static_cast<int>(duration_s * rate_Hz) + 1;
+  for (int i = 0; i < n; ++i) {
+    r.t_s.push_back(100 + i / rate_Hz);  // logs do not start at zero
+    r.q_rad.push_back(motion.angle(i / rate_Hz));
+    r.torque_Nm.push_back(0);
+  }
+  return r;
+}
+
+TEST(OscillationMotion, FindsFrequencyAndHarmonics) {
+  const HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
+  const auto m = fit_oscillation_motion(sampled(truth, 7.3, 500));
+  ASSERT_TRUE(m);
+  EXPECT_NEAR(m->frequency_Hz, 1.37, 1e-9);
+  EXPECT_NEAR(m->centre_rad, 0.7, 1e-12);
+  EXPECT_NEAR(m->amplitude_rad, std::hypot(0.002, 0.010), 1e-12);
+  const HarmonicMotion motor = m->motor_motion(100);
+  for (double t = 0; t < 7; t += 0.1) {
+    EXPECT_NEAR(motor.angle(t), 100 * truth.angle(t), 1e-9);
+    EXPECT_NEAR(motor.speed(t), 100 * truth.speed(t), 1e-7);
+  }
+}
+
+TEST(OscillationMotion, OneCycleIsEnoughHalfIsNot) {
+  const auto truth = HarmonicMotion::sine(0, 1e-4, 1);
+  EXPECT_TRUE(fit_oscillation_motion(sampled(truth, 1.0, 1000)));
+  EXPECT_FALSE(fit_oscillation_motion(sampled(truth, 0.45, 1000)));
+}
+
+TEST(OscillationMotion, AStandingJointDoesNotSwing) {
+  Recording r;
+  for (int i = 0; i < 100; ++i) {
+    r.t_s.push_back(i);
+    r.q_rad.push_back(1);
+    r.torque_Nm.push_back(0);
+  }
+  EXPECT_FALSE(fit_oscillation_motion(r));
+}
+
+}  // namespace
+}  // namespace tribolog

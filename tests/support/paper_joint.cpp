@@ -1,0 +1,67 @@
+#include "support/paper_joint.h"
+
+#include <numbers>
+
+#include "simulate/simulate_joint.h"
+
+namespace tribolog::test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+}  // namespace
+
+double true_q_peak_rad() { return -22.23187 * degree; }
+
+Scenario paper_joint() {
+  Scenario s;
+  s.name = "paper's joint";
+  s.robot = "FANUC AM100iB";
+  s.joint = "J3";
+  s.gear_ratio = 100;
+  s.motor_inertia_kgm2 = 1e-4;
+  const double distance = 0.4;
+  const double mass = true_gravity_Nm * s.gear_ratio / (9.81 * distance);
+  s.load = GravityLoad(mass, distance, true_q_peak_rad());
+  s.arm_inertia_kgm2 = mass * distance * distance;
+  s.presliding = LuGreFriction({465.42, 0.77080, 0.001, 0.60, 0.88437633, 5.0});
+  s.sliding = WaiboerFriction({0.8844, 5.0, 0.7, 0.12, 0.6, 1e6});
+  s.rough_sweep = SweepExperiment{-80 * degree, 60 * degree, 2 * degree, true, 1.0, 1000.0};
+  s.precise_sweep =
+      SweepExperiment{-23.2 * degree, -21.2 * degree, 0.1 * degree, true, 1.0, 1000.0};
+  s.oscillation = OscillationExperiment{true_q_peak_rad(), 1e-4, 1.0, 5.0, 1000.0, true};
+  ConstantSpeedExperiment runs;
+  runs.motor_speeds_rad_s = {1,  2,  3,  4,   5,   7,   10,  15,  20,  25,
+                             35, 50, 70, 100, 130, 160, 200, 230, 260, 300};
+  runs.centre_rad = true_q_peak_rad();
+  runs.largest_travel_rad = 2.0;
+  runs.longest_plateau_s = 2.0;
+  runs.acceleration_rad_s2 = 20.0;
+  s.constant_speed = runs;
+  return s;
+}
+
+Scenario noisy_paper_joint(std::uint64_t seed) {
+  Scenario s = paper_joint();
+  s.noise.torque_white_Nm = 0.02;
+  s.noise.torque_step_Nm = 0.005;
+  s.noise.encoder_counts_per_turn = 131072;
+  s.noise.speed_filter_Hz = 100;
+  s.noise.seed = seed;
+  s.oscillation->cycles = 10;
+  s.oscillation->record_bristle = false;
+  return s;
+}
+
+Dataset simulated_dataset(const Scenario& scenario) {
+  Dataset d;
+  d.manifest.robot = scenario.robot;
+  d.manifest.joint = scenario.joint;
+  d.manifest.drive = Drive(scenario.gear_ratio, EffortKind::motor_torque, Side::motor);
+  d.manifest.surrogate_distance_m = scenario.surrogate_distance_m;
+  d.manifest.reference = scenario.sliding;
+  d.recordings = simulate_joint(scenario);
+  return d;
+}
+
+}  // namespace tribolog::test

@@ -1,0 +1,27 @@
+#pragma once
+// The paper's joint, reconstructed, as known truth: the same numbers as
+// examples/paper/scenario.toml (a test holds the two together).
+
+#include <cstdint>
+
+#include "joint/dataset.h"
+#include "simulate/scenario.h"
+
+namespace tribolog::test {
+
+/// Gravity torque at the motor with the centre of gravity horizontal [N·m].
+inline constexpr double true_gravity_Nm = 3.88318571;
+/// Surrogate mass at 0.5 m that it stands for [kg].
+inline constexpr double true_surrogate_mass_kg = 79.1679;
+/// Angle of the gravity peak [rad].
+double true_q_peak_rad();
+
+/// The four experiments, noise-free.
+Scenario paper_joint();
+/// The same with the noise of a real drive, ten cycles, and no bristle deflection in the log.
+Scenario noisy_paper_joint(std::uint64_t seed);
+
+/// Simulated recordings with the manifest's facts, as reading the files would give them.
+Dataset simulated_dataset(const Scenario& scenario);
+
+}  // namespace tribolog::test
