@@ -15,7 +15,7 @@ std::string to_string(Verdict verdict) {
 }
 
 std::vector<StageReport> Calibration::stages() const {
-  return {rough.stage,   precise.stage,  hysteresis.stage, masses.stage,
+  return {rough.stage,   precise.stage, hysteresis.stage, masses.stage,
           viscous.stage, quality.stage, selection.stage,  friction.stage};
 }
 

@@ -30,7 +30,7 @@ struct Judgement {
 struct Calibration {
   Manifest manifest;
   std::vector<InputFile> inputs;
-  std::vector<std::string> notes;    ///< From reading the input.
+  std::vector<std::string> notes;  ///< From reading the input.
 
   CogSweepResult rough;
   CogSweepResult precise;

@@ -1,9 +1,10 @@
 #include "calibration_json.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace tribolog {
 namespace {
@@ -32,7 +33,9 @@ Json interval(const Estimate& e) {
 
 Json interval(const std::optional<Estimate>& e) { return e ? interval(*e) : Json(nullptr); }
 
-Json interval_if(bool is_known, const Estimate& e) { return is_known ? interval(e) : Json(nullptr); }
+Json interval_if(bool is_known, const Estimate& e) {
+  return is_known ? interval(e) : Json(nullptr);
+}
 
 /// The same on both sides of the gear.
 Json both_sides(const Estimate& motor, double motor_to_joint) {
@@ -244,9 +247,9 @@ Json friction(const Calibration& c, double n) {
 Json provenance_json(const Provenance& p) {
   Json drawing = nullptr;
   if (p.drawing) {
-    drawing = {{"vtk", p.drawing->vtk_version},     {"back_end", p.drawing->back_end},
-               {"gl", p.drawing->gl_version},       {"renderer", p.drawing->gl_renderer},
-               {"font", p.drawing->font},           {"freetype", p.drawing->freetype_version}};
+    drawing = {{"vtk", p.drawing->vtk_version}, {"back_end", p.drawing->back_end},
+               {"gl", p.drawing->gl_version},   {"renderer", p.drawing->gl_renderer},
+               {"font", p.drawing->font},       {"freetype", p.drawing->freetype_version}};
   }
   Json configuration = Json::array();
   for (const NamedText& setting : p.configuration) {
@@ -266,9 +269,8 @@ Json provenance_json(const Provenance& p) {
 Json stage_list(const Calibration& c) {
   Json list = Json::array();
   for (const StageReport& s : c.stages()) {
-    list.push_back({{"name", s.name},
-                    {"status", to_string(s.state)},
-                    {"reason", text_or_null(s.reason)}});
+    list.push_back(
+        {{"name", s.name}, {"status", to_string(s.state)}, {"reason", text_or_null(s.reason)}});
   }
   return list;
 }

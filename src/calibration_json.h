@@ -9,8 +9,9 @@
 
 #include <string>
 
-#include "calibration.h"
 #include "provenance.h"
+
+#include "calibration.h"
 
 namespace tribolog {
 

@@ -10,13 +10,13 @@ namespace tribolog {
 /// The documented exit statuses of the program.
 enum class ExitStatus : int {
   done = 0,
-  verdict_failed = 1,   ///< Only where --fail-on asked for it.
-  usage = 2,            ///< The command line.
-  input_refused = 3,    ///< A file that was read.
-  output_failed = 4,    ///< A file that was to be written; nothing was changed.
-  figure_failed = 5,    ///< Numbers are kept, a figure is missing.
-  archive_failed = 6,   ///< Archive damaged, locked or newer.
-  internal = 70,        ///< A fault of the program.
+  verdict_failed = 1,  ///< Only where --fail-on asked for it.
+  usage = 2,           ///< The command line.
+  input_refused = 3,   ///< A file that was read.
+  output_failed = 4,   ///< A file that was to be written; nothing was changed.
+  figure_failed = 5,   ///< Numbers are kept, a figure is missing.
+  archive_failed = 6,  ///< Archive damaged, locked or newer.
+  internal = 70,       ///< A fault of the program.
   interrupted = 130,
   terminated = 143,
 };

@@ -1,16 +1,16 @@
 #include "parameter_rules.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 namespace {
 
 void refuse(double value, const char* what, const char* unit, const char* rule) {
-  throw std::invalid_argument(
-      fmt::format("{} {}{}{} is not allowed; it must be {}", what, value, *unit ? " " : "", unit, rule));
+  throw std::invalid_argument(fmt::format("{} {}{}{} is not allowed; it must be {}", what, value,
+                                          *unit ? " " : "", unit, rule));
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ struct DrawingSoftware {
 
 struct Provenance {
   std::string tool_version;
-  std::string git_revision;     ///< "unknown" if the program was not built from a checkout.
+  std::string git_revision;  ///< "unknown" if the program was not built from a checkout.
   std::string compiler;
-  std::string eigen_version;    ///< "unknown" if not recorded at build time.
+  std::string eigen_version;  ///< "unknown" if not recorded at build time.
   std::optional<DrawingSoftware> drawing;
-  std::string created_utc;      ///< "2026-01-31T12:00:00Z"
-  std::string command_line;     ///< As given, directories of absolute paths removed.
+  std::string created_utc;   ///< "2026-01-31T12:00:00Z"
+  std::string command_line;  ///< As given, directories of absolute paths removed.
   std::vector<NamedText> configuration;
 };
 

@@ -1,8 +1,8 @@
 #include "verdict.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 namespace {
@@ -21,10 +21,11 @@ void compare_masses(const Calibration& c, std::vector<std::string>& findings) {
   // A tenth of a percent is of no consequence, however narrow the intervals.
   if (disagreement(midline->mass_kg, sweep->mass_kg) > 1 &&
       std::abs(difference) > 1e-3 * sweep->mass_kg.value) {
-    findings.push_back(fmt::format(
-        "mid-line and sweep disagree: {:.3f} kg against {:.3f} kg, more than their intervals allow; "
-        "torque ripple or friction that depends on the load would do that",
-        midline->mass_kg.value, sweep->mass_kg.value));
+    findings.push_back(
+        fmt::format("mid-line and sweep disagree: {:.3f} kg against {:.3f} kg, more than their "
+                    "intervals allow; "
+                    "torque ripple or friction that depends on the load would do that",
+                    midline->mass_kg.value, sweep->mass_kg.value));
   }
 }
 

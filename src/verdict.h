@@ -5,8 +5,8 @@
 
 namespace tribolog {
 
-/// Usable: mass and angle are known, each stage that had data is done. Doubtful: they are known, but
-/// something is missing or does not agree. Not identifiable: no angle or no gravity torque.
+/// Usable: mass and angle are known, each stage that had data is done. Doubtful: they are known,
+/// but something is missing or does not agree. Not identifiable: no angle or no gravity torque.
 Judgement judge(const Calibration& calibration);
 
 }  // namespace tribolog

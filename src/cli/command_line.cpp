@@ -1,8 +1,9 @@
 #include "cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
+
+#include <CLI/CLI.hpp>
 
 #include "cli/commands.h"
 
@@ -54,9 +55,10 @@ const std::map<std::string, Verdict> verdicts{{"doubtful", Verdict::doubtful},
                                               {"not-identifiable", Verdict::not_identifiable}};
 
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
-  command.add_option_function<std::string>(
-             "--fail-on", [&fail_on](const std::string& word) { fail_on = verdicts.at(word); },
-             "exit with status 1 at this verdict or a worse one: doubtful, not-identifiable")
+  command
+      .add_option_function<std::string>(
+          "--fail-on", [&fail_on](const std::string& word) { fail_on = verdicts.at(word); },
+          "exit with status 1 at this verdict or a worse one: doubtful, not-identifiable")
       ->check(CLI::IsMember(verdicts))
       ->type_name("VERDICT");
 }
@@ -83,8 +85,10 @@ ExitStatus run_command_line(int argc, char** argv) {
   CLI::App* simulate_command =
       app.add_subcommand("simulate", "simulate a joint: recordings, manifest and the truth");
   simulate_command->add_option("SCENARIO", simulate.scenario, "scenario file (TOML)")->required();
-  simulate_command->add_option("-o,--output", simulate.directory, "directory to write to")->required();
-  simulate_command->add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's");
+  simulate_command->add_option("-o,--output", simulate.directory, "directory to write to")
+      ->required();
+  simulate_command->add_option("--seed", simulate.seed,
+                               "seed of the noise, instead of the scenario's");
   simulate_command->footer(
       "\nWrites one CSV per recording, dataset.toml (for report) and truth.json.\n"
       "examples/paper/scenario.toml shows every key with its unit.");
@@ -101,7 +105,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   FiguresOptions figures;
   CLI::App* figures_command = app.add_subcommand("figures", "draw the figures as PNG files");
   figures_command->add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
-  figures_command->add_option("-o,--output", figures.directory, "directory to write to")->required();
+  figures_command->add_option("-o,--output", figures.directory, "directory to write to")
+      ->required();
   add_processes(*figures_command, figures.processes);
 
   ReportOptions report;

@@ -1,9 +1,9 @@
 #include "cli/console.h"
 
+#include <iostream>
+
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <iostream>
 
 namespace tribolog {
 

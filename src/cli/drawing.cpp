@@ -1,8 +1,11 @@
 #include "cli/drawing.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "error.h"
+#include "report/html_report.h"
 
 namespace tribolog {
 
@@ -26,6 +29,13 @@ std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, 
     }
     return none;
   }
+}
+
+std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn) {
+  const bool any = std::any_of(drawn.begin(), drawn.end(),
+                               [](const render::DrawnFigure& f) { return f.error.empty(); });
+  if (!any) return std::nullopt;
+  return drawing_software(render::renderer_info());
 }
 
 std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console) {

@@ -2,7 +2,10 @@
 // Drawing a calibration's figures with progress, and naming those that failed.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
+
+#include "provenance.h"
 
 #include "cli/console.h"
 #include "figures/report_figure.h"
@@ -14,6 +17,9 @@ namespace tribolog {
 /// picture with its error.
 std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, int processes,
                                       Console& console);
+
+/// The graphics stack, for the provenance; absent if nothing was drawn.
+std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn);
 
 /// Warns of each figure that failed; returns how many did.
 std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console);

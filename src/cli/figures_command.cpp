@@ -1,6 +1,6 @@
-#include <fmt/format.h>
-
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/drawing.h"
@@ -12,7 +12,7 @@ namespace tribolog {
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   const Dataset dataset = load_dataset(options.dataset, console);
-  create_output_directory(options.directory);
+  create_directory(options.directory);
   const Calibration calibration = run_identification(dataset, console);
   const std::vector<ReportFigure> figures = figure_set(dataset, calibration);
   const std::vector<render::DrawnFigure> drawn = draw(figures, options.processes, console);

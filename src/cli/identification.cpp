@@ -1,10 +1,11 @@
 #include "cli/identification.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <filesystem>
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "files/atomic_file.h"
 #include "ingest/dataset_file.h"
 #include "pipeline.h"
 
@@ -15,6 +16,16 @@ Dataset load_dataset(const std::string& manifest, Console& console) {
   Dataset dataset = read_dataset(manifest);
   for (const std::string& note : dataset.notes) console.warn("note: " + note);
   return dataset;
+}
+
+void protect_inputs(const Dataset& dataset, const std::string& manifest,
+                    const std::string& output) {
+  const std::filesystem::path directory = std::filesystem::path(manifest).parent_path();
+  std::vector<std::string> files{manifest};
+  for (const Recording& recording : dataset.recordings) {
+    files.push_back((directory / recording.name).string());
+  }
+  check_output_can_be_written(output, files);
 }
 
 Calibration run_identification(const Dataset& dataset, Console& console) {
@@ -31,8 +42,8 @@ void tell_outcome(const Calibration& c, Console& console) {
     console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, s.value, unit,
                             s.low, s.high));
   };
-  console.say(fmt::format("verdict: {} - {}", to_string(c.judgement.verdict),
-                          c.judgement.sentence));
+  console.say(
+      fmt::format("verdict: {} - {}", to_string(c.judgement.verdict), c.judgement.sentence));
   const double n = c.manifest.drive.gear_ratio();
   if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees, "deg");
   if (const SurrogateMass* mass = c.masses.find(c.selection.recommended)) {

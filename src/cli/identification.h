@@ -14,6 +14,10 @@ namespace tribolog {
 /// Reads the manifest and its recordings; notes go to the console.
 Dataset load_dataset(const std::string& manifest, Console& console);
 
+/// Refuses an output that is one of the dataset's own files.
+/// @throw UsageError
+void protect_inputs(const Dataset& dataset, const std::string& manifest, const std::string& output);
+
 /// Runs every stage.
 Calibration run_identification(const Dataset& dataset, Console& console);
 

@@ -15,7 +15,8 @@ namespace {
 std::string calibration_beside(const std::string& report) {
   const std::size_t slash = report.find_last_of('/');
   const std::size_t dot = report.find_last_of('.');
-  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
+  const bool has_ending =
+      dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
   return (has_ending ? report.substr(0, dot) : report) + ".calibration.json";
 }
 
@@ -30,6 +31,8 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   Provenance provenance = make_provenance(arguments);
 
   const Dataset dataset = load_dataset(options.dataset, console);
+  protect_inputs(dataset, options.dataset, options.output);
+  protect_inputs(dataset, options.dataset, numbers);
   const Calibration calibration = run_identification(dataset, console);
   write_file_atomically(numbers, calibration_json(calibration, provenance));
 
@@ -38,7 +41,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   if (options.figures) {
     figures = figure_set(dataset, calibration);
     drawn = draw(figures, options.processes, console);
-    provenance.drawing = drawing_software(drawn);
+    provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);
   write_file_atomically(options.output, html_report(calibration, figures, drawn, provenance));

@@ -16,8 +16,8 @@ ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
   write_simulation(scenario, recordings, options.directory);
   std::size_t samples = 0;
   for (const Recording& recording : recordings) samples += recording.size();
-  console.say(fmt::format("{}: {} recordings, {} samples", options.directory, recordings.size(),
-                          samples));
+  console.say(
+      fmt::format("{}: {} recordings, {} samples", options.directory, recordings.size(), samples));
   return ExitStatus::done;
 }
 

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
-#include "cli/commands.h"
 #include "provenance.h"
+
+#include "cli/commands.h"
 #include "render/renderer.h"
 
 namespace tribolog {

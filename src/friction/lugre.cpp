@@ -1,9 +1,9 @@
 #include "friction/lugre.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "parameter_rules.h"
 

@@ -1,10 +1,10 @@
 #include "friction/waiboer.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "parameter_rules.h"
 

@@ -14,10 +14,10 @@ namespace tribolog {
 
 /// An input file as it was read; goes into the provenance.
 struct InputFile {
-  std::string name;     ///< As written in the manifest (no directory of the machine).
-  std::string role;     ///< "manifest" or the recording's role.
+  std::string name;  ///< As written in the manifest (no directory of the machine).
+  std::string role;  ///< "manifest" or the recording's role.
   std::uint64_t bytes{};
-  std::string sha256;   ///< 64 hex digits.
+  std::string sha256;  ///< 64 hex digits.
   std::size_t rows_read{};
   std::size_t rows_used{};
   std::vector<SkippedRows> skipped;
@@ -32,10 +32,10 @@ struct Manifest {
   std::string measured_on;  ///< Free text or ISO date, as given.
   std::string note;
   Drive drive{1.0, EffortKind::motor_torque, Side::motor};
-  std::string payload;                  ///< Words.
+  std::string payload;  ///< Words.
   std::optional<double> payload_kg;
   std::optional<double> temperature_C;
-  double surrogate_distance_m{0.5};     ///< r_REPL, freely chosen.
+  double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
   std::optional<WaiboerFriction> reference;  ///< Known curve (simulation), motor side.
 };

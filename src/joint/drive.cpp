@@ -1,9 +1,9 @@
 #include "joint/drive.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 
@@ -25,8 +25,8 @@ Drive::Drive(double gear_ratio, EffortKind kind, Side side,
              std::optional<double> torque_constant_Nm_A)
     : gear_ratio_(gear_ratio), kind_(kind), side_(side), torque_constant_(torque_constant_Nm_A) {
   if (!std::isfinite(gear_ratio) || gear_ratio <= 0) {
-    throw std::invalid_argument(fmt::format("gear ratio {} is not allowed; it must be > 0",
-                                            gear_ratio));
+    throw std::invalid_argument(
+        fmt::format("gear ratio {} is not allowed; it must be > 0", gear_ratio));
   }
   const bool is_current = kind == EffortKind::motor_current;
   if (is_current && !torque_constant_) {

@@ -1,15 +1,14 @@
 #include "joint/gravity_load.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
 namespace tribolog {
-GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad,
-                         double gravity_m_s2)
+GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad, double gravity_m_s2)
     : mass_kg_(mass_kg),
       distance_m_(distance_m),
       q_peak_rad_(q_peak_rad),
@@ -18,7 +17,8 @@ GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad,
   require_positive(distance_m, "distance of the centre of gravity", "m");
   require_positive(gravity_m_s2, "gravity", "m/s²");
   if (!std::isfinite(q_peak_rad)) {
-    throw std::invalid_argument(fmt::format("angle of the gravity peak {} is not finite", q_peak_rad));
+    throw std::invalid_argument(
+        fmt::format("angle of the gravity peak {} is not finite", q_peak_rad));
   }
 }
 

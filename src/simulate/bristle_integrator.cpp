@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "parameter_rules.h"
+
 #include "simulate/exponential_step.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused

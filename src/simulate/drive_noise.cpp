@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "parameter_rules.h"
+
 #include "simulate/random_stream.h"
 
 namespace tribolog {
@@ -18,8 +19,8 @@ void disturb_torque(Recording& recording, const Noise& noise, double gear_ratio,
     double& torque = recording.torque_Nm[i];
     for (const Noise::Ripple& ripple : noise.ripple) {
       const double motor_angle = gear_ratio * recording.q_rad[i];
-      torque += ripple.amplitude_Nm *
-                std::sin(ripple.periods_per_turn * motor_angle + ripple.phase_rad);
+      torque +=
+          ripple.amplitude_Nm * std::sin(ripple.periods_per_turn * motor_angle + ripple.phase_rad);
     }
     if (noise.torque_white_Nm > 0) torque += noise.torque_white_Nm * random.normal();
     if (noise.torque_step_Nm > 0) {

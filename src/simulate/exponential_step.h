@@ -9,8 +9,8 @@
 //
 // h is smooth in s as long as w keeps its sign, also right after a reversal (there s ~ w^2, and g
 // depends on w^2). It is interpolated by the parabola through the step's start, middle and end, and
-// the integral of that is exact: no bound on the step by stiffness. The error of the parabola and of
-// Simpson's rule for L cancel in their leading term, which makes the step 4th order.
+// the integral of that is exact: no bound on the step by stiffness. The error of the parabola and
+// of Simpson's rule for L cancel in their leading term, which makes the step 4th order.
 
 #include <bit>
 #include <cmath>

@@ -1,13 +1,13 @@
 #include "simulate/motion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
@@ -145,7 +145,8 @@ TravelMotion::Phase TravelMotion::at(double t_s) const {
   double t = t_s - plan_.rest_s;
   bool returning = false;
   if (plan_.back && t > stroke) {
-    if (t < stroke + plan_.rest_s) t = stroke;
+    if (t < stroke + plan_.rest_s)
+      t = stroke;
     else {
       t -= stroke + plan_.rest_s;
       returning = true;

@@ -50,7 +50,7 @@ class TravelMotion final : public Motion {
     double speed_rad_s{};          ///< > 0
     double acceleration_rad_s2{};  ///< > 0, the largest within a ramp.
     bool back{true};
-    double rest_s{0.1};            ///< Before, between and after.
+    double rest_s{0.1};  ///< Before, between and after.
   };
   /// @throw std::invalid_argument if the way is too short to reach the speed.
   explicit TravelMotion(const Plan& plan);

@@ -15,9 +15,9 @@ namespace tribolog {
 /// A slow motion at constant speed from one angle to another, with smooth starts and stops.
 struct SweepExperiment {
   double from_rad{};
-  double to_rad{};            ///< != from_rad
-  double speed_rad_s{};       ///< > 0, joint side
-  bool both_directions{true}; ///< There and back; false: there only.
+  double to_rad{};                  ///< != from_rad
+  double speed_rad_s{};             ///< > 0, joint side
+  bool both_directions{true};       ///< There and back; false: there only.
   double acceleration_rad_s2{1.0};  ///< > 0, largest of the smooth ramps, joint side.
   double sample_rate_Hz{1000.0};
 };
@@ -45,17 +45,17 @@ struct ConstantSpeedExperiment {
 
 /// What a real drive adds to its log; all zero: an ideal one.
 struct Noise {
-  double torque_white_Nm{};        ///< Standard deviation, motor side.
-  double torque_step_Nm{};         ///< Quantisation of the torque; 0: none.
-  double encoder_counts_per_turn{};///< Of the motor encoder; 0: continuous.
-  double speed_filter_Hz{};        ///< First-order low pass on the difference of the angle; 0: the
-                                   ///< true speed is logged.
+  double torque_white_Nm{};          ///< Standard deviation, motor side.
+  double torque_step_Nm{};           ///< Quantisation of the torque; 0: none.
+  double encoder_counts_per_turn{};  ///< Of the motor encoder; 0: continuous.
+  double speed_filter_Hz{};  ///< First-order low pass on the difference of the angle; 0: the
+                             ///< true speed is logged.
   struct Ripple {
     double amplitude_Nm{};
-    double periods_per_turn{};     ///< Of the motor shaft.
+    double periods_per_turn{};  ///< Of the motor shaft.
     double phase_rad{};
   };
-  std::vector<Ripple> ripple;      ///< Torque periodic in the motor's angle.
+  std::vector<Ripple> ripple;  ///< Torque periodic in the motor's angle.
   std::uint64_t seed{1};
 };
 
@@ -64,9 +64,9 @@ struct Scenario {
   std::string robot;
   std::string serial;
   std::string joint;
-  double gear_ratio{1.0};          ///< n > 0
-  double motor_inertia_kgm2{};     ///< J of motor and gear, at the motor shaft, >= 0.
-  double arm_inertia_kgm2{};       ///< I about the joint's axis, >= 0.
+  double gear_ratio{1.0};       ///< n > 0
+  double motor_inertia_kgm2{};  ///< J of motor and gear, at the motor shaft, >= 0.
+  double arm_inertia_kgm2{};    ///< I about the joint's axis, >= 0.
   GravityLoad load{1.0, 1.0, 0.0};
   LuGreFriction presliding{{1.0, 0.0, 0.0, 1.0, 1.0, 1.0}};  ///< Drives the oscillation.
   WaiboerFriction sliding{{1.0, 1.0, 1.0, 0.0, 0.0, 1e6}};   ///< Drives sweeps and runs.

@@ -1,11 +1,12 @@
 #include "simulate/simulate_joint.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "parameter_rules.h"
+
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
 #include "simulate/motion.h"
@@ -36,7 +37,8 @@ Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sampl
                  std::string name, Role role) {
   require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
   const TravelMotion motion(plan);
-  const auto samples = static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
+  const auto samples =
+      static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
   Recording r = empty_recording(std::move(name), role, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / sample_rate_Hz;
@@ -96,8 +98,9 @@ Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, st
   const double speed = motor_speed / s.gear_ratio;
   const double plateau = std::min(e.largest_travel_rad, speed * e.longest_plateau_s);
   const double half_way = plateau / 2 + TravelMotion::ramp_way_rad(speed, e.acceleration_rad_s2);
-  return travel(s, {e.centre_rad - half_way, e.centre_rad + half_way, speed, e.acceleration_rad_s2,
-                    e.both_directions},
+  return travel(s,
+                {e.centre_rad - half_way, e.centre_rad + half_way, speed, e.acceleration_rad_s2,
+                 e.both_directions},
                 e.sample_rate_Hz, fmt::format("constant_speed_{:02}.csv", index + 1),
                 Role::constant_speed);
 }

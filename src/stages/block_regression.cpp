@@ -1,9 +1,10 @@
 #include "stages/block_regression.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include <Eigen/Dense>
 
 #include "stages/student_t.h"
 
@@ -46,7 +47,8 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   const double spare = std::max(1.0, m - static_cast<double>(columns));
   const Eigen::MatrixXd meat = scores * scores.transpose() * (m / spare);
   const Eigen::MatrixXd covariance = bread * meat * bread;
-  out.covariance = norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
+  out.covariance =
+      norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
   out.t_factor = student_t_975(spare);
   return out;
 }

@@ -8,9 +8,10 @@
 // It fails where correlation reaches over more than a block; few blocks make it coarse, which the
 // t factor pays for.
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace tribolog {
 
@@ -19,8 +20,8 @@ struct BlockRegression {
   Eigen::MatrixXd covariance;
   Eigen::VectorXd residuals;
   double residual_sd{};
-  double condition{};   ///< Of X with its columns scaled to length 1; large: columns alike.
-  double t_factor{};    ///< For 95 % intervals: half width = t_factor * sqrt(variance).
+  double condition{};  ///< Of X with its columns scaled to length 1; large: columns alike.
+  double t_factor{};   ///< For 95 % intervals: half width = t_factor * sqrt(variance).
 };
 
 /// @param block_of_row non-decreasing block number of each row, starting at 0.
@@ -30,7 +31,6 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
 
 /// Blocks for rows that follow each other in time: `per_group` blocks of equal size within each
 /// run of equal `group`, but none smaller than 5 rows.
-std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group,
-                                      std::size_t per_group);
+std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group, std::size_t per_group);
 
 }  // namespace tribolog

@@ -1,12 +1,12 @@
 #include "stages/cog_sweep.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "stages/block_regression.h"
 #include "stages/sweep_curves.h"
@@ -22,9 +22,9 @@ constexpr std::size_t fewest_samples = 20;
 struct Design {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
-  Eigen::Index offsets{};        // first column of the offsets
+  Eigen::Index offsets{};  // first column of the offsets
   Eigen::Index offset_count{};
-  Eigen::Index direction{-1};    // Coulomb column of a varying sweep
+  Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
   std::vector<std::size_t> offset_of_sample;
@@ -107,8 +107,7 @@ GravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& recordin
   const Eigen::Vector2d bc(b, c);
   const Eigen::Matrix2d v2 = v.topLeftCorner<2, 2>();
   fit.evidence = bc.dot(v2.ldlt().solve(bc));
-  const double var_q =
-      (c * c * v(0, 0) - 2 * b * c * v(0, 1) + b * b * v(1, 1)) / std::pow(g, 4);
+  const double var_q = (c * c * v(0, 0) - 2 * b * c * v(0, 1) + b * b * v(1, 1)) / std::pow(g, 4);
   const double var_g = (b * b * v(0, 0) + 2 * b * c * v(0, 1) + c * c * v(1, 1)) / (g * g);
   const char* method = "least squares, blocks of neighbouring samples";
   fit.q_peak_rad =
@@ -169,10 +168,11 @@ void find_argmax(const std::vector<const Recording*>& recordings, const SweepSam
   out.argmax_torque_Nm = torque(best);
   // Among N noisy samples the largest exceeds the curve by about sd sqrt(2 ln N); the curve may lie
   // lower by as much at the true peak's neighbours. Never narrower than the sampling.
-  const double excess = out.residual_Nm * std::sqrt(2 * std::log(static_cast<double>(samples.size())));
-  const double spacing = std::abs(samples.speed_rad_s[best]) *
-                         (recordings[samples.recording[best]]->t_s[1] -
-                          recordings[samples.recording[best]]->t_s[0]);
+  const double excess =
+      out.residual_Nm * std::sqrt(2 * std::log(static_cast<double>(samples.size())));
+  const double spacing =
+      std::abs(samples.speed_rad_s[best]) *
+      (recordings[samples.recording[best]]->t_s[1] - recordings[samples.recording[best]]->t_s[0]);
   const double reach =
       std::acos(std::clamp(1 - excess / out.gravity_Nm.value, -1.0, 1.0)) + spacing;
   out.argmax_low_rad = std::max(out.argmax_rad - reach, std::min(out.lowest_rad, out.argmax_rad));
@@ -213,8 +213,8 @@ void read_friction(const Design& d, const SweepSamples& samples, const GravityFi
   for (std::size_t k = 0; k < direction_of.size(); ++k) {
     const Eigen::Index column = d.offsets + static_cast<Eigen::Index>(k);
     (direction_of[k] > 0 ? up : down) += c(column);
-    variance += fit.regression.covariance(column, column) /
-                std::pow(direction_of[k] > 0 ? ups : downs, 2);
+    variance +=
+        fit.regression.covariance(column, column) / std::pow(direction_of[k] > 0 ? ups : downs, 2);
   }
   if (ups > 0 && downs > 0) {
     up /= ups;
@@ -259,9 +259,9 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   }
   out.stage = {name, StageState::not_identifiable, ""};
   if (samples.size() < fewest_samples) {
-    out.stage.reason = fmt::format(
-        "only {} samples of the sweep move steadily; at least {} are needed", samples.size(),
-        fewest_samples);
+    out.stage.reason =
+        fmt::format("only {} samples of the sweep move steadily; at least {} are needed",
+                    samples.size(), fewest_samples);
     return out;
   }
   out.lowest_rad = out.highest_rad = angle(recordings, samples, 0);
@@ -314,8 +314,8 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     out.stage.reason =
         "only one direction was recorded: friction does not cancel, and a friction that changes "
         "with the angle would be taken for gravity";
-  } else if (!precise && (out.q_peak_rad.value < out.lowest_rad ||
-                          out.q_peak_rad.value > out.highest_rad)) {
+  } else if (!precise &&
+             (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
     out.stage.state = StageState::partial;
     out.stage.reason = fmt::format(
         "the sweep from {:.1f}° to {:.1f}° does not cross the gravity peak, which is "

@@ -22,29 +22,30 @@ namespace tribolog {
 
 struct CogSweepResult {
   StageReport stage;
-  bool found{false};              ///< The values below are valid.
-  std::string method;             ///< What was fitted, for the report.
+  bool found{false};   ///< The values below are valid.
+  std::string method;  ///< What was fitted, for the report.
 
-  double argmax_rad{};            ///< Paper's way.
-  double argmax_low_rad{};        ///< Angles that the noise cannot tell from the arg-max.
+  double argmax_rad{};      ///< Paper's way.
+  double argmax_low_rad{};  ///< Angles that the noise cannot tell from the arg-max.
   double argmax_high_rad{};
-  double argmax_torque_Nm{};      ///< Motor side, at the arg-max.
-  bool argmax_at_end{};           ///< The maximum lies at the sweep's end: no peak was crossed.
+  double argmax_torque_Nm{};  ///< Motor side, at the arg-max.
+  bool argmax_at_end{};       ///< The maximum lies at the sweep's end: no peak was crossed.
 
-  Estimate q_peak_rad;            ///< Ours.
-  Estimate gravity_Nm;            ///< Gravity amplitude G/n at the motor.
-  std::optional<Estimate> coulomb_Nm;       ///< Half the distance of the directions, motor side.
-  std::optional<Estimate> viscous_Nms_rad;  ///< Per motor speed; only from a sweep of varying speed.
-  std::optional<Estimate> inertia_kgm2;     ///< Reflected to the motor; only if accelerations show it.
-  double offset_Nm{};             ///< Mean of both directions that is not gravity, motor side.
-  double residual_Nm{};           ///< Standard deviation of what the fit leaves.
+  Estimate q_peak_rad;                 ///< Ours.
+  Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
+  std::optional<Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor side.
+  std::optional<Estimate>
+      viscous_Nms_rad;                   ///< Per motor speed; only from a sweep of varying speed.
+  std::optional<Estimate> inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.
+  double offset_Nm{};    ///< Mean of both directions that is not gravity, motor side.
+  double residual_Nm{};  ///< Standard deviation of what the fit leaves.
 
-  double lowest_rad{};            ///< Range of the samples used.
+  double lowest_rad{};  ///< Range of the samples used.
   double highest_rad{};
   bool both_directions{};
-  bool constant_speed{};          ///< Plateaus were used; else the varying-speed fit.
+  bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.
   std::size_t samples_used{};
-  std::size_t samples_left_out{}; ///< Rest, acceleration, reversal.
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal.
 
   /// For figures and later stages: per recording, a mask of the samples used.
   std::vector<std::vector<bool>> used;

@@ -31,7 +31,7 @@ enum class StageState {
 std::string to_string(StageState state);
 
 struct StageReport {
-  std::string name;    ///< Stable: "cog_rough", "hysteresis", ...
+  std::string name;  ///< Stable: "cog_rough", "hysteresis", ...
   StageState state{StageState::skipped};
   std::string reason;  ///< Words for the user; empty only if done.
 };

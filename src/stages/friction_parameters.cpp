@@ -1,9 +1,9 @@
 #include "stages/friction_parameters.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "stages/block_regression.h"
 #include "stages/waiboer_fit.h"
@@ -20,9 +20,8 @@ std::vector<CurvePoint> magnitudes(const ViscousCurvesResult& curves, const Visc
     const double sign = curves.runs[i].speed_rad_s < 0 ? -1.0 : 1.0;
     points.push_back({std::abs(curves.runs[i].speed_rad_s), sign * curve.friction_Nm[i]});
   }
-  std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
-    return a.speed_rad_s < b.speed_rad_s;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const CurvePoint& a, const CurvePoint& b) { return a.speed_rad_s < b.speed_rad_s; });
   return points;
 }
 
@@ -40,9 +39,10 @@ CoulombViscousFit fit_line(const std::vector<CurvePoint>& points, std::size_t fi
   }
   const BlockRegression fit = block_regression(x, y, blocks);
   const auto half_width = [&](int k) { return fit.t_factor * std::sqrt(fit.covariance(k, k)); };
-  return {symmetric_estimate(fit.coefficients(0), half_width(0), "straight line, scatter of the runs"),
-          symmetric_estimate(fit.coefficients(1), half_width(1), "straight line, scatter of the runs"),
-          fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
+  return {
+      symmetric_estimate(fit.coefficients(0), half_width(0), "straight line, scatter of the runs"),
+      symmetric_estimate(fit.coefficients(1), half_width(1), "straight line, scatter of the runs"),
+      fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
 }
 
 }  // namespace
@@ -59,10 +59,9 @@ FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curv
   out.curve = curve->estimator;
   const std::vector<CurvePoint> points = magnitudes(curves, *curve);
   // The line leaves out the Stribeck dip: it starts at the speed of least friction.
-  const auto dip = std::min_element(points.begin(), points.end(),
-                                    [](const CurvePoint& a, const CurvePoint& b) {
-                                      return a.friction_Nm < b.friction_Nm;
-                                    });
+  const auto dip = std::min_element(
+      points.begin(), points.end(),
+      [](const CurvePoint& a, const CurvePoint& b) { return a.friction_Nm < b.friction_Nm; });
   auto first = static_cast<std::size_t>(dip - points.begin());
   if (first > points.size() / 2) first = 0;  // friction that falls all along has no dip
   if (points.size() - first < fewest_speeds_for_a_line) {
@@ -76,8 +75,9 @@ FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curv
   std::string why_not;
   // In a paired sweep angle and speed change together: five parameters would fit the angle.
   if (curves.from_sweep) {
-    why_not = "speed and angle change together in a sweep; runs of constant speed would show the "
-              "Stribeck effect";
+    why_not =
+        "speed and angle change together in a sweep; runs of constant speed would show the "
+        "Stribeck effect";
   } else {
     out.waiboer = fit_waiboer(points, why_not);
   }

@@ -27,16 +27,16 @@ struct WaiboerFit {
 
 /// |Tf| = Coulomb + viscous |w| over the speeds beyond the Stribeck dip.
 struct CoulombViscousFit {
-  Estimate coulomb_Nm;        ///< Motor side.
-  Estimate viscous_Nms_rad;   ///< Motor side.
+  Estimate coulomb_Nm;       ///< Motor side.
+  Estimate viscous_Nms_rad;  ///< Motor side.
   double residual_Nm{};
-  double slowest_rad_s{};     ///< Speeds used, motor side.
+  double slowest_rad_s{};  ///< Speeds used, motor side.
   double fastest_rad_s{};
 };
 
 struct FrictionParametersResult {
   StageReport stage;
-  std::string curve;          ///< Estimator whose curve was fitted, or "direction_difference".
+  std::string curve;  ///< Estimator whose curve was fitted, or "direction_difference".
   std::optional<WaiboerFit> waiboer;
   std::optional<CoulombViscousFit> coulomb_viscous;
   std::vector<double> fit_speed_rad_s;  ///< For figures: speeds >= 0 and the fitted torque there.

@@ -1,9 +1,9 @@
 #include "stages/hysteresis_loop.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "stages/encoder_resolution.h"
 #include "stages/loop_midline.h"
@@ -30,7 +30,8 @@ void explain_without_oscillation(const CogSweepResult& rough, HysteresisResult& 
   if (steps < fewest_steps_in_presliding) {
     out.stage.state = StageState::not_identifiable;
     out.stage.reason = fmt::format(
-        "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of {:.3g} "
+        "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
+        "{:.3g} "
         "rad leaves {:.1f} steps in the {:.2g} rad within which friction turns over after a "
         "reversal of the sweep; at least {:.0f} are needed",
         step, steps, *travel, fewest_steps_in_presliding);
@@ -63,8 +64,8 @@ std::vector<LoopPoint> average_turns(const LoopTrace& trace, const TraceReader& 
     // Turns scatter independently; with too few of them the reading's own width is all there is.
     half_width = n >= 3 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)
                         : half_width / std::sqrt(n);
-    mean[k] = {mean[k].name,        mean[k].t_s, q, torque, torque - half_width,
-               torque + half_width, z,           dz};
+    mean[k] = {mean[k].name,        mean[k].t_s,         q, torque,
+               torque - half_width, torque + half_width, z, dz};
   }
   return mean;
 }
@@ -101,8 +102,8 @@ Estimate combine_midlines(const std::vector<LoopResult>& loops) {
 }
 
 /// The bristle state of the first loop: recorded, or observed by a fitted LuGre model.
-void observe_bristle(const Recording& recording, const OscillationMotion& motion,
-                     double gear_ratio, double q_peak, LoopTrace& trace, HysteresisResult& out) {
+void observe_bristle(const Recording& recording, const OscillationMotion& motion, double gear_ratio,
+                     double q_peak, LoopTrace& trace, HysteresisResult& out) {
   LuGreFit fit = fit_lugre(recording, motion, gear_ratio, q_peak);
   if (!trace.z_rad.empty()) {
     out.bristle_source = "recorded";
@@ -132,27 +133,28 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     out.samples_at_rest += whole->size() - recording.size();
     const auto motion = fit_oscillation_motion(recording);
     if (!motion) {
-      reasons.push_back(fmt::format("{}: the angle does not swing through one whole cycle",
-                                    recording.name));
+      reasons.push_back(
+          fmt::format("{}: the angle does not swing through one whole cycle", recording.name));
       continue;
     }
     LoopResult loop;
     loop.trace = make_trace(recording);
     const double step = encoder_step_rad(recording.q_rad);
-    loop.oscillation = {motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step};
+    loop.oscillation = {
+        motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step};
     if (step > 0 && 2 * motion->amplitude_rad < fewest_steps_in_presliding * step) {
-      reasons.push_back(fmt::format(
-          "{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width of {:.3g} rad; "
-          "at least {:.0f} are needed",
-          recording.name, step, 2 * motion->amplitude_rad / step, 2 * motion->amplitude_rad,
-          fewest_steps_in_presliding));
+      reasons.push_back(
+          fmt::format("{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
+                      "of {:.3g} rad; "
+                      "at least {:.0f} are needed",
+                      recording.name, step, 2 * motion->amplitude_rad / step,
+                      2 * motion->amplitude_rad, fewest_steps_in_presliding));
       out.encoder_step_rad = step;
       continue;
     }
     const double q_peak = q_peak_rad ? q_peak_rad->value : motion->centre_rad;
     const TraceReader reader(loop.trace, 1 / motion->frequency_Hz);
-    const auto midline =
-        find_loop_midline(recording, *motion, q_peak, reader.torque_noise_Nm());
+    const auto midline = find_loop_midline(recording, *motion, q_peak, reader.torque_noise_Nm());
     if (!midline) continue;
     loop.midline = *midline;
     loop.oscillation.cycles = midline->cycles;

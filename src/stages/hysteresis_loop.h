@@ -26,8 +26,8 @@ struct LoopPoint {
   char name{'A'};
   double t_s{};
   double q_rad{};
-  double torque_Nm{};       ///< Motor side.
-  double torque_low_Nm{};   ///< 95 % interval of the reading.
+  double torque_Nm{};      ///< Motor side.
+  double torque_low_Nm{};  ///< 95 % interval of the reading.
   double torque_high_Nm{};
   double z_rad{};
   double dz_rad_s{};
@@ -39,7 +39,7 @@ struct LoopTrace {
   std::vector<double> t_s;
   std::vector<double> q_rad;
   std::vector<double> torque_Nm;
-  std::vector<double> z_rad;    ///< Recorded or of the fitted model; empty if neither.
+  std::vector<double> z_rad;  ///< Recorded or of the fitted model; empty if neither.
   std::vector<double> dz_rad_s;
   /// Mid-line of the steady loop: mean of the rising and the falling branch at equal angle.
   std::vector<double> midline_q_rad;
@@ -58,7 +58,7 @@ struct Oscillation {
 struct HysteresisResult {
   StageReport stage;
   bool found{false};
-  std::string bristle_source;         ///< "recorded" or "LuGre model fitted to the loop" or "".
+  std::string bristle_source;             ///< "recorded" or "LuGre model fitted to the loop" or "".
   std::vector<Oscillation> oscillations;  ///< One per recording used.
   std::vector<LoopTrace> traces;
   /// The paper's reading: from the first strokes of the first recording, in the order A..F.
@@ -66,12 +66,13 @@ struct HysteresisResult {
   std::vector<LoopPoint> points;
   /// The same points of the steady loop, averaged over its cycles.
   std::vector<LoopPoint> steady_points;
-  std::optional<Estimate> midline_Nm; ///< Motor-side torque of the steady loop's mid-line at q_peak.
-  double midline_q_rad{};             ///< Mean angle of the loop.
-  double midline_mean_cos{1.0};       ///< Mean of cos(q - q_peak) over the loop.
-  std::size_t samples_at_rest{};      ///< Before and after the motion; left out.
-  double loop_height_Nm{};            ///< Largest minus smallest torque of the loop.
-  std::optional<LuGreFit> lugre;      ///< Stage 8, where a fit was made.
+  std::optional<Estimate>
+      midline_Nm;                 ///< Motor-side torque of the steady loop's mid-line at q_peak.
+  double midline_q_rad{};         ///< Mean angle of the loop.
+  double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
+  std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
+  double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
+  std::optional<LuGreFit> lugre;  ///< Stage 8, where a fit was made.
 
   /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
   /// within which torque turns over, and the encoder's step.

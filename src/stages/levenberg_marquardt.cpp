@@ -1,7 +1,8 @@
 #include "stages/levenberg_marquardt.h"
 
-#include <Eigen/Dense>
 #include <cmath>
+
+#include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 namespace tribolog {

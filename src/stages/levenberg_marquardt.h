@@ -1,8 +1,9 @@
 #pragma once
 // Nonlinear least squares through Eigen's port of MINPACK, with the one interface our fits need.
 
-#include <Eigen/Core>
 #include <functional>
+
+#include <Eigen/Core>
 
 namespace tribolog {
 
@@ -14,7 +15,7 @@ struct LeastSquaresProblem {
 
 struct LeastSquaresSolution {
   Eigen::VectorXd parameters;
-  double cost{};       ///< Sum of squares / 2.
+  double cost{};  ///< Sum of squares / 2.
   int evaluations{};
   bool converged{};
 };

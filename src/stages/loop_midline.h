@@ -16,12 +16,12 @@
 namespace tribolog {
 
 struct LoopMidline {
-  Estimate torque_Nm;              ///< Mean over the steady cycles, motor side.
-  double mean_cos{1.0};            ///< Mean of cos(q - q_peak) over the same cycles.
+  Estimate torque_Nm;    ///< Mean over the steady cycles, motor side.
+  double mean_cos{1.0};  ///< Mean of cos(q - q_peak) over the same cycles.
   double mean_q_rad{};
-  double cycles{};                 ///< Whole cycles in the recording.
-  double steady_cycles{};          ///< Those averaged.
-  bool start_up_included{false};   ///< Only one cycle was recorded, start-up stroke and all.
+  double cycles{};                ///< Whole cycles in the recording.
+  double steady_cycles{};         ///< Those averaged.
+  bool start_up_included{false};  ///< Only one cycle was recorded, start-up stroke and all.
   std::vector<double> cycle_means_Nm;
   /// Mid-line over the angle, (rising + falling branch) / 2, for figures.
   std::vector<double> q_rad;

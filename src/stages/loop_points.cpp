@@ -1,8 +1,9 @@
 #include "stages/loop_points.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Dense>
 
 namespace tribolog {
 namespace {
@@ -89,8 +90,7 @@ double TraceReader::smooth_torque(double t_s) const {
 }
 
 TorqueReading TraceReader::torque(double t_s) const {
-  const auto [low, high] =
-      std::minmax_element(trace_.torque_Nm.begin(), trace_.torque_Nm.end());
+  const auto [low, high] = std::minmax_element(trace_.torque_Nm.begin(), trace_.torque_Nm.end());
   const bool clean = noise_Nm_ < 1e-4 * (*high - *low);
   const auto& t = trace_.t_s;
   const auto begin = std::lower_bound(t.begin(), t.end(), t_s - window_s_) - t.begin();
@@ -110,8 +110,8 @@ TorqueReading TraceReader::torque(double t_s) const {
 }
 
 std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
-                                                       const TraceReader& reader,
-                                                       std::size_t first, std::size_t& next) {
+                                                       const TraceReader& reader, std::size_t first,
+                                                       std::size_t& next) {
   const auto& z = trace.z_rad;
   const auto& dz = trace.dz_rad_s;
   const auto& t = trace.t_s;
@@ -126,7 +126,9 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
   while (a2 + 1 < n && !up(a2)) ++a2;
   if (a2 >= n) return std::nullopt;
   const bool whole = a2 + 1 < n;
-  const auto index = [](auto it, const auto& v) { return static_cast<std::size_t>(it - v.begin()); };
+  const auto index = [](auto it, const auto& v) {
+    return static_cast<std::size_t>(it - v.begin());
+  };
   const auto at = [](const auto& v, std::size_t i) {
     return v.begin() + static_cast<std::ptrdiff_t>(i);
   };
@@ -156,10 +158,12 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
                      reader.interpolate(z, time),
                      reader.interpolate(dz, time)};
   };
-  return std::vector<LoopPoint>{
-      point('A', cubic_crossing(t, z, dz, a)), point('B', cubic_crossing(t, z, dz, b)),
-      point('C', turning_time(c)),        point('D', turning_time(d)),
-      point('E', extremum_time(t, dz, e)), point('F', extremum_time(t, dz, f))};
+  return std::vector<LoopPoint>{point('A', cubic_crossing(t, z, dz, a)),
+                                point('B', cubic_crossing(t, z, dz, b)),
+                                point('C', turning_time(c)),
+                                point('D', turning_time(d)),
+                                point('E', extremum_time(t, dz, e)),
+                                point('F', extremum_time(t, dz, f))};
 }
 
 }  // namespace tribolog

@@ -37,7 +37,7 @@ class TraceReader {
 /// order A..F; `next` receives the index at which the following turn may be looked for. Absent if
 /// the trace ends before the turn is complete.
 std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
-                                                       const TraceReader& reader,
-                                                       std::size_t first, std::size_t& next);
+                                                       const TraceReader& reader, std::size_t first,
+                                                       std::size_t& next);
 
 }  // namespace tribolog

@@ -1,11 +1,11 @@
 #include "stages/lugre_fit.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "stages/block_regression.h"
 #include "stages/levenberg_marquardt.h"
@@ -42,8 +42,8 @@ std::vector<std::size_t> half_cycle_blocks(const Recording& r, double frequency_
 
 }  // namespace
 
-LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion,
-                   double gear_ratio, double q_peak_rad) {
+LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion, double gear_ratio,
+                   double q_peak_rad) {
   LuGreFit fit;
   const Model model(oscillation, motion, gear_ratio, q_peak_rad);
   const double motor_amplitude = gear_ratio * motion.amplitude_rad;
@@ -69,8 +69,8 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   Eigen::MatrixXd jacobian;
   const Model::Vector p = best.parameters;
   model.evaluate(p, residuals, &jacobian);
-  const BlockRegression around = block_regression(
-      jacobian, -residuals, half_cycle_blocks(oscillation, motion.frequency_Hz));
+  const BlockRegression around =
+      block_regression(jacobian, -residuals, half_cycle_blocks(oscillation, motion.frequency_Hz));
   fit.residual_Nm = std::sqrt(residuals.squaredNorm() /
                               std::max<double>(1, static_cast<double>(residuals.size()) - 6));
   const auto half_width = [&](Eigen::Index k) {
@@ -83,7 +83,8 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   };
   fit.bristle_stiffness_Nm_rad = positive(Model::log_stiffness);
   fit.static_Nm = positive(Model::log_static);
-  fit.bristle_damping_Nms_rad = symmetric_estimate(p(Model::damping), half_width(Model::damping), method);
+  fit.bristle_damping_Nms_rad =
+      symmetric_estimate(p(Model::damping), half_width(Model::damping), method);
   fit.viscous_Nms_rad = symmetric_estimate(p(Model::viscous), half_width(Model::viscous), method);
   fit.gravity_Nm = symmetric_estimate(p(Model::gravity), half_width(Model::gravity), method);
   // The loop shows the deflection at its start within an interval; where that holds zero, the arm
@@ -99,11 +100,11 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   }
   fit.converged = true;
   const double fastest =
-      std::abs(*std::max_element(model.speed().begin(), model.speed().end(), [](double a, double b) {
-        return std::abs(a) < std::abs(b);
-      }));
+      std::abs(*std::max_element(model.speed().begin(), model.speed().end(),
+                                 [](double a, double b) { return std::abs(a) < std::abs(b); }));
   fit.reason = fmt::format(
-      "the motor stays below {:.3g} rad/s in this loop: Coulomb torque and Stribeck velocity do not "
+      "the motor stays below {:.3g} rad/s in this loop: Coulomb torque and Stribeck velocity do "
+      "not "
       "show in it and are taken from the constant-speed runs",
       fastest);
   const double reach = motor_amplitude * fit.bristle_stiffness_Nm_rad.value / fit.static_Nm.value;

@@ -20,19 +20,19 @@ struct LuGreFit {
   Estimate bristle_stiffness_Nm_rad;
   Estimate bristle_damping_Nms_rad;
   Estimate viscous_Nms_rad;
-  Estimate static_Nm;        ///< Level s0 g at the loop's speeds, break-away torque.
-  Estimate gravity_Nm;       ///< Motor side, at the gravity peak.
-  double residual_Nm{};      ///< Standard deviation of T - model.
+  Estimate static_Nm;    ///< Level s0 g at the loop's speeds, break-away torque.
+  Estimate gravity_Nm;   ///< Motor side, at the gravity peak.
+  double residual_Nm{};  ///< Standard deviation of T - model.
   int iterations{};
-  std::string reason;        ///< Why not converged, or what the loop cannot show.
-  std::vector<double> z_rad;       ///< The model's bristle at the recording's samples.
+  std::string reason;         ///< Why not converged, or what the loop cannot show.
+  std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.
   std::vector<double> dz_rad_s;
-  std::vector<double> torque_Nm;   ///< The model's torque there.
+  std::vector<double> torque_Nm;  ///< The model's torque there.
 };
 
 /// @param motion of the recording.
 /// @param q_peak_rad angle at which gravity is largest.
-LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion,
-                   double gear_ratio, double q_peak_rad);
+LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion, double gear_ratio,
+                   double q_peak_rad);
 
 }  // namespace tribolog

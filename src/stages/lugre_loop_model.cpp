@@ -1,6 +1,7 @@
 #include "stages/lugre_loop_model.h"
 
 #include <cmath>
+
 #include <unsupported/Eigen/AutoDiff>
 
 #include "simulate/exponential_step.h"

@@ -5,8 +5,9 @@
 //
 // Unknown: log s0, log Ts (positive by construction), s1, s2, G and the deflection z at the start.
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "joint/recording.h"
 #include "stages/oscillation_motion.h"

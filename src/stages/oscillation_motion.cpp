@@ -1,9 +1,10 @@
 #include "stages/oscillation_motion.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/Dense>
 
 namespace tribolog {
 namespace {
@@ -26,7 +27,8 @@ double rough_period(const Recording& r) {
       armed = false;
     }
   }
-  if (turns.size() >= 2) return (turns.back() - turns.front()) / static_cast<double>(turns.size() - 1);
+  if (turns.size() >= 2)
+    return (turns.back() - turns.front()) / static_cast<double>(turns.size() - 1);
   // One or two strokes: the extremes are half a period apart.
   const double half = std::abs(r.t_s[static_cast<std::size_t>(high - r.q_rad.begin())] -
                                r.t_s[static_cast<std::size_t>(low - r.q_rad.begin())]);
@@ -44,8 +46,7 @@ HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
   return {gear_ratio * centre_rad, frequency_Hz, std::move(motor)};
 }
 
-std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recording,
-                                                        int harmonics) {
+std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recording, int harmonics) {
   if (recording.size() < 20) return std::nullopt;
   const double period = rough_period(recording);
   if (!(period > 0)) return std::nullopt;
@@ -78,7 +79,8 @@ std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recordi
     const Eigen::MatrixXd used = x.leftCols(columns);
     // Columns differ by orders of magnitude only through time; the normal equations carry that.
     const Eigen::VectorXd scale = used.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-    const Eigen::MatrixXd normal = scale.asDiagonal() * (used.transpose() * used) * scale.asDiagonal();
+    const Eigen::MatrixXd normal =
+        scale.asDiagonal() * (used.transpose() * used) * scale.asDiagonal();
     const Eigen::VectorXd right = scale.asDiagonal() * (used.transpose() * y);
     const Eigen::VectorXd solution = scale.asDiagonal() * normal.ldlt().solve(right);
     residual = std::sqrt((y - used * solution).squaredNorm() / static_cast<double>(n));

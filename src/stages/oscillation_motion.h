@@ -12,9 +12,9 @@ namespace tribolog {
 struct OscillationMotion {
   double frequency_Hz{};
   double centre_rad{};
-  double amplitude_rad{};       ///< Of the first harmonic.
-  double start_s{};             ///< Time of the first sample; harmonics count time from here.
-  double residual_rad{};        ///< Standard deviation of q less the harmonics.
+  double amplitude_rad{};  ///< Of the first harmonic.
+  double start_s{};        ///< Time of the first sample; harmonics count time from here.
+  double residual_rad{};   ///< Standard deviation of q less the harmonics.
   std::vector<HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
 
   /// Motor-side motion as a function of the time since start_s.

@@ -60,11 +60,10 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
     const double q = r.q_rad[samples.index[i]];
     const auto bin =
         std::min(angle_bins - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
-    const double torque = r.torque_Nm[samples.index[i]] - sweep.offset_Nm -
-                          inertia * samples.acceleration_rad_s2[i];
-    (samples.direction[i] > 0 ? up : down)[bin].add(samples.stroke[i], torque,
-                                                    samples.speed_rad_s[i], q,
-                                                    std::cos(q - q_peak_rad));
+    const double torque =
+        r.torque_Nm[samples.index[i]] - sweep.offset_Nm - inertia * samples.acceleration_rad_s2[i];
+    (samples.direction[i] > 0 ? up : down)[bin].add(
+        samples.stroke[i], torque, samples.speed_rad_s[i], q, std::cos(q - q_peak_rad));
   }
   std::vector<ConstantSpeedRun> runs;
   for (std::size_t bin = 0; bin < angle_bins; ++bin) {

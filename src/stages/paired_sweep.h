@@ -9,8 +9,8 @@
 
 namespace tribolog {
 
-/// Two runs (falling, rising) for each angle bin that both directions cross, partners of each other.
-/// Inertia and offset identified by the sweep are taken out of the torque.
+/// Two runs (falling, rising) for each angle bin that both directions cross, partners of each
+/// other. Inertia and offset identified by the sweep are taken out of the torque.
 std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, double gear_ratio,
                                                   double q_peak_rad);
 

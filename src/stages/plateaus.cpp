@@ -24,10 +24,10 @@ std::vector<double> local_slope(const std::vector<double>& t, const std::vector<
     if (left == 0 || right == 0) continue;
     const double dl = static_cast<double>(left);
     const double dr = static_cast<double>(right);
-    const double dt = (sum_t[centre + right] - sum_t[centre]) / dr -
-                      (sum_t[centre] - sum_t[centre - left]) / dl;
-    const double dy = (sum_y[centre + right] - sum_y[centre]) / dr -
-                      (sum_y[centre] - sum_y[centre - left]) / dl;
+    const double dt =
+        (sum_t[centre + right] - sum_t[centre]) / dr - (sum_t[centre] - sum_t[centre - left]) / dl;
+    const double dy =
+        (sum_y[centre + right] - sum_y[centre]) / dr - (sum_y[centre] - sum_y[centre - left]) / dl;
     slope[i] = dt > 0 ? dy / dt : 0.0;
   }
   return slope;
@@ -83,9 +83,9 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
   out.fastest_rad_s = magnitudes[rank];
   const double rest = options.rest_share * out.fastest_rad_s;
   const double noise = slope_noise(v, 2 * h, rest);
-  const auto shortest = std::max(
-      options.fewest_samples,
-      static_cast<std::size_t>(options.shortest_share * static_cast<double>(n)));
+  const auto shortest =
+      std::max(options.fewest_samples,
+               static_cast<std::size_t>(options.shortest_share * static_cast<double>(n)));
   const auto tolerance = [&](double speed) {
     constexpr double widest = 0.1;
     return std::max(options.tolerance * speed, std::min(widest * speed, 4 * noise));
@@ -114,9 +114,8 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
       continue;
     }
     Plateau plateau{i + settling, end - settling, 0.0};
-    plateau.speed_rad_s =
-        (recording.q_rad[plateau.last - 1] - recording.q_rad[plateau.first]) /
-        (recording.t_s[plateau.last - 1] - recording.t_s[plateau.first]);
+    plateau.speed_rad_s = (recording.q_rad[plateau.last - 1] - recording.q_rad[plateau.first]) /
+                          (recording.t_s[plateau.last - 1] - recording.t_s[plateau.first]);
     out.samples_on_plateaus += plateau.size();
     out.samples_trimmed += 2 * settling;
     out.plateaus.push_back(plateau);

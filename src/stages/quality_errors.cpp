@@ -1,10 +1,10 @@
 #include "stages/quality_errors.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 namespace {
@@ -16,9 +16,8 @@ constexpr double smallest_torque_share = 0.05;
 }  // namespace
 
 const QualityError* QualityErrorsResult::find(const std::string& estimator) const {
-  const auto it = std::find_if(errors.begin(), errors.end(), [&](const QualityError& e) {
-    return e.estimator == estimator;
-  });
+  const auto it = std::find_if(errors.begin(), errors.end(),
+                               [&](const QualityError& e) { return e.estimator == estimator; });
   return it == errors.end() ? nullptr : &*it;
 }
 

@@ -20,10 +20,10 @@ struct QualityError {
 
 struct QualityErrorsResult {
   StageReport stage;
-  std::string reference;        ///< "analytic", "direction_difference" or "" (none).
+  std::string reference;             ///< "analytic", "direction_difference" or "" (none).
   std::vector<double> reference_Nm;  ///< Per run; NaN where there is none.
   std::vector<QualityError> errors;  ///< Per curve, in that order.
-  std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
+  std::size_t runs_left_out{};       ///< Without a reference or with a driving torque near zero.
 
   [[nodiscard]] const QualityError* find(const std::string& estimator) const;
 };

@@ -1,9 +1,9 @@
 #include "stages/selection.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 

@@ -30,8 +30,8 @@ SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, do
       torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
   const double half_width = std::hypot(torque.half_width() / cosine, by_angle);
   m.gravity_Nm = symmetric_estimate(torque.value / cosine, half_width, torque.method);
-  m.mass_kg = scaled(m.gravity_Nm,
-                     surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
+  m.mass_kg =
+      scaled(m.gravity_Nm, surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
   return m;
 }
 
@@ -44,9 +44,8 @@ const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
 }  // namespace
 
 const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) const {
-  const auto it = std::find_if(masses.begin(), masses.end(), [&](const SurrogateMass& m) {
-    return m.estimator == estimator;
-  });
+  const auto it = std::find_if(masses.begin(), masses.end(),
+                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
   return it == masses.end() ? nullptr : &*it;
 }
 
@@ -78,13 +77,12 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     const LoopPoint* p = find_point(hysteresis.steady_points, first);
     const LoopPoint* q = find_point(hysteresis.steady_points, second);
     if (p == nullptr || q == nullptr) continue;
-    const double half_width = std::hypot(p->torque_high_Nm - p->torque_low_Nm,
-                                         q->torque_high_Nm - q->torque_low_Nm) /
-                              4;
+    const double half_width =
+        std::hypot(p->torque_high_Nm - p->torque_low_Nm, q->torque_high_Nm - q->torque_low_Nm) / 4;
     const double angle = (p->q_rad + q->q_rad) / 2;
     const double cosine = (cosine_at(p->q_rad) + cosine_at(q->q_rad)) / 2;
-    const Estimate torque = symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width,
-                                               "scatter of the cycles");
+    const Estimate torque =
+        symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
     out.masses.push_back(make_mass({first, second}, torque, angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
@@ -111,8 +109,9 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         "mass is that of the sweep's gravity amplitude";
   } else if (hysteresis.points.empty()) {
     out.stage.state = StageState::partial;
-    out.stage.reason = "the points A to F were not found: no whole turn of the loop with its "
-                       "bristle deflection";
+    out.stage.reason =
+        "the points A to F were not found: no whole turn of the loop with its "
+        "bristle deflection";
   } else {
     out.stage.state = StageState::done;
   }

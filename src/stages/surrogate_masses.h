@@ -15,17 +15,17 @@
 namespace tribolog {
 
 struct SurrogateMass {
-  std::string estimator;   ///< "A".."F", "AB", "CD", "EF", "midline", "sweep", in this order.
-  Estimate torque_Nm;      ///< Motor side.
-  double q_rad{};          ///< Joint angle it was read at.
+  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "sweep", in this order.
+  Estimate torque_Nm;     ///< Motor side.
+  double q_rad{};         ///< Joint angle it was read at.
   Estimate mass_kg;
-  Estimate gravity_Nm;     ///< Amplitude G/n that it stands for: torque / cos(q - q_peak).
+  Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: torque / cos(q - q_peak).
 };
 
 struct SurrogateMassesResult {
   StageReport stage;
   std::vector<SurrogateMass> masses;
-  double distance_m{};     ///< r_REPL
+  double distance_m{};  ///< r_REPL
   double gravity_m_s2{};
 
   [[nodiscard]] const SurrogateMass* find(const std::string& estimator) const;

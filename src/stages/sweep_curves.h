@@ -1,8 +1,9 @@
 #pragma once
 // The fitted torque of a sweep against the angle, for figures.
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "joint/recording.h"
 #include "stages/cog_sweep.h"

@@ -55,7 +55,8 @@ SweepSamples select_sweep_samples(const std::vector<const Recording*>& recording
     double last_direction = 0;
     for (std::size_t i = 0; i < recordings[r]->size(); ++i) {
       const double v = motion.speed_rad_s[i];
-      if (std::abs(v) <= slowest_share * motion.fastest_rad_s || motion.fastest_rad_s == 0) continue;
+      if (std::abs(v) <= slowest_share * motion.fastest_rad_s || motion.fastest_rad_s == 0)
+        continue;
       const double direction = v > 0 ? 1.0 : -1.0;
       if (last_direction != 0 && direction != last_direction) ++stroke;
       last_direction = direction;

@@ -1,11 +1,11 @@
 #include "stages/viscous_curves.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include <fmt/format.h>
 
 #include "stages/paired_sweep.h"
 #include "stages/plateaus.h"
@@ -65,12 +65,9 @@ ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gea
   run.q_rad = q / n;
   run.mean_cos = cosine / n;
   run.torque_Nm = torque / n;
-  run.torque_half_width_Nm =
-      block_mean(plateau.first, plateau.last,
-                 [&](std::size_t i) {
-                   return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
-                 })
-          .second;
+  run.torque_half_width_Nm = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
+                               return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+                             }).second;
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
   return run;
@@ -143,9 +140,8 @@ void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
 }  // namespace
 
 const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
-  const auto it = std::find_if(curves.begin(), curves.end(), [&](const ViscousCurve& c) {
-    return c.estimator == estimator;
-  });
+  const auto it = std::find_if(curves.begin(), curves.end(),
+                               [&](const ViscousCurve& c) { return c.estimator == estimator; });
   return it == curves.end() ? nullptr : &*it;
 }
 
@@ -166,8 +162,8 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
           std::minmax_element(begin + static_cast<std::ptrdiff_t>(plateau.first),
                               begin + static_cast<std::ptrdiff_t>(plateau.last));
       sources.push_back({r, plateau.first, plateau.last, *low, *high});
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak,
-                                  rough.found ? rough.gravity_Nm.value : 0.0));
+      out.runs.push_back(
+          make_run(*r, plateau, gear_ratio, q_peak, rough.found ? rough.gravity_Nm.value : 0.0));
       out.samples_used += plateau.size();
     }
     out.samples_left_out += r->size() - motion.samples_on_plateaus;

@@ -18,13 +18,13 @@ namespace tribolog {
 /// One plateau, or one angle bin of a paired sweep in one direction.
 struct ConstantSpeedRun {
   std::string recording;
-  double speed_rad_s{};     ///< Motor side, signed.
-  double torque_Nm{};       ///< Mean driving torque T, motor side (inertia of a sweep removed).
+  double speed_rad_s{};  ///< Motor side, signed.
+  double torque_Nm{};    ///< Mean driving torque T, motor side (inertia of a sweep removed).
   double torque_half_width_Nm{};  ///< 95 % of the mean.
-  double q_rad{};           ///< Mean joint angle.
-  double mean_cos{};        ///< Mean of cos(q - q_peak) over it.
+  double q_rad{};                 ///< Mean joint angle.
+  double mean_cos{};              ///< Mean of cos(q - q_peak) over it.
   std::size_t samples{};
-  int partner{-1};          ///< Index of the run of opposite direction at the same speed; -1: none.
+  int partner{-1};  ///< Index of the run of opposite direction at the same speed; -1: none.
   /// (T(+v) - T(-v))/2 over the angles that both directions share, with this run's sign;
   /// NaN without a partner or a common angle.
   double direction_difference_Nm{};
@@ -42,7 +42,7 @@ struct ViscousCurvesResult {
   std::vector<ViscousCurve> curves;    ///< One per surrogate mass, in that order.
   bool from_sweep{};                   ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
-  std::size_t samples_left_out{};      ///< Rest, acceleration, reversal, settling.
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
   std::size_t recordings_without_plateau{};
 
   [[nodiscard]] const ViscousCurve* find(const std::string& estimator) const;

@@ -1,12 +1,12 @@
 #include "stages/waiboer_fit.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "stages/block_regression.h"
 #include "stages/levenberg_marquardt.h"
@@ -61,11 +61,9 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
                           fewest_points);
     return std::nullopt;
   }
-  const LeastSquaresProblem problem{
-      static_cast<Eigen::Index>(points.size()),
-      [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
-        evaluate(points, p, r, j);
-      }};
+  const LeastSquaresProblem problem{static_cast<Eigen::Index>(points.size()),
+                                    [&](const Eigen::VectorXd& p, Eigen::VectorXd& r,
+                                        Eigen::MatrixXd* j) { evaluate(points, p, r, j); }};
   LeastSquaresSolution best;
   best.cost = std::numeric_limits<double>::infinity();
   const double slowest = std::max(points.front().speed_rad_s, 1e-6);
@@ -100,8 +98,8 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   fit.viscous_coefficient = positive(3);
   const Estimate exponent = positive(4);
   fit.viscous_power = {1 - exponent.value, 1 - exponent.high, 1 - exponent.low, exponent.method};
-  fit.residual_Nm = std::sqrt(r.squaredNorm() /
-                              std::max(1.0, static_cast<double>(r.size()) - parameters));
+  fit.residual_Nm =
+      std::sqrt(r.squaredNorm() / std::max(1.0, static_cast<double>(r.size()) - parameters));
   // An infinite interval means that the curve does not show the parameter at all.
   for (const Estimate* e : {&fit.asperity_torque_Nm, &fit.stribeck_speed_rad_s, &fit.stribeck_power,
                             &fit.viscous_coefficient, &fit.viscous_power}) {

@@ -1,9 +1,9 @@
 // The promise in the noise of a real drive: 100 seeds, each within 0.1 %, and intervals that cover.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "pipeline.h"
 #include "support/paper_joint.h"

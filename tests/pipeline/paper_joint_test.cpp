@@ -1,12 +1,13 @@
-// The promises on the paper's joint, noise-free: simulate, identify, compare with the truth and with
-// what the paper prints.
+// The promises on the paper's joint, noise-free: simulate, identify, compare with the truth and
+// with what the paper prints.
 
-#include <gtest/gtest.h>
+#include "support/paper_joint.h"
 
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "pipeline.h"
-#include "support/paper_joint.h"
 
 namespace tribolog {
 namespace {

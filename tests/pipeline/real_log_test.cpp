@@ -1,8 +1,8 @@
 // Logs of robots that exist. They are not part of the project; see support/real_logs.h.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "ingest/dataset_file.h"
 #include "pipeline.h"

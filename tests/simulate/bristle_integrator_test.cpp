@@ -1,13 +1,13 @@
 #include "simulate/bristle_integrator.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "support/cvode_bristle.h"
 
@@ -169,7 +169,8 @@ TEST(BristleIntegrator, RefusesWhatCannotBe) {
   std::vector<double> dz(3);
   std::vector<double> two(2);
   EXPECT_THROW(integrate_bristle(friction, motion, 0, 0, 0, z, dz), std::invalid_argument);
-  EXPECT_THROW(integrate_bristle(friction, motion, 0, 1, std::nan(""), z, dz), std::invalid_argument);
+  EXPECT_THROW(integrate_bristle(friction, motion, 0, 1, std::nan(""), z, dz),
+               std::invalid_argument);
   EXPECT_THROW(integrate_bristle(friction, motion, 0, 1, 0, z, two), std::invalid_argument);
 }
 

@@ -1,10 +1,10 @@
 #include "simulate/drive_noise.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "simulate/simulate_joint.h"
 #include "support/paper_joint.h"

@@ -1,8 +1,8 @@
 #include "simulate/exponential_step.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace tribolog {
 namespace {

@@ -1,12 +1,12 @@
 #include "simulate/motion.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace tribolog {
 namespace {

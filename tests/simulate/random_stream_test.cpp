@@ -1,8 +1,8 @@
 #include "simulate/random_stream.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace tribolog {
 namespace {

@@ -1,9 +1,9 @@
 #include "simulate/simulate_joint.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "support/paper_joint.h"
 

@@ -1,9 +1,9 @@
 #include "stages/block_regression.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "simulate/random_stream.h"
 

@@ -1,9 +1,9 @@
 #include "stages/cog_sweep.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "simulate/motion.h"
 #include "simulate/random_stream.h"
@@ -51,8 +51,8 @@ TEST(CogSweep, NoiseFreeSweepsGiveTheExactAngle) {
   EXPECT_NEAR(rough.argmax_rad, test::true_q_peak_rad(), 2 * degree / 1000);
   EXPECT_EQ(rough.samples_used + rough.samples_left_out, d.recordings.front().size());
 
-  const CogSweepResult precise = identify_cog_sweep(
-      "cog_precise", d.with_role(Role::precise_sweep), 100, rough.gravity_Nm);
+  const CogSweepResult precise =
+      identify_cog_sweep("cog_precise", d.with_role(Role::precise_sweep), 100, rough.gravity_Nm);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
 }

@@ -1,8 +1,8 @@
 #include "stages/friction_parameters.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "simulate/random_stream.h"
 #include "stages/waiboer_fit.h"
@@ -32,7 +32,8 @@ TEST(WaiboerFit, RecoversExactParameters) {
     EXPECT_NEAR(fit->stribeck_speed_rad_s.value, p.stribeck_speed_rad_s,
                 1e-3 * p.stribeck_speed_rad_s);
     EXPECT_NEAR(fit->stribeck_power.value, p.stribeck_power, 1e-3);
-    EXPECT_NEAR(fit->viscous_coefficient.value, p.viscous_coefficient, 1e-3 * p.viscous_coefficient);
+    EXPECT_NEAR(fit->viscous_coefficient.value, p.viscous_coefficient,
+                1e-3 * p.viscous_coefficient);
     EXPECT_NEAR(fit->viscous_power.value, p.viscous_power, 1e-3);
   }
 }

@@ -1,9 +1,8 @@
-#include "stages/hysteresis_loop.h"
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "stages/hysteresis_loop.h"
 #include "stages/surrogate_masses.h"
 #include "support/paper_joint.h"
 
@@ -96,7 +95,8 @@ TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
   pad(padded.dz_rad_s, 0);
   padded.dq_rad_s.clear();
   padded.t_s.clear();
-  for (std::size_t i = 0; i < padded.q_rad.size(); ++i) padded.t_s.push_back(1e-3 * static_cast<double>(i));
+  for (std::size_t i = 0; i < padded.q_rad.size(); ++i)
+    padded.t_s.push_back(1e-3 * static_cast<double>(i));
   r = padded;
   const HysteresisResult h = hysteresis_of(d);
   ASSERT_TRUE(h.midline_Nm);

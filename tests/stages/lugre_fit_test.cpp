@@ -1,9 +1,9 @@
 #include "stages/lugre_fit.h"
 
-#include <gtest/gtest.h>
+#include <cmath>
 
 #include <Eigen/Core>
-#include <cmath>
+#include <gtest/gtest.h>
 
 #include "stages/lugre_loop_model.h"
 #include "support/paper_joint.h"

@@ -1,9 +1,9 @@
 #include "stages/plateaus.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "simulate/motion.h"
 #include "support/paper_joint.h"

@@ -1,8 +1,8 @@
 #include "stages/quality_errors.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "pipeline.h"
 #include "support/paper_joint.h"

@@ -1,8 +1,8 @@
 #include "stages/student_t.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace tribolog {
 namespace {

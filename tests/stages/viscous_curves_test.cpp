@@ -1,8 +1,8 @@
 #include "stages/viscous_curves.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "support/paper_joint.h"
 

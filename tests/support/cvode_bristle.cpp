@@ -1,14 +1,14 @@
 #include "support/cvode_bristle.h"
 
+#include <cmath>
+#include <stdexcept>
+
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_config.h>
 #include <sundials/sundials_types.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-
-#include <cmath>
-#include <stdexcept>
 
 namespace tribolog::test {
 namespace {

@@ -13,7 +13,7 @@ std::optional<std::string> real_log(const std::string& name);
 }  // namespace tribolog::test
 
 /// At the start of a test that needs a real log.
-#define TRIBOLOG_NEEDS_REAL_LOG(name)                                              \
-  if (!::tribolog::test::real_log(name)) {                                         \
-    GTEST_SKIP() << "real log " << (name) << " is not beside the checkout";        \
+#define TRIBOLOG_NEEDS_REAL_LOG(name)                                       \
+  if (!::tribolog::test::real_log(name)) {                                  \
+    GTEST_SKIP() << "real log " << (name) << " is not beside the checkout"; \
   }

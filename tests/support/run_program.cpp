@@ -1,12 +1,12 @@
 #include "support/run_program.h"
 
-#include <stdlib.h>
-#include <sys/wait.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <stdlib.h>
+#include <sys/wait.h>
 
 namespace tribolog::test {
 

@@ -7,7 +7,7 @@
 namespace tribolog::test {
 
 struct ProgramRun {
-  int status{};        ///< Exit status; 128 + signal if killed.
+  int status{};  ///< Exit status; 128 + signal if killed.
   std::string out;
   std::string err;
 };

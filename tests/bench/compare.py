@@ -1,0 +1,86 @@
+"""Runs ours and the peers in turn and prints ratios. usage: compare.py BUILD [--rounds N]"""
+
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+
+
+def timed(command, **kwargs):
+    start = time.perf_counter()
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **kwargs)
+    return time.perf_counter() - start
+
+
+def pair(name, ours, peer, rounds):
+    """Median of peer/ours over interleaved rounds, after one warm-up of each."""
+    for warm_up in (ours, peer):
+        warm_up()
+    pairs = [(ours(), peer()) for _ in range(rounds)]
+    ratios = sorted(b / a for a, b in pairs)
+    print(f"{name}: {statistics.median(ratios):.1f} times faster than the peer "
+          f"(lowest {ratios[0]:.1f}, highest {ratios[-1]:.1f} of {rounds} rounds; medians "
+          f"{statistics.median(a for a, _ in pairs):.2f} s and "
+          f"{statistics.median(b for _, b in pairs):.2f} s)")
+
+
+def integrator(build):
+    out = subprocess.run([f"{build}/tests/bench/integrator_bench", "--benchmark_format=json",
+                          "--benchmark_repetitions=5", "--benchmark_min_time=0.1",
+                          "--benchmark_enable_random_interleaving=true"],
+                         check=True, capture_output=True, text=True)
+    rows = {}
+    for b in json.loads(out.stdout)["benchmarks"]:
+        if b.get("aggregate_name") == "median":
+            rows[b["run_name"].split("/repeats")[0]] = (b["ns_per_sample"] * 1e9, b["error"])
+    scipy = subprocess.run([sys.executable, f"{HERE}/peer/time_bristle.py"], check=True,
+                           capture_output=True, text=True)
+    for line in scipy.stdout.splitlines():
+        rate, rtol, ns, error = line.split()
+        rows[f"scipy/{rate}/{rtol}"] = (float(ns), float(error))
+    print("prescribed-motion LuGre, the paper's micro-oscillation:")
+    for rate in ("10000", "100000"):
+        ns, error = rows[f"ours/{rate}"]
+        print(f"  {int(rate):,} samples/s, ours: {ns:.1f} ns a sample, relative error {error:.1e}")
+        for name, (peer_ns, peer_error) in sorted(rows.items()):
+            if name.startswith(("cvode", "scipy")) and name.split("/")[1] == rate:
+                print(f"    {name.split('/')[0]}, tolerance 1e-{name.split('/')[2]}: "
+                      f"{peer_ns:.0f} ns, error {peer_error:.1e}; ours is {peer_ns / ns:.1f} times faster")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build")
+    parser.add_argument("--rounds", type=int, default=5)
+    options = parser.parse_args()
+    build = os.path.abspath(options.build)
+    program = f"{build}/src/tribolog"
+    peer = [sys.executable, "run.py"]
+    integrator(build)
+    with tempfile.TemporaryDirectory() as scratch:
+        def ours_whole():
+            a = timed([program, "simulate", f"{ROOT}/examples/paper/scenario.toml", "-o", f"{scratch}/ours"])
+            return a + timed([program, "report", f"{scratch}/ours/dataset.toml", "-o",
+                              f"{scratch}/ours/report.html"])
+
+        def peer_whole():
+            return timed(peer + [f"{scratch}/peer"], cwd=f"{HERE}/peer")
+
+        pair("whole run, simulate to report", ours_whole, peer_whole, options.rounds)
+        pair("22 figures", lambda: timed([f"{build}/tests/bench/figures_bench"]),
+             lambda: timed([sys.executable, "draw_22.py", f"{scratch}/peer"], cwd=f"{HERE}/peer"),
+             options.rounds)
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    print(f"largest process of all of these, peers included: {peak:.0f} MB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,32 @@
+// 22 figures: the eleven of the paper's joint, twice, from the recordings to PNG bytes. A peer's
+// program does the same (peer/draw_22.py); compare.py times both as whole processes.
+
+#include <cstdio>
+
+#include "figures/figure_set.h"
+#include "pipeline.h"
+#include "render/renderer.h"
+#include "support/paper_joint.h"
+
+int main() {
+  using namespace tribolog;
+  const Dataset dataset = test::simulated_dataset(test::paper_joint());
+  const Calibration calibration = identify(dataset);
+  std::vector<render::Figure> figures;
+  for (int round = 0; round < 2; ++round) {
+    for (const ReportFigure& f : figure_set(dataset, calibration)) {
+      figures.push_back(f.figure);
+      figures.back().id += round == 0 ? "-a" : "-b";
+    }
+  }
+  std::size_t bytes = 0;
+  for (const render::DrawnFigure& drawn : render::draw_figures(figures, {})) {
+    if (!drawn.error.empty()) {
+      std::fprintf(stderr, "%s: %s\n", drawn.id.c_str(), drawn.error.c_str());
+      return 1;
+    }
+    bytes += drawn.png.size();
+  }
+  std::printf("%zu figures, %zu bytes\n", figures.size(), bytes);
+  return figures.size() == 22 ? 0 : 1;
+}

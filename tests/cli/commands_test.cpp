@@ -1,0 +1,83 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+TEST(Commands, VersionNamesWhatItStandsOn) {
+  const ProgramRun run = run_shell(program + "--version");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* part : {"tribolog ", "Eigen 3.", "VTK 9.", "Mesa", "llvmpipe"}) {
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
+  }
+}
+
+TEST(Commands, HelpTeaches) {
+  const ProgramRun all = run_shell(program + "--help");
+  EXPECT_EQ(all.status, 0);
+  for (const char* part : {"simulate", "identify", "figures", "report", "Exit status"}) {
+    EXPECT_NE(all.out.find(part), std::string::npos) << part;
+  }
+  const ProgramRun report = run_shell(program + "report --help");
+  EXPECT_EQ(report.status, 0);
+  EXPECT_NE(report.out.find("gear_ratio = 100"), std::string::npos);
+}
+
+TEST(Commands, WrongUsageIsStatus2) {
+  for (const char* arguments :
+       {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {
+    const ProgramRun run = run_shell(program + arguments);
+    EXPECT_EQ(run.status, 2) << arguments << run.err;
+  }
+}
+
+TEST(Commands, SourceDateEpochMustBeANumber) {
+  const SmallDataset dataset;
+  const ProgramRun run =
+      run_shell("SOURCE_DATE_EPOCH=yesterday " + program + "identify '" +
+                dataset.file("dataset.toml") + "' -o '" + dataset.file("c.json") + "'");
+  EXPECT_EQ(run.status, 2) << run.err;
+}
+
+TEST(Commands, IdentifyGivesTheTruthOfASmallLog) {
+  const SmallDataset dataset;
+  const ProgramRun run = dataset.run("identify", "c.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("verdict: doubtful"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("rows: 4001 read"), std::string::npos) << run.out;
+  // 0.2 rad is 11.4592 deg.
+  EXPECT_NE(run.out.find("11.459"), std::string::npos) << run.out;
+}
+
+TEST(Commands, FailOnTurnsTheVerdictIntoAStatus) {
+  const SmallDataset dataset;
+  EXPECT_EQ(dataset.run("identify --fail-on doubtful", "c.json").status, 1);
+  EXPECT_EQ(dataset.run("identify --fail-on not-identifiable", "c.json").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(dataset.file("c.json")));
+}
+
+TEST(Commands, QuietSaysNothingAndPipesGetPlainLines) {
+  const SmallDataset dataset;
+  const ProgramRun quiet = dataset.run("--quiet identify", "c.json");
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_EQ(quiet.err, "");
+  const ProgramRun piped = dataset.run("identify", "c.json");
+  EXPECT_EQ(piped.err.find('\r'), std::string::npos);
+  EXPECT_EQ(piped.err.find('\x1b'), std::string::npos);
+  EXPECT_NE(piped.err.find("tribolog: hysteresis loop"), std::string::npos) << piped.err;
+}
+
+TEST(Commands, AReaderThatGoesAwayIsNoFault) {
+  const SmallDataset dataset;
+  const ProgramRun run =
+      run_shell("{ " + program + "identify '" + dataset.file("dataset.toml") + "' -o '" +
+                dataset.file("c.json") + "'; echo status $? >&2; } | head -c 1");
+  EXPECT_NE(run.err.find("status 0"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace tribolog::test

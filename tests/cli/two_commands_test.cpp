@@ -1,0 +1,78 @@
+// The main job through the real command line, on the scenarios of examples/.
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+std::string example(const std::string& name) {
+  return std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name;
+}
+
+TEST(MainJob, FromScenarioToReport) {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.file("paper");
+  const ProgramRun simulated =
+      run_shell(program + "simulate '" + example("scenario.toml") + "' -o '" + out + "'");
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  for (const char* file : {"dataset.toml", "truth.json", "rough_sweep.csv", "precise_sweep.csv",
+                           "oscillation.csv", "constant_speed_20.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
+  }
+  const ProgramRun report =
+      run_shell(program + "report '" + out + "/dataset.toml' -o '" + out + "/report.html'");
+  ASSERT_EQ(report.status, 0) << report.err;
+  EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
+  EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
+  const std::string html = read_text(out + "/report.html");
+  // Figures 11 and 13 to 22.
+  std::size_t pictures = 0;
+  for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
+       ++at) {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 11U);
+  EXPECT_LT(html.size(), 10'000'000U);
+
+  const ProgramRun figures =
+      run_shell(program + "figures '" + out + "/dataset.toml' -o '" + out + "/figures'");
+  EXPECT_EQ(figures.status, 0) << figures.err;
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out + "/figures")) {
+    EXPECT_EQ(entry.path().extension(), ".png");
+    ++files;
+  }
+  EXPECT_EQ(files, 11U);
+}
+
+TEST(MainJob, NoisyScenariosReportToo) {
+  for (const char* scenario : {"scenario_noise.toml", "scenario_ripple.toml"}) {
+    const ScratchDirectory scratch;
+    const std::string out = scratch.file("paper");
+    ASSERT_EQ(run_shell(program + "simulate '" + example(scenario) + "' -o '" + out + "'").status,
+              0);
+    const ProgramRun report =
+        run_shell(program + "report '" + out + "/dataset.toml' -o '" + out + "/report.html'");
+    EXPECT_EQ(report.status, 0) << scenario << report.err;
+  }
+}
+
+TEST(MainJob, SeedOnTheCommandLineChangesTheNoise) {
+  const ScratchDirectory scratch;
+  const auto simulate = [&](const std::string& seed, const std::string& out) {
+    const ProgramRun run = run_shell(program + "simulate '" + example("scenario_noise.toml") +
+                                     "' --seed " + seed + " -o '" + scratch.file(out) + "'");
+    EXPECT_EQ(run.status, 0) << run.err;
+    return read_text(scratch.file(out) + "/oscillation.csv");
+  };
+  EXPECT_EQ(simulate("7", "a"), simulate("7", "b"));
+  EXPECT_NE(simulate("7", "c"), simulate("8", "d"));
+}
+
+}  // namespace
+}  // namespace tribolog::test
