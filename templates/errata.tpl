@@ -4,7 +4,7 @@
 <p>The method is that of “Viscous friction measurement technique in robot joint with the use of surrogate mass”. Its text has misprints; this program follows the corrected form. The evidence is computed from the paper's own table 2 when this report is made.</p>
 <div class="table-box" id="table-errata" tabindex="0" role="region" aria-labelledby="table-errata-caption">
 <table class="errata">
-<caption id="table-errata-caption">What is printed, what is meant, and what shows it</caption>
+<caption id="table-errata-caption"><span>What is printed, what is meant, and what shows it</span></caption>
 <thead><tr><th scope="col">Where</th><th scope="col">Printed</th><th scope="col">Meant</th><th scope="col">Evidence</th></tr></thead>
 <tbody>
 <tr><th scope="row">3.3, <i>r</i><sub>REPL</sub></th><td>500 m</td><td>0.500 m, i.e. 500 mm</td><td>Row A, {{TORQUE_A}} N·m: 0.5 m gives {{MASS_A_500_MM}} kg against {{MASS_A_PRINTED}} kg printed; 500 m gives {{MASS_A_500_M}} kg.</td></tr>

@@ -1,7 +1,7 @@
 {{%AUTOESCAPE context="HTML"}}
 <div class="table-box" id="{{TABLE_ID}}" tabindex="0" role="region" aria-labelledby="{{TABLE_ID}}-caption">
 <table>
-<caption id="{{TABLE_ID}}-caption">{{TABLE_CAPTION}}</caption>
+<caption id="{{TABLE_ID}}-caption"><span>{{TABLE_CAPTION}}</span></caption>
 <thead><tr>
 {{#COLUMN}}<th scope="col" class="{{KIND}}">{{HEADING}}{{#UNIT_IF}} <span class="unit">[{{UNIT}}]</span>{{/UNIT_IF}}</th>
 {{/COLUMN}}</tr></thead>

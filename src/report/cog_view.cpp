@@ -77,11 +77,13 @@ void describe_cog_sweep(const CogSweepResult& r, double gear_ratio, Section& sec
   table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", r.residual_Nm,
                                   torque_scale(r.residual_Nm), fit));
   if (r.argmax_at_end) {
-    table.note = "The largest torque lies at the end of the sweep: no peak was crossed, and the "
-                 "paper's way gives no angle here. The fitted angle is an extrapolation.";
+    table.note =
+        "The largest torque lies at the end of the sweep: no peak was crossed, and the "
+        "paper's way gives no angle here. The fitted angle is an extrapolation.";
   } else {
-    table.note = "Near the peak the torque is flat: 1° off costs 0.015 % of it. The interval of the "
-                 "largest torque holds every angle that noise cannot tell from it.";
+    table.note =
+        "Near the peak the torque is flat: 1° off costs 0.015 % of it. The interval of the "
+        "largest torque holds every angle that noise cannot tell from it.";
   }
   section.tables.push_back(table);
 }

@@ -40,8 +40,9 @@ void add_table_2(ErrataNumbers& e) {
   e.mass_A_printed = fixed(a.mass_kg, 3);
   e.mass_A_with_500_mm = fixed(mass_A, 3);
   constexpr double printed_distance_m = 500.0;
-  e.mass_A_with_500_m = fixed(surrogate_mass_kg(a.torque_Nm, paper_gear_ratio, printed_distance_m,
-                                                paper_gravity_m_s2, 1.0), 3);
+  e.mass_A_with_500_m = fixed(
+      surrogate_mass_kg(a.torque_Nm, paper_gear_ratio, printed_distance_m, paper_gravity_m_s2, 1.0),
+      3);
   const double n = paper_gear_ratio;
   e.mass_A_with_n_below = fixed(mass_A / (n * n), 4);
   e.mass_A_arm_torque_with_n_below = fixed(mass_A / n, 3);
@@ -76,8 +77,7 @@ ErrataNumbers errata_numbers() {
   e.rad_of_22 = fixed(printed_rough_deg * to_rad, 5);
   e.rad_of_precise = fixed(printed_precise_deg * to_rad, 6);
   const bool rough_is_cut = cut(printed_rough_deg * to_rad, 3) == fixed(printed_rough_rad, 3);
-  const bool precise_is_cut =
-      cut(printed_precise_deg * to_rad, 5) == fixed(printed_precise_rad, 5);
+  const bool precise_is_cut = cut(printed_precise_deg * to_rad, 5) == fixed(printed_precise_rad, 5);
   e.cut_of_22 = rough_is_cut ? "cut" : "misprinted";
   e.cut_of_precise = precise_is_cut ? "cut" : "misprinted";
 

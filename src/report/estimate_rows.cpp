@@ -22,17 +22,17 @@ std::string as_sentence(const std::string& text) {
 }
 
 std::vector<Column> estimate_columns() {
-  return {{"Quantity", "", false},
+  return {{"Quantity", "", false, true},
           {"Estimate", "", true},
-          {"95 % interval", "", true},
           {"Unit", "", false},
+          {"95 % interval", "", true},
           {"From", "", false}};
 }
 
 Row estimate_row(const std::string& quantity, const Estimate& estimate, const Scale& scale) {
   if (!std::isfinite(estimate.value)) return not_identified_row(quantity, estimate.method);
   const RoundedEstimate text = round_by_interval(estimate, scale);
-  return {{quantity, text.plus_minus(), or_dash(text.range()), or_dash(scale.unit),
+  return {{quantity, text.plus_minus(), or_dash(scale.unit), or_dash(text.range()),
            or_dash(estimate.method)},
           false};
 }
@@ -41,7 +41,7 @@ Row number_row(const std::string& quantity, double value, const Scale& scale,
                const std::string& from) {
   if (!std::isfinite(value)) return not_identified_row(quantity, from);
   constexpr int digits = 4;
-  return {{quantity, significant(value * scale.factor, digits), "–", or_dash(scale.unit),
+  return {{quantity, significant(value * scale.factor, digits), or_dash(scale.unit), "–",
            or_dash(from)},
           false};
 }

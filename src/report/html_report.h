@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "figures/report_figure.h"
-#include "provenance.h"
 #include "render/renderer.h"
 
 namespace tribolog {

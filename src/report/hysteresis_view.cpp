@@ -17,19 +17,22 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
   double stroke = 0.0;
   for (const Oscillation& o : r.oscillations) stroke = std::max(stroke, std::abs(o.amplitude_rad));
   const Scale angle = radian_scale(stroke);
-  table.columns = {{"No.", "", false},       {"Centre", "°", true},    {"Amplitude", angle.unit, true},
-                   {"Frequency", "Hz", true}, {"Cycles", "", true},    {"Steady cycles", "", true},
+  table.columns = {{"No.", "", false},
+                   {"Centre", "°", true},
+                   {"Amplitude", angle.unit, true},
+                   {"Frequency", "Hz", true},
+                   {"Cycles", "", true},
+                   {"Steady cycles", "", true},
                    {"Encoder step", angle.unit, true}};
   for (std::size_t i = 0; i < r.oscillations.size(); ++i) {
     const Oscillation& o = r.oscillations[i];
-    table.rows.push_back({{std::to_string(i + 1), fixed(o.centre_rad * degree_scale().factor, 4),
-                           significant(o.amplitude_rad * angle.factor, 4),
-                           significant(o.frequency_Hz, 4), significant(o.cycles, 3),
-                           significant(o.steady_cycles, 3),
-                           o.encoder_step_rad > 0.0
-                               ? significant(o.encoder_step_rad * angle.factor, 3)
-                               : "continuous"},
-                          false});
+    table.rows.push_back(
+        {{std::to_string(i + 1), fixed(o.centre_rad * degree_scale().factor, 4),
+          significant(o.amplitude_rad * angle.factor, 4), significant(o.frequency_Hz, 4),
+          significant(o.cycles, 3), significant(o.steady_cycles, 3),
+          o.encoder_step_rad > 0.0 ? significant(o.encoder_step_rad * angle.factor, 3)
+                                   : "continuous"},
+         false});
   }
   table.note = "Angles are of the joint. Steady cycles are those behind the start-up stroke.";
   return table;
@@ -57,20 +60,21 @@ Table points_table(const std::vector<LoopPoint>& points, const std::string& id,
     if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
   }
   const Scale bristle = radian_scale(z);
-  table.columns = {{"Point", "", false},  {"Where", "", false}, {"t", "s", true}, {"q", "°", true},
+  table.columns = {{"Point", "", false},      {"Where", "", false, true},
+                   {"t", "s", true},          {"q", "°", true},
                    {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
                    {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
   const int z_decimals = column_decimals(points, &LoopPoint::z_rad, bristle.factor);
   const int rate_decimals = column_decimals(points, &LoopPoint::dz_rad_s, bristle.factor);
   for (const LoopPoint& p : points) {
     const std::string name(1, p.name);
-    const RoundedEstimate torque = round_by_interval(
-        {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
-    table.rows.push_back({{name, point_meaning(name), fixed(p.t_s, 4),
-                           fixed(p.q_rad * degree_scale().factor, 4), torque.plus_minus(),
-                           or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
-                           fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
-                          false});
+    const RoundedEstimate torque =
+        round_by_interval({p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
+    table.rows.push_back(
+        {{name, point_meaning(name), fixed(p.t_s, 4), fixed(p.q_rad * degree_scale().factor, 4),
+          torque.plus_minus(), or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
+          fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
+         false});
   }
   return table;
 }
@@ -91,13 +95,14 @@ void add_results(const HysteresisResult& r, Section& section) {
                                     "largest less smallest torque"));
   }
   if (r.presliding_travel_rad) {
-    table.rows.push_back(number_row("Travel in which the torque turns over after a reversal",
-                                    *r.presliding_travel_rad, radian_scale(*r.presliding_travel_rad),
-                                    "reversals of the recordings"));
+    table.rows.push_back(number_row(
+        "Travel in which the torque turns over after a reversal", *r.presliding_travel_rad,
+        radian_scale(*r.presliding_travel_rad), "reversals of the recordings"));
   }
   if (r.encoder_step_rad) {
     table.rows.push_back(number_row("Encoder step", *r.encoder_step_rad,
-                                    radian_scale(*r.encoder_step_rad), "smallest step of the angle"));
+                                    radian_scale(*r.encoder_step_rad),
+                                    "smallest step of the angle"));
   }
   if (!table.rows.empty()) section.tables.push_back(table);
 }

@@ -15,11 +15,11 @@ class KeyNumbers {
     table_.id = "table-key-numbers";
     table_.caption = "Key numbers with 95 % intervals";
     table_.columns = estimate_columns();
-    table_.note = n_ == 1.0
-                      ? "Gear ratio 1: motor side and joint side are the same."
-                      : "At the joint, torques are n times and viscous coefficients and stiffnesses "
-                        "n² times those at the motor; n = " +
-                            as_stated(n_) + ".";
+    table_.note =
+        n_ == 1.0 ? "Gear ratio 1: motor side and joint side are the same."
+                  : "At the joint, torques are n times and viscous coefficients and stiffnesses "
+                    "n² times those at the motor; n = " +
+                        as_stated(n_) + ".";
   }
 
   Table make() {
@@ -59,8 +59,8 @@ class KeyNumbers {
     if (c_.q_peak_rad) {
       const bool precise = c_.q_peak_source == "cog_precise";
       const StageId stage = precise ? StageId::cog_precise : StageId::cog_rough;
-      angle(peak, *c_.q_peak_rad, stage_reference(stage) + ", fit of the " +
-                                      (precise ? "precise" : "rough") + " sweep");
+      angle(peak, *c_.q_peak_rad,
+            stage_reference(stage) + ", fit of the " + (precise ? "precise" : "rough") + " sweep");
     } else {
       missing(peak, StageId::cog_rough);
     }
@@ -85,8 +85,7 @@ class KeyNumbers {
   }
 
   void masses() {
-    const std::string at =
-        " at r = " + as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
+    const std::string at = " at r = " + as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
     if (const SurrogateMass* mass = recommended_mass(c_)) {
       mass_row("Surrogate mass" + at + ", recommended", *mass, true);
     } else {
@@ -94,7 +93,8 @@ class KeyNumbers {
     }
     const SurrogateMass* papers =
         c_.selection.paper_rule.empty() ? nullptr : c_.masses.find(c_.selection.paper_rule);
-    if (papers != nullptr) mass_row("Surrogate mass" + at + ", by the paper's rule", *papers, false);
+    if (papers != nullptr)
+      mass_row("Surrogate mass" + at + ", by the paper's rule", *papers, false);
   }
 
   void mass_row(const std::string& quantity, const SurrogateMass& mass, bool is_chosen) {
@@ -126,8 +126,8 @@ class KeyNumbers {
       }
     }
     if (has_lugre) {
-      sides("Bristle stiffness σ₀", loop.lugre->bristle_stiffness_Nm_rad, n_ * n_,
-            stiffness_scale, from_loop);
+      sides("Bristle stiffness σ₀", loop.lugre->bristle_stiffness_Nm_rad, n_ * n_, stiffness_scale,
+            from_loop);
     }
   }
 

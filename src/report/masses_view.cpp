@@ -25,24 +25,23 @@ std::string percent_text(double share) {
 void describe_surrogate_masses(const Calibration& c, Section& section) {
   if (c.masses.masses.empty()) return;
   section.facts.push_back(
-      {"Surrogate distance r", with_unit(as_stated(c.manifest.surrogate_distance_m), "m") +
-                                   ", freely chosen"});
-  section.facts.push_back(
-      {"Gravity g", with_unit(as_stated(c.manifest.gravity_m_s2), "m/s²")});
+      {"Surrogate distance r",
+       with_unit(as_stated(c.manifest.surrogate_distance_m), "m") + ", freely chosen"});
+  section.facts.push_back({"Gravity g", with_unit(as_stated(c.manifest.gravity_m_s2), "m/s²")});
 
   Table table;
   table.id = section.id + "-results";
   table.caption = "Surrogate mass of every estimator";
-  table.columns = {{"Estimator", "", false},     {"What it is", "", false},
-                   {"Torque T", "N·m", true},    {"Read at q", "°", true},
+  table.columns = {{"Estimator", "", false},       {"What it is", "", false, true},
+                   {"Torque T", "N·m", true},      {"Read at q", "°", true},
                    {"Surrogate mass", "kg", true}, {"95 % interval", "kg", true}};
   for (const SurrogateMass& m : c.masses.masses) {
     const RoundedEstimate torque = round_by_interval(m.torque_Nm, plain_scale("N·m"));
     const RoundedEstimate mass = round_by_interval(m.mass_kg, plain_scale("kg"));
-    table.rows.push_back({{estimator_name(m.estimator), point_meaning(m.estimator),
-                           torque.plus_minus(), fixed(m.q_rad * degree_scale().factor, 3),
-                           mass.plus_minus(), or_dash(mass.range())},
-                          is_chosen(c, m.estimator)});
+    table.rows.push_back(
+        {{estimator_name(m.estimator), point_meaning(m.estimator), torque.plus_minus(),
+          fixed(m.q_rad * degree_scale().factor, 3), mass.plus_minus(), or_dash(mass.range())},
+         is_chosen(c, m.estimator)});
   }
   table.note = "Torques are at the motor. The marked row is the one this program recommends.";
   section.tables.push_back(table);
@@ -74,18 +73,20 @@ Table paper_comparison_table(const Calibration& c) {
             false};
     if (is_same_joint) {
       const SurrogateMass* ours = c.masses.find(name);
-      row.cells.push_back(
-          ours ? round_by_interval(ours->mass_kg, plain_scale("kg")).plus_minus() : "–");
+      row.cells.push_back(ours ? round_by_interval(ours->mass_kg, plain_scale("kg")).plus_minus()
+                               : "–");
       row.cells.push_back(ours ? percent_text(ours->mass_kg.value / printed.mass_kg - 1.0) : "–");
     }
     table.rows.push_back(row);
   }
-  table.note = "Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
-               "printed figures alone allows " +
-               fixed(printed_rounding_kg(), 4) + " kg of difference.";
+  table.note =
+      "Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
+      "printed figures alone allows " +
+      fixed(printed_rounding_kg(), 4) + " kg of difference.";
   if (!is_same_joint) {
-    table.note += " The joint of this report is another one: its masses are in stage 4 and are not "
-                  "to be compared with these.";
+    table.note +=
+        " The joint of this report is another one: its masses are in stage 4 and are not "
+        "to be compared with these.";
   }
   return table;
 }

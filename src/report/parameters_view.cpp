@@ -24,7 +24,8 @@ void add_both_sides(const std::string& quantity, const Estimate& motor, double n
 }
 
 Table line_table(const CoulombViscousFit& f, double n, const Section& section) {
-  Table table = estimates(section.id + "-line", "Coulomb and viscous friction: |T_f| = T_c + c |ω|");
+  Table table =
+      estimates(section.id + "-line", "Coulomb and viscous friction: |T_f| = T_c + c |ω|");
   add_both_sides("Coulomb torque T_c", f.coulomb_Nm, n, n, torque_scale, table);
   add_both_sides("Viscous coefficient c", f.viscous_Nms_rad, n, n * n, viscous_scale, table);
   table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
@@ -39,23 +40,24 @@ Table line_table(const CoulombViscousFit& f, double n, const Section& section) {
 Table waiboer_table(const WaiboerFit& f, const Section& section) {
   Table table = estimates(section.id + "-waiboer",
                           "Friction of a geared joint after Waiboer et al., eq. (6), at the motor");
-  table.rows = {
-      estimate_row("Asperity torque T_a", f.asperity_torque_Nm,
-                   torque_scale(f.asperity_torque_Nm.value)),
-      estimate_row("Stribeck velocity ω_s", f.stribeck_speed_rad_s, plain_scale("rad/s")),
-      estimate_row("Stribeck power δ_a", f.stribeck_power, plain_scale("")),
-      estimate_row("Viscous coefficient c_v", f.viscous_coefficient,
-                   plain_scale("N·m·(s/rad)^(1−δ_v)")),
-      estimate_row("Viscous power δ_v", f.viscous_power, plain_scale("")),
-      number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                 torque_scale(f.residual_Nm), "fit")};
-  if (!f.converged) table.note = "The fit did not converge: these are its last values, not results.";
+  table.rows = {estimate_row("Asperity torque T_a", f.asperity_torque_Nm,
+                             torque_scale(f.asperity_torque_Nm.value)),
+                estimate_row("Stribeck velocity ω_s", f.stribeck_speed_rad_s, plain_scale("rad/s")),
+                estimate_row("Stribeck power δ_a", f.stribeck_power, plain_scale("")),
+                estimate_row("Viscous coefficient c_v", f.viscous_coefficient,
+                             plain_scale("N·m·(s/rad)^(1−δ_v)")),
+                estimate_row("Viscous power δ_v", f.viscous_power, plain_scale("")),
+                number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
+                           torque_scale(f.residual_Nm), "fit")};
+  if (!f.converged)
+    table.note = "The fit did not converge: these are its last values, not results.";
   return table;
 }
 
 Table lugre_table(const LuGreFit& f, double n, const Section& section) {
   Table table = estimates(section.id + "-lugre", "LuGre model, fitted to the hysteresis loop");
-  add_both_sides("Bristle stiffness σ₀", f.bristle_stiffness_Nm_rad, n, n * n, stiffness_scale, table);
+  add_both_sides("Bristle stiffness σ₀", f.bristle_stiffness_Nm_rad, n, n * n, stiffness_scale,
+                 table);
   add_both_sides("Bristle damping σ₁", f.bristle_damping_Nms_rad, n, n * n, viscous_scale, table);
   add_both_sides("Viscous coefficient σ₂", f.viscous_Nms_rad, n, n * n, viscous_scale, table);
   add_both_sides("Break-away torque T_s", f.static_Nm, n, n, torque_scale, table);
@@ -67,8 +69,9 @@ Table lugre_table(const LuGreFit& f, double n, const Section& section) {
   }
   table.note += as_sentence(f.reason);
   if (table.note.empty()) {
-    table.note = "Speeds in the loop are far below the Stribeck velocity: Coulomb torque and "
-                 "Stribeck velocity do not show in it and are not fitted.";
+    table.note =
+        "Speeds in the loop are far below the Stribeck velocity: Coulomb torque and "
+        "Stribeck velocity do not show in it and are not fitted.";
   }
   return table;
 }

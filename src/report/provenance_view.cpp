@@ -19,17 +19,17 @@ Table inputs_table(const std::vector<InputFile>& inputs) {
   Table table;
   table.id = "table-inputs";
   table.caption = "Input files";
-  table.columns = {{"File", "", false},     {"Role", "", false},     {"Size", "bytes", true},
-                   {"Rows read", "", true}, {"Rows used", "", true}, {"Rows skipped, and why", "", false},
+  table.columns = {{"File", "", false},     {"Role", "", false},
+                   {"Size", "bytes", true}, {"Rows read", "", true},
+                   {"Rows used", "", true}, {"Rows skipped, and why", "", false},
                    {"SHA-256", "", false}};
   for (const InputFile& file : inputs) {
     const bool has_rows = file.rows_read > 0 || file.rows_used > 0 || !file.skipped.empty();
-    table.rows.push_back({{or_dash(file.name), or_dash(file.role),
-                           count(static_cast<std::size_t>(file.bytes)),
-                           has_rows ? count(file.rows_read) : "–",
-                           has_rows ? count(file.rows_used) : "–",
-                           has_rows ? skipped_in_words(file.skipped) : "–", or_dash(file.sha256)},
-                          false});
+    table.rows.push_back(
+        {{or_dash(file.name), or_dash(file.role), count(static_cast<std::size_t>(file.bytes)),
+          has_rows ? count(file.rows_read) : "–", has_rows ? count(file.rows_used) : "–",
+          has_rows ? skipped_in_words(file.skipped) : "–", or_dash(file.sha256)},
+         false});
   }
   return table;
 }
@@ -64,16 +64,15 @@ Table manifest_table(const Manifest& m) {
   add(table, "Gear ratio n", as_stated(m.drive.gear_ratio()));
   add(table, "Effort column", effort_in_words(m.drive));
   if (m.drive.torque_constant_Nm_A()) {
-    add(table, "Torque constant",
-        with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
+    add(table, "Torque constant", with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
   }
   add(table, "Motor torque per unit of effort",
       with_unit(as_stated(m.drive.motor_torque_per_effort()),
                 m.drive.kind() == EffortKind::motor_current ? "N·m/A" : ""));
-  add(table, "Payload", m.payload_kg
-                            ? with_unit(as_stated(*m.payload_kg), "kg") +
-                                  (m.payload.empty() ? "" : ", " + m.payload)
-                            : m.payload);
+  add(table, "Payload",
+      m.payload_kg
+          ? with_unit(as_stated(*m.payload_kg), "kg") + (m.payload.empty() ? "" : ", " + m.payload)
+          : m.payload);
   add(table, "Temperature",
       m.temperature_C ? with_unit(as_stated(*m.temperature_C), "°C") : "not stated");
   add(table, "Surrogate distance r", with_unit(as_stated(m.surrogate_distance_m), "m"));
@@ -105,13 +104,13 @@ Table software_table(const Provenance& p) {
 
 std::vector<Fact> identity_facts(const Manifest& m) {
   const bool is_direct = m.drive.gear_ratio() == 1.0;
-  std::vector<Fact> facts{{"Robot", or_dash(m.robot)},
-                          {"Joint", or_dash(m.joint)},
-                          {"Serial number", or_dash(m.serial)},
-                          {"Measured on", or_dash(m.measured_on)},
-                          {"Operator", or_dash(m.operator_name)},
-                          {"Gear ratio", is_direct ? "1 (direct drive)"
-                                                   : as_stated(m.drive.gear_ratio())}};
+  std::vector<Fact> facts{
+      {"Robot", or_dash(m.robot)},
+      {"Joint", or_dash(m.joint)},
+      {"Serial number", or_dash(m.serial)},
+      {"Measured on", or_dash(m.measured_on)},
+      {"Operator", or_dash(m.operator_name)},
+      {"Gear ratio", is_direct ? "1 (direct drive)" : as_stated(m.drive.gear_ratio())}};
   if (m.reference) facts.push_back({"Data", "simulated, the true curve is known"});
   return facts;
 }

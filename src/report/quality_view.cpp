@@ -12,7 +12,8 @@ namespace {
 std::string reference_in_words(const std::string& reference) {
   if (reference == "analytic") return "the analytic curve that the simulation was made with";
   if (reference == "direction_difference") {
-    return "half the difference of the two directions at the same angle, which gravity cannot enter";
+    return "half the difference of the two directions at the same angle, which gravity cannot "
+           "enter";
   }
   return reference.empty() ? "none" : reference;
 }
@@ -34,14 +35,14 @@ void describe_quality_errors(const Calibration& c, Section& section) {
   if (q.errors.empty()) return;
   section.facts.push_back({"Reference", reference_in_words(q.reference)});
   section.facts.push_back({"Runs compared", count(c.viscous.runs.size() - q.runs_left_out)});
-  section.facts.push_back({"Runs left out", count(q.runs_left_out) +
-                                                " (no reference, or driving torque near zero)"});
+  section.facts.push_back(
+      {"Runs left out", count(q.runs_left_out) + " (no reference, or driving torque near zero)"});
 
   Table table;
   table.id = section.id + "-results";
   table.caption = "Deviation of each candidate's curve from the reference";
   table.columns = {{"Estimator", "", false},
-                   {"What it is", "", false},
+                   {"What it is", "", false, true},
                    {"Root mean square", "% of T", true},
                    {"Largest", "% of T", true},
                    {"at motor speed", "rad/s", true}};
@@ -51,13 +52,15 @@ void describe_quality_errors(const Calibration& c, Section& section) {
     const bool has_worst = worst < e.percent.size();
     const bool has_speed = has_worst && worst < c.viscous.runs.size();
     table.rows.push_back(
-        {{estimator_name(e.estimator), point_meaning(e.estimator), significant(e.rms_percent, digits),
+        {{estimator_name(e.estimator), point_meaning(e.estimator),
+          significant(e.rms_percent, digits),
           has_worst ? significant(e.percent[worst], digits) : "–",
           has_speed ? significant(c.viscous.runs[worst].speed_rad_s, digits) : "–"},
          e.estimator == c.selection.recommended});
   }
-  table.note = "100 (T_f,candidate − T_f,reference) / T: the share of the total driving torque. The "
-               "marked row is the recommended estimator.";
+  table.note =
+      "100 (T_f,candidate − T_f,reference) / T: the share of the total driving torque. The "
+      "marked row is the recommended estimator.";
   section.tables.push_back(table);
 }
 

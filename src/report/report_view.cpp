@@ -54,14 +54,12 @@ void place_figures(const Calibration& c, const std::vector<ReportFigure>& figure
   const std::vector<FigureCard> cards = figure_cards(figures, drawn);
   Section others;
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const auto* const home =
-        std::find_if(std::begin(all_stages), std::end(all_stages), [&](StageId stage) {
-          return stage_report(c, stage).name == figures[i].stage;
-        });
-    Section& section =
-        home == std::end(all_stages)
-            ? others
-            : view.sections[static_cast<std::size_t>(home - std::begin(all_stages))];
+    const auto* const home = std::find_if(
+        std::begin(all_stages), std::end(all_stages),
+        [&](StageId stage) { return stage_report(c, stage).name == figures[i].stage; });
+    Section& section = home == std::end(all_stages)
+                           ? others
+                           : view.sections[static_cast<std::size_t>(home - std::begin(all_stages))];
     section.figures.push_back(cards[i]);
   }
   if (others.figures.empty()) return;
@@ -125,9 +123,9 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
     view.sections.push_back(make_section(c, stage));
     const Section& section = view.sections.back();
     if (section.outcome == Outcome::good) continue;
-    view.missing.push_back({std::to_string(section.number) + ". " + section.title + ": " +
-                                section.status,
-                            section.id, or_dash(section.reason), section.experiment});
+    view.missing.push_back(
+        {std::to_string(section.number) + ". " + section.title + ": " + section.status, section.id,
+         or_dash(section.reason), section.experiment});
   }
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "figures/report_figure.h"
-#include "provenance.h"
 #include "render/renderer.h"
 
 namespace tribolog::report {
@@ -19,6 +20,7 @@ struct Column {
   std::string heading;
   std::string unit;      ///< Shown in brackets below the heading; empty: none.
   bool is_number{true};  ///< Right-aligned, tabular digits.
+  bool is_wide{false};   ///< Words that should not be squeezed into one per line.
 };
 
 struct Row {
@@ -28,11 +30,11 @@ struct Row {
 
 /// A table without rows is not printed.
 struct Table {
-  std::string id;       ///< Anchor, "table-..."
+  std::string id;  ///< Anchor, "table-..."
   std::string caption;
   std::vector<Column> columns;
   std::vector<Row> rows;
-  std::string note;     ///< Below the table; empty: none.
+  std::string note;  ///< Below the table; empty: none.
 };
 
 struct Fact {
@@ -42,7 +44,7 @@ struct Fact {
 
 struct FigureCard {
   std::string id;
-  std::string heading;      ///< "Figure 15: Friction hysteresis"
+  std::string heading;  ///< "Figure 15: Friction hysteresis"
   std::string caption;
   std::string how_to_read;
   std::string alt;
@@ -50,7 +52,7 @@ struct FigureCard {
   int width_px{};
   int height_px{};
   bool is_lazy{false};
-  std::string error;        ///< Why the figure is missing.
+  std::string error;  ///< Why the figure is missing.
   std::vector<std::string> warnings;
 };
 
@@ -59,13 +61,13 @@ enum class Outcome { good, partial, bad, absent };
 
 struct Section {
   int number{};
-  std::string id;            ///< "stage-3"
+  std::string id;  ///< "stage-3"
   std::string title;
-  std::string explanation;   ///< File name of the template that explains the stage.
+  std::string explanation;  ///< File name of the template that explains the stage.
   Outcome outcome{Outcome::absent};
-  std::string status;        ///< The outcome in words: "not identifiable".
-  std::string reason;        ///< Of the stage's report; may be empty if done.
-  std::string experiment;    ///< What would bring the missing numbers; empty if nothing is missing.
+  std::string status;      ///< The outcome in words: "not identifiable".
+  std::string reason;      ///< Of the stage's report; may be empty if done.
+  std::string experiment;  ///< What would bring the missing numbers; empty if nothing is missing.
   std::vector<Fact> facts;
   std::vector<Table> tables;
   std::vector<FigureCard> figures;
@@ -90,25 +92,25 @@ struct ErrataNumbers {
 };
 
 struct ReportView {
-  std::string title;          ///< Of the document: robot and joint.
+  std::string title;  ///< Of the document: robot and joint.
   std::string subtitle;
-  std::vector<Fact> identity; ///< Robot, serial, joint, date...
-  std::string note;           ///< The operator's note; may be empty.
+  std::vector<Fact> identity;  ///< Robot, serial, joint, date...
+  std::string note;            ///< The operator's note; may be empty.
   Outcome verdict{Outcome::absent};
-  std::string verdict_word;   ///< "USABLE"
+  std::string verdict_word;  ///< "USABLE"
   std::string verdict_sentence;
   std::vector<std::string> findings;
-  std::string figures_missing;         ///< "2 figures missing"; empty: all are there.
+  std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
   Table key_numbers;
   std::vector<MissingResult> missing;
-  std::vector<Section> sections;       ///< Stages 1 to 8, and other figures if there are any.
+  std::vector<Section> sections;  ///< Stages 1 to 8, and other figures if there are any.
   Table paper_table;
   ErrataNumbers errata;
-  std::vector<std::string> notes;      ///< From reading the input.
+  std::vector<std::string> notes;  ///< From reading the input.
   std::vector<Table> provenance_tables;
   std::string command_line;
   std::string created_utc;
-  std::string tool;           ///< "tribolog 0.1.0 (revision ...)"
+  std::string tool;  ///< "tribolog 0.1.0 (revision ...)"
 };
 
 /// Figures and drawn pictures pair up by id. A figure whose picture is missing or has an error

@@ -1,9 +1,9 @@
 #include "report/rounding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace tribolog::report {
 namespace {
@@ -84,8 +84,13 @@ RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale) 
   const double above = std::max(one, other) - value;
   if (std::abs(above - below) > lopsided_share * half) return text;
   const double last_place = std::pow(10.0, -decimals);
-  text.half_width = capped && half < last_place ? "< " + fixed(last_place, decimals)
-                                                : fixed(half, decimals);
+  if (capped && half < last_place) {
+    text.half_width = "< " + fixed(last_place, decimals);
+    text.low.clear();
+    text.high.clear();
+  } else {
+    text.half_width = fixed(half, decimals);
+  }
   return text;
 }
 

@@ -23,7 +23,7 @@ struct Scale {
 struct RoundedEstimate {
   std::string estimate;    ///< "3.8832"; "not identified" if the value is not finite.
   std::string half_width;  ///< "0.0043"; empty if there is no interval or it is lopsided.
-  std::string low;         ///< Empty if there is no interval.
+  std::string low;         ///< Empty if there is no interval, or one too narrow to print.
   std::string high;
   [[nodiscard]] std::string plus_minus() const;  ///< "3.8832 ± 0.0043", or the estimate alone.
   [[nodiscard]] std::string range() const;       ///< "3.8789 … 3.8875"; empty without interval.

@@ -16,13 +16,12 @@ void add_choice(const Calibration& c, const std::string& label, const std::strin
   }
   const QualityError* error = c.quality.find(estimator);
   constexpr int digits = 3;
-  table.rows.push_back(
-      {{label, estimator_name(estimator) + ": " + point_meaning(estimator),
-        round_by_interval(mass->torque_Nm, plain_scale("N·m")).plus_minus(),
-        round_by_interval(mass->mass_kg, plain_scale("kg")).plus_minus(),
-        fixed(mass->q_rad * degree_scale().factor, 4),
-        error != nullptr ? significant(error->rms_percent, digits) : "–"},
-       is_chosen});
+  table.rows.push_back({{label, estimator_name(estimator) + ": " + point_meaning(estimator),
+                         round_by_interval(mass->torque_Nm, plain_scale("N·m")).plus_minus(),
+                         round_by_interval(mass->mass_kg, plain_scale("kg")).plus_minus(),
+                         fixed(mass->q_rad * degree_scale().factor, 4),
+                         error != nullptr ? significant(error->rms_percent, digits) : "–"},
+                        is_chosen});
 }
 
 }  // namespace
@@ -34,9 +33,9 @@ void describe_selection(const Calibration& c, Section& section) {
     Table table;
     table.id = section.id + "-results";
     table.caption = "The choice";
-    table.columns = {{"Rule", "", false},        {"Estimator", "", false},
-                     {"Torque T", "N·m", true},  {"Surrogate mass", "kg", true},
-                     {"Read at q", "°", true},   {"Quality error, rms", "% of T", true}};
+    table.columns = {{"Rule", "", false},       {"Estimator", "", false},
+                     {"Torque T", "N·m", true}, {"Surrogate mass", "kg", true},
+                     {"Read at q", "°", true},  {"Quality error, rms", "% of T", true}};
     add_choice(c, "Recommended by this program", s.recommended, true, table);
     add_choice(c, "The paper's: smallest error among A to F", s.paper_rule, false, table);
     section.tables.push_back(table);
@@ -57,7 +56,7 @@ void describe_selection(const Calibration& c, Section& section) {
     for (const Scale& scale : {degree_scale(), radian_scale(corrected)}) {
       constexpr int digits = 7;
       angles.rows.push_back({{"q_c less the angle at which the torque was read",
-                              significant(corrected * scale.factor, digits), "–", scale.unit, from},
+                              significant(corrected * scale.factor, digits), scale.unit, "–", from},
                              false});
     }
   }

@@ -1,13 +1,13 @@
 #include "report/template_engine.h"
 
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
 #include <ctemplate/template.h>
 #include <ctemplate/template_annotator.h>
 #include <ctemplate/template_cache.h>
 #include <ctemplate/template_dictionary.h>
-
-#include <cstddef>
-#include <stdexcept>
-#include <utility>
 
 #include "report/embedded_files.h"
 #include "report/template_modifiers.h"

@@ -1,9 +1,9 @@
 #include "report/template_modifiers.h"
 
+#include <string_view>
+
 #include <ctemplate/template_emitter.h>
 #include <ctemplate/template_modifiers.h>
-
-#include <string_view>
 
 #include "report/embedded_files.h"
 

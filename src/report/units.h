@@ -17,8 +17,8 @@ Scale viscous_scale(double size_Nms_rad);
 /// N·m/rad, kN·m/rad or MN·m/rad for stiffnesses.
 Scale stiffness_scale(double size_Nm_rad);
 
-Scale degree_scale();                ///< rad -> °
-Scale degree_per_second_scale();     ///< rad/s -> °/s
-Scale plain_scale(std::string unit); ///< SI as it is.
+Scale degree_scale();                 ///< rad -> °
+Scale degree_per_second_scale();      ///< rad/s -> °/s
+Scale plain_scale(std::string unit);  ///< SI as it is.
 
 }  // namespace tribolog::report

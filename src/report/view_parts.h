@@ -51,7 +51,7 @@ std::vector<Table> provenance_tables(const Calibration& calibration, const Prove
 std::vector<FigureCard> figure_cards(const std::vector<ReportFigure>& figures,
                                      const std::vector<render::DrawnFigure>& drawn);
 
-/// Columns of a table of estimates: quantity, estimate ± half width, 95 % interval, unit, from.
+/// Columns of a table of estimates: quantity, estimate ± half width, unit, 95 % interval, from.
 std::vector<Column> estimate_columns();
 Row estimate_row(const std::string& quantity, const Estimate& estimate, const Scale& scale);
 /// The same for a number without an interval.

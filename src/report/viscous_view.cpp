@@ -46,8 +46,10 @@ void describe_viscous_curves(const Calibration& c, Section& section) {
   Table table;
   table.id = section.id + "-runs";
   table.caption = "Driving torque and friction of each run, at the motor";
-  table.columns = {{"Motor speed", "rad/s", true}, {"Joint speed", "°/s", true},
-                   {"Joint angle", "°", true},     {"Driving torque T", "N·m", true},
+  table.columns = {{"Motor speed", "rad/s", true},
+                   {"Joint speed", "°/s", true},
+                   {"Joint angle", "°", true},
+                   {"Driving torque T", "N·m", true},
                    {"Samples", "", true}};
   if (recommended != nullptr) {
     table.columns.push_back({"T_f, " + estimator_name(recommended->estimator), "N·m", true});

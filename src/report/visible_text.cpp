@@ -1,9 +1,9 @@
 #include "report/visible_text.h"
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <cstdint>
+
+#include <fmt/format.h>
 
 namespace tribolog::report {
 namespace {
@@ -49,8 +49,8 @@ bool is_control(std::uint32_t c) {
 bool is_hidden(std::uint32_t c) {
   return c == 0x061C || c == 0xFEFF || (c >= 0x200B && c <= 0x200F) ||
          (c >= 0x2028 && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
-         (c >= 0xFFF9 && c <= 0xFFFB) || (c >= 0xFDD0 && c <= 0xFDEF) ||
-         (c & 0xFFFEU) == 0xFFFEU || (c >= 0xE0000 && c <= 0xE0FFF);
+         (c >= 0xFFF9 && c <= 0xFFFB) || (c >= 0xFDD0 && c <= 0xFDEF) || (c & 0xFFFEU) == 0xFFFEU ||
+         (c >= 0xE0000 && c <= 0xE0FFF);
 }
 
 }  // namespace

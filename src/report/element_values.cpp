@@ -1,0 +1,94 @@
+#include "report/element_values.h"
+
+#include <algorithm>
+
+#include "report/base64.h"
+
+namespace tribolog::report {
+
+const char* class_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::good:
+      return "good";
+    case Outcome::partial:
+      return "partial";
+    case Outcome::bad:
+      return "bad";
+    case Outcome::absent:
+      break;
+  }
+  return "absent";
+}
+
+namespace {
+
+const char* class_of(const Column& column) {
+  if (column.is_number) return "number";
+  return column.is_wide ? "text wide" : "text";
+}
+
+}  // namespace
+
+void fill_outcome(Outcome outcome, TemplateValues& values) {
+  values.set("OUTCOME", class_of(outcome));
+  const char* const icons[] = {"ICON_GOOD", "ICON_PARTIAL", "ICON_BAD", "ICON_ABSENT"};
+  values.add_section(icons[static_cast<int>(outcome)]);
+}
+
+void fill_table(const Table& table, const std::string& marker, TemplateValues& values) {
+  if (table.rows.empty()) return;
+  TemplateValues& out = values.add_include(marker, "table.tpl");
+  out.set("TABLE_ID", table.id);
+  out.set("TABLE_CAPTION", table.caption);
+  for (const Column& column : table.columns) {
+    TemplateValues& heading = out.add_section("COLUMN");
+    heading.set("HEADING", column.heading);
+    heading.set("KIND", class_of(column));
+    heading.set_optional("UNIT", column.unit);
+  }
+  for (const Row& row : table.rows) {
+    TemplateValues& line = out.add_section("ROW");
+    line.set("ROW_KIND", row.is_chosen ? "chosen" : "plain");
+    for (std::size_t i = 0; i < std::min(row.cells.size(), table.columns.size()); ++i) {
+      TemplateValues& cell = line.add_section(i == 0 ? "ROW_HEADING" : "CELL");
+      cell.set("KIND", class_of(table.columns[i]));
+      cell.set("TEXT", row.cells[i].empty() ? "–" : row.cells[i]);
+    }
+  }
+  out.set_optional("TABLE_NOTE", table.note);
+}
+
+void fill_facts(const std::vector<Fact>& facts, TemplateValues& values) {
+  if (facts.empty()) return;
+  TemplateValues& list = values.add_section("FACTS");
+  for (const Fact& fact : facts) {
+    TemplateValues& item = list.add_section("FACT");
+    item.set("NAME", fact.name);
+    item.set("TEXT", fact.text);
+  }
+}
+
+void fill_figure(const FigureCard& figure, TemplateValues& values) {
+  TemplateValues& out = values.add_include("FIGURE", "figure.tpl");
+  out.set("FIGURE_ID", figure.id);
+  out.set("FIGURE_HEADING", figure.heading);
+  if (figure.png != nullptr) {
+    TemplateValues& picture = out.add_section("PICTURE");
+    picture.set_checked_by_modifier("PNG", base64(*figure.png));
+    picture.set("ALT", figure.alt);
+    picture.set("WIDTH", std::to_string(figure.width_px));
+    picture.set("HEIGHT", std::to_string(figure.height_px));
+    picture.set("LOADING", figure.is_lazy ? "lazy" : "eager");
+  } else {
+    TemplateValues& missing = out.add_section("NO_PICTURE");
+    missing.set("ERROR", figure.error);
+    missing.set("ALT", figure.alt);
+  }
+  out.set_optional("FIGURE_CAPTION", figure.caption);
+  out.set_optional("HOW_TO_READ", figure.how_to_read);
+  for (const std::string& warning : figure.warnings) {
+    if (!warning.empty()) out.add_section("WARNING").set("TEXT", warning);
+  }
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,27 @@
+#pragma once
+// Internal to the report: the values of the templates that many sections share.
+
+#include <string>
+#include <vector>
+
+#include "report/report_view.h"
+#include "report/template_engine.h"
+
+namespace tribolog::report {
+
+/// The word that the style sheet knows the outcome by.
+const char* class_of(Outcome outcome);
+
+/// OUTCOME and the section of its icon.
+void fill_outcome(Outcome outcome, TemplateValues& values);
+
+/// One more table.tpl at the marker; nothing if the table has no rows.
+void fill_table(const Table& table, const std::string& marker, TemplateValues& values);
+
+/// The section FACTS; nothing if there are none.
+void fill_facts(const std::vector<Fact>& facts, TemplateValues& values);
+
+/// One more figure.tpl at the marker FIGURE.
+void fill_figure(const FigureCard& figure, TemplateValues& values);
+
+}  // namespace tribolog::report

@@ -1,0 +1,106 @@
+// Text of strangers in every field: the document keeps its shape, and nothing hides.
+
+#include <gtest/gtest.h>
+
+#include "run_python.h"
+#include "sample_calibration.h"
+
+#include "report/html_report.h"
+
+namespace tribolog::test {
+namespace {
+
+const std::string hostile =
+    "\"'><script>alert(1)</script><img src=x onerror=alert(1)></title></style></table>"
+    "<!-- {{TITLE}} {{#FACTS}} ]]> &lt; javascript:alert(1) \x1b[31m \u202E \xff\xc3 \u2028";
+
+/// Every text that a manifest, a log or a library can bring in.
+Calibration filled_with(const std::string& text) {
+  Calibration c = complete_calibration();
+  Manifest& m = c.manifest;
+  for (std::string* field :
+       {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on, &m.note, &m.payload,
+        &c.rough.method, &c.precise.method, &c.rough.q_peak_rad.method,
+        &c.hysteresis.bristle_source, &c.selection.why, &c.judgement.sentence,
+        &c.hysteresis.lugre->reason, &c.quality.reference, &c.friction.curve}) {
+    *field = text;
+  }
+  for (StageReport* stage :
+       {&c.rough.stage, &c.precise.stage, &c.hysteresis.stage, &c.masses.stage, &c.viscous.stage,
+        &c.quality.stage, &c.selection.stage, &c.friction.stage}) {
+    stage->state = StageState::partial;
+    stage->reason = text;
+  }
+  c.judgement.findings = {text};
+  c.notes = {text};
+  for (InputFile& file : c.inputs) {
+    file.name = file.role = file.sha256 = text;
+    file.skipped = {{text, 3}};
+  }
+  for (ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
+  for (SurrogateMass& mass : c.masses.masses) mass.torque_Nm.method = mass.mass_kg.method = text;
+  return c;
+}
+
+std::string report_with(const std::string& text) {
+  const Calibration c = filled_with(text);
+  auto figures = sample_figures(c);
+  for (ReportFigure& figure : figures) {
+    figure.title = figure.caption = figure.how_to_read = figure.alt = text;
+  }
+  auto drawn = sample_pictures(figures);
+  for (render::DrawnFigure& picture : drawn) picture.warnings = {text};
+  drawn.back().png.clear();
+  drawn.back().error = text;
+  Provenance p = sample_provenance();
+  p.tool_version = p.git_revision = p.compiler = p.eigen_version = p.command_line = text;
+  p.created_utc = text;
+  p.drawing = DrawingSoftware{text, text, text, text, text, text};
+  p.configuration = {{text, text}};
+  return html_report(c, figures, drawn, p);
+}
+
+/// Tags and attribute names in order; the values of attributes that carry no text of strangers.
+const char* const skeleton = R"py(
+import html.parser, sys
+class Reader(html.parser.HTMLParser):
+    def handle_starttag(self, tag, attributes):
+        print(tag, *[n if n in ('alt', 'content') else '%s=%s' % (n, v) for n, v in attributes if n != 'src'])
+    def handle_endtag(self, tag): print('/' + tag)
+    def handle_comment(self, data): print('comment')
+reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); reader.close()
+)py";
+
+TEST(HostileText, LeavesTheDocumentAsItIs) {
+  if (!has_python_module("html.parser")) GTEST_SKIP() << "python3 is not installed";
+  const auto plain = run_python(skeleton, report_with("x"));
+  const auto attacked = run_python(skeleton, report_with(hostile));
+  ASSERT_TRUE(plain && attacked);
+  EXPECT_EQ(*plain, *attacked);
+}
+
+TEST(HostileText, IsShownNotRun) {
+  const std::string html = report_with(hostile);
+  EXPECT_EQ(occurrences(html, "<script"), 1U);
+  EXPECT_EQ(occurrences(html, "<img src=x"), 0U);
+  EXPECT_EQ(occurrences(html, "<style>"), 1U);
+  EXPECT_GT(occurrences(html, "&lt;script&gt;alert(1)"), 20U);
+}
+
+TEST(HostileText, NothingHides) {
+  const std::string html = report_with(hostile);
+  const std::string body = html.substr(0, html.find("<script type"));
+  EXPECT_EQ(body.find('\x1b'), std::string::npos);
+  EXPECT_EQ(body.find("\u202E"), std::string::npos);
+  EXPECT_EQ(body.find('\xff'), std::string::npos);
+  EXPECT_NE(body.find("\\x1b[31m"), std::string::npos);
+  EXPECT_NE(body.find("[U+202E]"), std::string::npos);
+  EXPECT_NE(body.find("\\xff\\xc3"), std::string::npos);
+}
+
+TEST(HostileText, AVeryLongWordStaysText) {
+  EXPECT_GT(report_with(std::string(100000, 'A')).size(), 1000000U);
+}
+
+}  // namespace
+}  // namespace tribolog::test

@@ -1,0 +1,127 @@
+#include "report/html_report.h"
+
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sample_calibration.h"
+
+#include "calibration_json.h"
+#include "pipeline.h"
+#include "support/paper_joint.h"
+
+namespace tribolog::test {
+namespace {
+
+TEST(HtmlReport, SameArgumentsSameBytes) {
+  EXPECT_EQ(report_of(complete_calibration()), report_of(complete_calibration()));
+}
+
+TEST(HtmlReport, PointsToNothingOutside) {
+  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
+    const std::string html = report_of(c);
+    const std::regex link(
+        R"re(\s(?:src|href|action|poster)\s*=\s*(?!"#|"data:image/png;base64,))re");
+    const std::string body = html.substr(0, html.find("<script type"));
+    EXPECT_FALSE(std::regex_search(body, link));
+    for (const char* word : {"http:", "https:", "url(", "@import", "fetch(", "XMLHttpRequest"}) {
+      EXPECT_EQ(body.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(occurrences(html, "<script"), 1U);
+  }
+}
+
+TEST(HtmlReport, SectionsComeInTheContractsOrder) {
+  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
+    const std::string html = report_of(c);
+    std::size_t last = 0;
+    for (const std::string id :
+         {"verdict", "key-numbers", "stage-1", "stage-2", "stage-3", "stage-4", "stage-5",
+          "stage-6", "stage-7", "stage-8", "intervals", "errata", "provenance"}) {
+      const std::size_t at = html.find("<section id=\"" + id + "\"");
+      ASSERT_NE(at, std::string::npos) << id;
+      EXPECT_GT(at, last) << id;
+      last = at;
+    }
+  }
+}
+
+TEST(HtmlReport, KeyNumbersAppear) {
+  const std::string html = report_of(complete_calibration());
+  for (const char* text : {"79.168 ± 0.088", "−22.232 ± 0.012", "388.32 ± 0.43", "USABLE",
+                           "Mid-line", "140\u202f410", "outside the window 5..62.3 s"}) {
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(HtmlReport, VerdictIsAWordAnIconAndAColour) {
+  Calibration c = complete_calibration();
+  for (const auto& [verdict, word, colour] :
+       {std::tuple{Verdict::usable, "USABLE", "good"},
+        std::tuple{Verdict::doubtful, "DOUBTFUL", "partial"},
+        std::tuple{Verdict::not_identifiable, "NOT IDENTIFIABLE", "bad"}}) {
+    c.judgement.verdict = verdict;
+    const std::string html = report_of(c);
+    const std::size_t at =
+        html.find("<section id=\"verdict\" class=\"verdict " + std::string(colour));
+    ASSERT_NE(at, std::string::npos) << word;
+    const std::string banner = html.substr(at, html.find("</section>", at) - at);
+    EXPECT_NE(banner.find("<span class=\"word\">" + std::string(word)), std::string::npos);
+    EXPECT_EQ(occurrences(banner, "<svg"), 1U);
+  }
+}
+
+TEST(HtmlReport, TheResultCanBeReadBackFromIt) {
+  const Calibration c = complete_calibration();
+  const std::string html = report_of(c);
+  const std::string start = "<script type=\"application/json\" id=\"tribolog-result\">";
+  const std::size_t from = html.find(start) + start.size();
+  const std::string embedded = html.substr(from, html.find("</script>", from) - from);
+  EXPECT_EQ(nlohmann::json::parse(embedded),
+            nlohmann::json::parse(calibration_json(c, sample_provenance())));
+}
+
+TEST(HtmlReport, AFailedFigureLeavesAPlaceholderWithTheReason) {
+  const Calibration c = complete_calibration();
+  const auto figures = sample_figures(c);
+  auto drawn = sample_pictures(figures);
+  drawn[2].png.clear();
+  drawn[2].error = "no off-screen context <could> be made";
+  const std::string html = html_report(c, figures, drawn, sample_provenance());
+  EXPECT_NE(html.find("1 figure missing"), std::string::npos);
+  EXPECT_NE(html.find("No off-screen context &lt;could&gt; be made."), std::string::npos);
+  EXPECT_EQ(occurrences(html, "<img "), figures.size() - 1);
+}
+
+TEST(HtmlReport, WithoutFiguresItIsStillWhole) {
+  const std::string html = html_report(sweep_only(), {}, {}, sample_provenance());
+  EXPECT_EQ(html.find("<figure"), std::string::npos);
+  EXPECT_EQ(html.find("figures missing"), std::string::npos);
+  EXPECT_NE(html.find("</html>"), std::string::npos);
+}
+
+TEST(HtmlReport, TheFirstThreeFiguresLoadAtOnce) {
+  const std::string html = report_of(complete_calibration());
+  EXPECT_EQ(occurrences(html, "loading=\"eager\""), 3U);
+  EXPECT_EQ(occurrences(html, "loading=\"lazy\""), 5U);
+  EXPECT_EQ(occurrences(html, "width=\"1600\" height=\"1000\""), 8U);
+}
+
+TEST(HtmlReport, AnEmptyCalibrationReadsWell) {
+  const Dataset nothing;
+  const std::string html = report_of(identify(nothing));
+  EXPECT_NE(html.find("Robot not named"), std::string::npos);
+  EXPECT_EQ(html.find("unknown N·m"), std::string::npos);
+  EXPECT_EQ(html.find(">nan<"), std::string::npos);
+}
+
+TEST(HtmlReport, TheSimulatedJointsMassAppears) {
+  const Dataset dataset = simulated_dataset(paper_joint());
+  const std::string html = report_of(identify(dataset));
+  EXPECT_NE(html.find("79.167"), std::string::npos);
+  EXPECT_NE(html.find("Table 2 of the paper, recomputed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tribolog::test

@@ -1,0 +1,165 @@
+#include "report/report_view.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "sample_calibration.h"
+
+#include "report/paper_table.h"
+#include "report/view_parts.h"
+
+namespace tribolog::test {
+namespace {
+
+using namespace report;
+
+ReportView view_of(const Calibration& c) {
+  return make_report_view(c, {}, {}, sample_provenance());
+}
+
+const Row* row_of(const Table& table, const std::string& start) {
+  const auto found = std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) {
+    return row.cells.front().rfind(start, 0) == 0;
+  });
+  return found == table.rows.end() ? nullptr : &*found;
+}
+
+TEST(ReportView, KeyNumbersAreRoundedByTheirIntervals) {
+  const Table table = view_of(complete_calibration()).key_numbers;
+  const Row* mass = row_of(table, "Surrogate mass at r = 0.5\u00a0m, recommended");
+  ASSERT_NE(mass, nullptr);
+  EXPECT_EQ(mass->cells[1], "79.168 ± 0.088");
+  EXPECT_EQ(mass->cells[3], "79.080 … 79.256");
+  EXPECT_EQ(mass->cells[2], "kg");
+  EXPECT_TRUE(mass->is_chosen);
+  const Row* angle = row_of(table, "Joint angle of largest gravity torque");
+  ASSERT_NE(angle, nullptr);
+  EXPECT_EQ(angle->cells[1], "−22.232 ± 0.012");
+}
+
+TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
+  const Table table = view_of(complete_calibration()).key_numbers;
+  EXPECT_EQ(row_of(table, "Gravity torque, at the motor")->cells[1], "3.8832 ± 0.0043");
+  EXPECT_EQ(row_of(table, "Gravity torque, at the joint")->cells[1], "388.32 ± 0.43");
+  EXPECT_EQ(row_of(table, "Viscous coefficient, at the joint")->cells[1], "26.4 ± 1.7");
+  EXPECT_EQ(row_of(table, "Break-away torque, at the joint")->cells[1], "88.44 ± 0.13");
+}
+
+TEST(ReportView, ADirectDriveHasOneSide) {
+  Calibration c = complete_calibration();
+  c.manifest.drive = Drive(1.0, EffortKind::motor_torque, Side::motor);
+  const Table table = view_of(c).key_numbers;
+  EXPECT_NE(row_of(table, "Gravity torque"), nullptr);
+  EXPECT_EQ(row_of(table, "Gravity torque, at the joint"), nullptr);
+}
+
+TEST(ReportView, EveryRowHasACellPerColumn) {
+  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
+    const ReportView view = view_of(c);
+    std::vector<Table> tables{view.key_numbers, view.paper_table};
+    tables.insert(tables.end(), view.provenance_tables.begin(), view.provenance_tables.end());
+    for (const Section& section : view.sections) {
+      tables.insert(tables.end(), section.tables.begin(), section.tables.end());
+    }
+    for (const Table& table : tables) {
+      for (const Row& row : table.rows) {
+        EXPECT_EQ(row.cells.size(), table.columns.size()) << table.id;
+      }
+    }
+  }
+}
+
+TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {
+  const ReportView view = view_of(sweep_only());
+  EXPECT_EQ(view.missing.size(), 7U);
+  for (const MissingResult& result : view.missing) {
+    EXPECT_FALSE(result.reason.empty());
+    EXPECT_FALSE(result.experiment.empty());
+  }
+  EXPECT_EQ(view.missing.front().reason, "No precise_sweep was recorded.");
+  EXPECT_EQ(row_of(view.key_numbers, "Break-away torque")->cells[1], "not identified");
+  EXPECT_TRUE(view.sections[4].tables.empty());
+  EXPECT_TRUE(view_of(complete_calibration()).missing.empty());
+}
+
+TEST(ReportView, FiguresGoToTheirStages) {
+  const Calibration c = complete_calibration();
+  const auto figures = sample_figures(c);
+  const auto drawn = sample_pictures(figures);
+  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  ASSERT_EQ(view.sections.size(), 8U);
+  for (const Section& section : view.sections) ASSERT_EQ(section.figures.size(), 1U);
+  EXPECT_FALSE(view.sections[2].figures[0].is_lazy);
+  EXPECT_TRUE(view.sections[3].figures[0].is_lazy);
+  EXPECT_EQ(view.figures_missing, "");
+}
+
+TEST(ReportView, AFigureOfNoStageIsNotLost) {
+  auto figures = sample_figures(complete_calibration());
+  figures[0].stage = "models";
+  const auto drawn = sample_pictures(figures);
+  const ReportView view =
+      make_report_view(complete_calibration(), figures, drawn, sample_provenance());
+  ASSERT_EQ(view.sections.size(), 9U);
+  EXPECT_EQ(view.sections[8].figures[0].id, "fig-1");
+}
+
+TEST(ReportView, MissingPicturesAreCounted) {
+  const Calibration c = complete_calibration();
+  const auto figures = sample_figures(c);
+  auto drawn = sample_pictures(figures);
+  drawn[0].error = "the worker stopped";
+  drawn[0].png.clear();
+  drawn.pop_back();
+  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  EXPECT_EQ(view.figures_missing, "2 figures missing");
+  EXPECT_EQ(view.sections[0].figures[0].error, "The worker stopped.");
+}
+
+TEST(ReportView, ALongRunTableIsThinnedAndSaysSo) {
+  Calibration c = complete_calibration();
+  c.viscous.runs.assign(500, c.viscous.runs.front());
+  const Table table = view_of(c).sections[4].tables.front();
+  EXPECT_LE(table.rows.size(), 48U);
+  EXPECT_NE(table.note.find("One row in 11"), std::string::npos);
+}
+
+TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
+  for (const PaperRow& row : paper_table_2) {
+    EXPECT_NEAR(recomputed_mass_kg(row.torque_Nm), row.mass_kg, printed_rounding_kg());
+  }
+  EXPECT_NEAR(printed_rounding_kg(), 0.0107, 5e-5);
+}
+
+TEST(PaperTable, PrintedColumnsSayWhoseTheyAre) {
+  const Table own = view_of(complete_calibration()).paper_table;
+  EXPECT_EQ(own.columns.size(), 7U);
+  EXPECT_EQ(own.rows[0].cells[6], "+0.00");
+  const Table other = view_of(sweep_only()).paper_table;
+  EXPECT_EQ(other.columns.size(), 5U);
+  EXPECT_NE(other.note.find("is another one"), std::string::npos);
+}
+
+TEST(Errata, EvidenceComesFromTable2) {
+  const ErrataNumbers e = errata_numbers();
+  EXPECT_EQ(e.mass_A_with_500_m, "0.080");
+  EXPECT_EQ(e.mass_A_with_500_mm, "80.000");
+  EXPECT_EQ(e.mass_A_with_cos_q_c, "86.42");
+  EXPECT_EQ(e.rad_of_22, "0.38397");
+  EXPECT_EQ(e.rad_of_precise, "0.388019");
+  EXPECT_EQ(e.cut_of_22, "cut");
+  EXPECT_EQ(e.cut_of_precise, "cut");
+  EXPECT_LE(std::stod(e.largest_deviation), std::stod(e.allowed_deviation));
+}
+
+TEST(Sentences, CapitalAndFullStopButSymbolsStay) {
+  EXPECT_EQ(as_sentence("no data"), "No data.");
+  EXPECT_EQ(as_sentence("q_peak is unknown"), "q_peak is unknown.");
+  EXPECT_EQ(as_sentence("Done."), "Done.");
+  EXPECT_EQ(as_sentence(""), "");
+}
+
+}  // namespace
+}  // namespace tribolog::test

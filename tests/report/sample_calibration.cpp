@@ -1,0 +1,251 @@
+#include "sample_calibration.h"
+
+#include <cmath>
+
+#include "report/html_report.h"
+
+namespace tribolog::test {
+namespace {
+
+constexpr double gear_ratio = 100.0;
+constexpr double q_peak_rad = -0.388019;
+constexpr double gravity_Nm = 3.88318571;
+constexpr double kg_per_Nm = gear_ratio / (9.81 * 0.5);
+
+CogSweepResult sweep(const std::string& name, double half_width_rad) {
+  CogSweepResult r;
+  r.stage = {name, StageState::done, ""};
+  r.found = true;
+  r.method = "T = offset of each direction + G cos(q - q_peak)";
+  r.argmax_rad = -0.3885;
+  r.argmax_low_rad = -0.41;
+  r.argmax_high_rad = -0.37;
+  r.argmax_torque_Nm = 4.77;
+  r.q_peak_rad = symmetric_estimate(q_peak_rad, half_width_rad, "least squares");
+  r.gravity_Nm = symmetric_estimate(gravity_Nm, 0.0043, "least squares");
+  r.coulomb_Nm = symmetric_estimate(0.8829, 0.0031, "least squares");
+  r.offset_Nm = 0.0012;
+  r.residual_Nm = 0.0204;
+  r.lowest_rad = -1.39;
+  r.highest_rad = 1.04;
+  r.both_directions = true;
+  r.constant_speed = true;
+  r.samples_used = 135000;
+  r.samples_left_out = 4210;
+  return r;
+}
+
+LoopPoint point(char name, double t_s, double torque_Nm, double z_rad) {
+  return {name, t_s, q_peak_rad, torque_Nm, torque_Nm - 0.012, torque_Nm + 0.012, z_rad, 0.03};
+}
+
+HysteresisResult loop() {
+  HysteresisResult h;
+  h.stage = {"hysteresis", StageState::done, ""};
+  h.found = true;
+  h.bristle_source = "recorded";
+  h.oscillations = {{q_peak_rad, 1e-4, 1.0, 10.0, 9.0, 4.8e-7}};
+  h.points = {point('A', 0.0, 3.924, 0.0),      point('B', 0.33, 3.866, 0.0),
+              point('C', 0.25, 4.759, 0.0019),  point('D', 0.75, 2.993, -0.0019),
+              point('E', 0.82, 3.703, -0.0005), point('F', 0.32, 4.061, 0.0005)};
+  h.steady_points = h.points;
+  h.midline_Nm = symmetric_estimate(gravity_Nm, 0.0043, "scatter of the cycles");
+  h.midline_q_rad = q_peak_rad;
+  h.loop_height_Nm = 1.766;
+  LuGreFit fit;
+  fit.converged = true;
+  fit.bristle_stiffness_Nm_rad = symmetric_estimate(465.4, 2.3, "loop fit");
+  fit.bristle_damping_Nms_rad = symmetric_estimate(0.7708, 0.05, "loop fit");
+  fit.viscous_Nms_rad = symmetric_estimate(0.001, 0.0009, "loop fit");
+  fit.static_Nm = symmetric_estimate(0.88438, 0.0013, "loop fit");
+  fit.gravity_Nm = symmetric_estimate(gravity_Nm, 0.0005, "loop fit");
+  fit.residual_Nm = 0.02;
+  fit.iterations = 7;
+  h.lugre = fit;
+  return h;
+}
+
+SurrogateMass mass(const std::string& estimator, double torque_Nm) {
+  const Estimate torque = symmetric_estimate(torque_Nm, 0.0043, "reading");
+  return {estimator, torque, q_peak_rad, scaled(torque, kg_per_Nm), torque};
+}
+
+SurrogateMassesResult masses() {
+  SurrogateMassesResult r;
+  r.stage = {"surrogate_masses", StageState::done, ""};
+  r.distance_m = 0.5;
+  r.gravity_m_s2 = 9.81;
+  r.masses = {mass("A", 3.924),    mass("B", 3.866),
+              mass("C", 4.759),    mass("D", 2.993),
+              mass("E", 3.703),    mass("F", 4.061),
+              mass("AB", 3.895),   mass("CD", 3.876),
+              mass("EF", 3.882),   mass("midline", gravity_Nm),
+              mass("sweep", 3.884)};
+  return r;
+}
+
+ViscousCurvesResult curves(const SurrogateMassesResult& of) {
+  ViscousCurvesResult v;
+  v.stage = {"viscous_curves", StageState::done, ""};
+  for (const double speed : {-300.0, -100.0, -10.0, 10.0, 100.0, 300.0}) {
+    const double friction = std::copysign(0.45 + 0.0026 * std::abs(speed), speed);
+    v.runs.push_back({"run.csv", speed, gravity_Nm + friction, 0.002, q_peak_rad, 1.0, 2000, -1,
+                      friction, 0.002});
+  }
+  for (const SurrogateMass& m : of.masses) {
+    ViscousCurve curve{m.estimator, {}};
+    for (const ConstantSpeedRun& run : v.runs) {
+      curve.friction_Nm.push_back(run.torque_Nm - m.gravity_Nm.value);
+    }
+    v.curves.push_back(curve);
+  }
+  v.samples_used = 12000;
+  v.samples_left_out = 3400;
+  return v;
+}
+
+QualityErrorsResult errors(const ViscousCurvesResult& of) {
+  QualityErrorsResult q;
+  q.stage = {"quality_errors", StageState::done, ""};
+  q.reference = "direction_difference";
+  for (const ConstantSpeedRun& run : of.runs) {
+    q.reference_Nm.push_back(run.direction_difference_Nm);
+  }
+  for (const ViscousCurve& curve : of.curves) {
+    QualityError e{curve.estimator, {}, curve.estimator == "B" ? 0.41 : 1.9};
+    e.percent.assign(of.runs.size(), 0.4);
+    q.errors.push_back(e);
+  }
+  return q;
+}
+
+}  // namespace
+
+Calibration complete_calibration() {
+  Calibration c;
+  c.manifest.robot = "FANUC AM100iB";
+  c.manifest.joint = "J3";
+  c.manifest.serial = "E-4711";
+  c.manifest.drive = Drive(gear_ratio, EffortKind::motor_torque, Side::motor);
+  c.inputs = {{"manifest.toml", "manifest", 812, std::string(64, 'a'), 0, 0, {}},
+              {"sweep.csv",
+               "rough_sweep",
+               8003370,
+               std::string(64, 'b'),
+               140410,
+               139210,
+               {{"outside the window 5..62.3 s", 1200}}}};
+  c.notes = {"column 'tau' is read as motor torque"};
+  c.rough = sweep("cog_rough", 0.0011);
+  c.precise = sweep("cog_precise", 0.00021);
+  c.q_peak_rad = c.precise.q_peak_rad;
+  c.q_peak_source = "cog_precise";
+  c.hysteresis = loop();
+  c.masses = masses();
+  c.viscous = curves(c.masses);
+  c.quality = errors(c.viscous);
+  c.selection = {{"selection", StageState::done, ""},
+                 "B",
+                 "midline",
+                 "the mid-line owes nothing to the start-up stroke",
+                 0.38794,
+                 scaled(*c.q_peak_rad, -1.0)};
+  c.friction.stage = {"friction_parameters", StageState::done, ""};
+  c.friction.curve = "midline";
+  c.friction.coulomb_viscous =
+      CoulombViscousFit{symmetric_estimate(0.445, 0.023, "line"),
+                        symmetric_estimate(0.00264, 0.00017, "line"), 0.011, 10.0, 300.0};
+  c.friction.waiboer = WaiboerFit{true,
+                                  symmetric_estimate(0.8844, 0.01, "fit"),
+                                  symmetric_estimate(5.0, 0.2, "fit"),
+                                  symmetric_estimate(0.7, 0.03, "fit"),
+                                  symmetric_estimate(0.12, 0.004, "fit"),
+                                  symmetric_estimate(0.6, 0.01, "fit"),
+                                  0.004};
+  c.judgement = {Verdict::usable, "all stages have their data", {"nothing was left out"}};
+  return c;
+}
+
+Calibration sweep_only() {
+  Calibration c;
+  c.manifest.robot = "UR10e";
+  c.manifest.joint = "2";
+  c.manifest.drive = Drive(101.0, EffortKind::motor_current, Side::joint, 10.696);
+  c.inputs = {{"joint_2.csv",
+               "rough_sweep",
+               306033,
+               std::string(64, 'c'),
+               6030,
+               5369,
+               {{"outside the window 5..62.3 s", 661}}}};
+  c.rough = sweep("cog_rough", 0.028);
+  c.q_peak_rad = c.rough.q_peak_rad;
+  c.q_peak_source = "cog_rough";
+  c.precise.stage = {"cog_precise", StageState::skipped, "no precise_sweep was recorded"};
+  c.hysteresis.stage = {"hysteresis", StageState::not_identifiable,
+                        "the encoder step of 0.0001 rad hides the loop"};
+  c.masses.stage = {"surrogate_masses", StageState::partial, "only the sweep gives a mass"};
+  c.masses.masses = {mass("sweep", 3.884)};
+  c.viscous.stage = {"viscous_curves", StageState::skipped, "no constant_speed was recorded"};
+  c.quality.stage = {"quality_errors", StageState::skipped, "there is no curve to judge"};
+  c.selection.stage = {"selection", StageState::partial, "the points A to F were not found"};
+  c.selection.recommended = "sweep";
+  c.friction.stage = {"friction_parameters", StageState::skipped, "there is no curve to fit"};
+  c.judgement = {Verdict::doubtful, "angle and mass are known, friction is not", {}};
+  return c;
+}
+
+std::vector<ReportFigure> sample_figures(const Calibration& calibration) {
+  std::vector<ReportFigure> figures;
+  for (const StageReport& stage :
+       {calibration.rough.stage, calibration.precise.stage, calibration.hysteresis.stage,
+        calibration.masses.stage, calibration.viscous.stage, calibration.quality.stage,
+        calibration.selection.stage, calibration.friction.stage}) {
+    ReportFigure figure;
+    figure.number = static_cast<int>(figures.size()) + 1;
+    figure.id = "fig-" + std::to_string(figure.number);
+    figure.title = "Figure of " + stage.name;
+    figure.caption = "Caption of " + stage.name;
+    figure.how_to_read = "Look at the slope.";
+    figure.alt = "Torque 3.88 N·m";
+    figure.stage = stage.name;
+    figures.push_back(figure);
+  }
+  return figures;
+}
+
+std::vector<render::DrawnFigure> sample_pictures(const std::vector<ReportFigure>& figures) {
+  std::vector<render::DrawnFigure> drawn;
+  for (const ReportFigure& figure : figures) {
+    const std::vector<std::byte> png{std::byte{0x89}, std::byte{'P'}, std::byte{'N'},
+                                     std::byte{'G'}, std::byte{0xff}};
+    drawn.push_back({figure.id, png, 1600, 1000, {}, ""});
+  }
+  return drawn;
+}
+
+Provenance sample_provenance() {
+  Provenance p;
+  p.tool_version = "0.1.0";
+  p.git_revision = "unknown";
+  p.compiler = "GCC 12.2.0";
+  p.eigen_version = "3.4.0";
+  p.created_utc = "2026-01-01T00:00:00Z";
+  p.command_line = "tribolog report manifest.toml -o report.html";
+  return p;
+}
+
+std::string report_of(const Calibration& calibration) {
+  const auto figures = sample_figures(calibration);
+  return html_report(calibration, figures, sample_pictures(figures), sample_provenance());
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+}  // namespace tribolog::test

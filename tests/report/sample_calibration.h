@@ -1,0 +1,38 @@
+#pragma once
+// A calibration with the numbers of the paper's joint, written by hand, and one of a sweep alone.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "provenance.h"
+
+#include "calibration.h"
+#include "figures/report_figure.h"
+#include "render/renderer.h"
+
+namespace tribolog::test {
+
+inline constexpr double sample_mass_kg = 79.1679;
+inline constexpr double sample_mass_half_width_kg = 0.088;
+
+/// Every stage done.
+Calibration complete_calibration();
+
+/// A log in amperes with a rough sweep only: half of the stages have nothing.
+Calibration sweep_only();
+
+/// One figure per stage name, in the stages' order: "fig-1" to "fig-8".
+std::vector<ReportFigure> sample_figures(const Calibration& calibration);
+
+/// A picture of a few bytes for each figure.
+std::vector<render::DrawnFigure> sample_pictures(const std::vector<ReportFigure>& figures);
+
+Provenance sample_provenance();
+
+/// The report of a calibration with all its figures.
+std::string report_of(const Calibration& calibration);
+
+std::size_t occurrences(const std::string& text, const std::string& part);
+
+}  // namespace tribolog::test

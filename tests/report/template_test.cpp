@@ -1,0 +1,102 @@
+// The templates themselves, and the guards around the engine.
+
+#include <regex>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "report/base64.h"
+#include "report/embedded_files.h"
+#include "report/template_engine.h"
+#include "report/template_modifiers.h"
+
+namespace tribolog::report {
+namespace {
+
+bool is_template(const EmbeddedFile& file) {
+  return file.name.size() > 4 && file.name.substr(file.name.size() - 4) == ".tpl";
+}
+
+TEST(Templates, EveryOneBeginsWithThePragma) {
+  std::size_t templates = 0;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (!is_template(file)) continue;
+    ++templates;
+    EXPECT_EQ(file.text.rfind("{{%AUTOESCAPE context=\"HTML\"}}\n", 0), 0U) << file.name;
+  }
+  EXPECT_GE(templates, 15U);
+}
+
+TEST(Templates, NoneSwitchesEscapingOffOrScriptsOrStylesInline) {
+  for (const EmbeddedFile& file : embedded_files()) {
+    const std::string text(file.text);
+    EXPECT_EQ(text.find(":none"), std::string::npos) << file.name;
+    if (!is_template(file)) continue;
+    EXPECT_FALSE(std::regex_search(text, std::regex(R"(\sstyle\s*=)"))) << file.name;
+    EXPECT_FALSE(std::regex_search(text, std::regex(R"(\son[a-z]+\s*=)"))) << file.name;
+  }
+}
+
+TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
+  std::string all;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (is_template(file)) all += file.text;
+  }
+  const std::regex modifier(R"(\{\{(\w+):([\w-]+)\}\})");
+  for (std::sregex_iterator at(all.begin(), all.end(), modifier), end; at != end; ++at) {
+    const std::string use = at->str();
+    EXPECT_TRUE(use == "{{PNG:x-png}}" || use == "{{RESULT_JSON:x-json}}" || use == "{{CSS:x-css}}")
+        << use;
+  }
+}
+
+TEST(Templates, AForgottenVariableIsAnError) {
+  TemplateValues values;
+  values.add_section("ITEM").set("STAGE_NAME", "stage");
+  EXPECT_THROW(expand_template("missing.tpl", values), std::logic_error);
+}
+
+TEST(Templates, AMissingFileIsAnError) {
+  EXPECT_THROW(expand_template("no_such.tpl", {}), std::logic_error);
+  EXPECT_THROW(embedded_file("no_such.css"), std::logic_error);
+}
+
+TEST(Templates, AnEmptyValueIsAnError) {
+  TemplateValues values;
+  EXPECT_THROW(values.set("TITLE", ""), std::logic_error);
+}
+
+TEST(Templates, ValuesAreEscapedInTextAndAttributes) {
+  TemplateValues values;
+  values.set("FIGURE_ID", "f\" onload=\"x");
+  values.set("FIGURE_HEADING", "<script>x</script>");
+  TemplateValues& picture = values.add_section("PICTURE");
+  picture.set_checked_by_modifier("PNG", "AA\"><script>");
+  picture.set("ALT", "\"><script>x</script>");
+  picture.set("WIDTH", "1");
+  picture.set("HEIGHT", "1");
+  picture.set("LOADING", "lazy");
+  const std::string html = expand_template("figure.tpl", values);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("f\" onload"), std::string::npos);
+  EXPECT_NE(html.find("src=\"data:image/png;base64,\""), std::string::npos);
+}
+
+TEST(Base64, KnownVectorsOfRfc4648) {
+  const auto of = [](const std::string& text) {
+    return base64(std::as_bytes(std::span(text.data(), text.size())));
+  };
+  EXPECT_EQ(of(""), "");
+  EXPECT_EQ(of("f"), "Zg==");
+  EXPECT_EQ(of("fo"), "Zm8=");
+  EXPECT_EQ(of("foo"), "Zm9v");
+  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64_of_hex("666F6f"), "Zm9v");
+}
+
+TEST(ScriptJson, NothingCanEndTheScript) {
+  EXPECT_EQ(json_for_script("\"</script>&\u2028\""), "\"\\u003c/script\\u003e\\u0026\\u2028\"");
+}
+
+}  // namespace
+}  // namespace tribolog::report
