@@ -1,6 +1,7 @@
 #pragma once
 // Figures to PNG bytes, without a display. The only public door of this folder besides figure.h.
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -33,6 +34,7 @@ struct DrawOptions {
   int processes{2};  ///< Worker processes; 1 draws in one worker. At least 1.
   /// Called in the caller's thread after each figure with (done, all).
   std::function<void(std::size_t, std::size_t)> progress;
+  std::chrono::milliseconds most_per_figure{60'000};  ///< A worker that takes longer is stopped.
 };
 
 /// Draws every figure, in the order given. A figure that cannot be drawn, that comes out blank, or

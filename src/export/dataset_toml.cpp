@@ -1,9 +1,9 @@
 #include "export/dataset_toml.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "export/shortest_number.h"
 

@@ -13,31 +13,28 @@ struct NamedStyle {
   SeriesStyle style;
 };
 
-// What is drawn first is wide and large, what comes on it narrow and small: candidates that agree
-// lie exactly on each other, and each must still show.
-constexpr double wide_px = 5.0;
 constexpr double usual_px = 2.5;
 
 // Single points: own marker. Pair means: all dash_dot_dot, in the colour of the pair's first point.
 const std::array<NamedStyle, styled_names.size()> styles{{
     {"A", "A", {colour::sky_blue, LineStyle::dash, Marker::triangle, usual_px, 11.0}},
-    {"B", "B", {colour::vermilion, LineStyle::solid, Marker::square, usual_px, 10.0}},
+    {"B", "B", {colour::vermilion, LineStyle::solid, Marker::square, usual_px, 9.0}},
     {"C", "C", {colour::green, LineStyle::dot, Marker::circle, usual_px, 9.0}},
     {"D", "D", {colour::purple, LineStyle::dot, Marker::diamond, usual_px, 11.0}},
     {"E", "E", {colour::orange, LineStyle::dash_dot, Marker::cross, usual_px, 10.0}},
     {"F", "F", {colour::blue, LineStyle::dash_dot, Marker::plus, usual_px, 10.0}},
     {"AB",
      "mean of A and B",
-     {colour::sky_blue, LineStyle::dash_dot_dot, Marker::diamond, usual_px, 14.0}},
+     {colour::sky_blue, LineStyle::dash_dot_dot, Marker::diamond, usual_px, 12.0}},
     {"CD",
      "mean of C and D",
-     {colour::green, LineStyle::dash_dot_dot, Marker::square, usual_px, 8.0}},
+     {colour::green, LineStyle::dash_dot_dot, Marker::square, usual_px, 10.0}},
     {"EF",
      "mean of E and F",
-     {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 7.0}},
-    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 3.5, 18.0}},
-    {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 22.0}},
-    {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, wide_px, 9.0}},
+     {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 11.0}},
+    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 4.5, 18.0}},
+    {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}},
+    {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, 2.0, 6.0}},
 }};
 
 const NamedStyle* find(const std::string& name) {

@@ -11,7 +11,8 @@
 namespace tribolog::figures {
 namespace {
 
-constexpr int line_points = 60;  // a straight law is bent on a logarithmic axis
+constexpr double marker_share = 0.012;  // half a marker, of the axis: shorter bars hide in it
+constexpr int line_points = 60;         // a straight law is bent on a logarithmic axis
 
 /// A curve folded: size over size of speed, one direction.
 render::Series folded(const ViscousCurvesResult& viscous, const std::vector<double>& friction_Nm,
@@ -28,6 +29,12 @@ render::Series folded(const ViscousCurvesResult& viscous, const std::vector<doub
   return line("", std::move(x), std::move(y), {});
 }
 
+/// The two directions, strong for the recommended candidate.
+render::Colour colour_of(bool forward, bool recommended) {
+  if (recommended) return forward ? rising_colour : falling_colour;
+  return forward ? render::palette::sky_blue : render::palette::orange;
+}
+
 }  // namespace
 
 void add_folded_curve(render::Panel& panel, const Calibration& calibration,
@@ -35,26 +42,33 @@ void add_folded_curve(render::Panel& panel, const Calibration& calibration,
   const ViscousCurve* curve = calibration.viscous.find(estimator);
   if (curve == nullptr) return;
   const std::string who = candidate_words(calibration, estimator);
-  const SeriesStyle style = estimator_style(estimator);
   for (const bool forward : {true, false}) {
     render::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
     series.label = who + (forward ? ", forward" : ", backward");
-    series.colour = style.colour;
+    series.colour = colour_of(forward, recommended);
     series.style = render::LineStyle::none;
-    series.marker = recommended ? (forward ? render::Marker::circle : render::Marker::diamond)
-                                : (forward ? render::Marker::plus : render::Marker::cross);
-    series.marker_size_px = recommended ? 13.0 : 12.0;
+    // Small on large: where the directions agree, both are seen.
+    if (recommended) {
+      series.marker = forward ? render::Marker::circle : render::Marker::diamond;
+      series.marker_size_px = forward ? 20.0 : 12.0;
+    } else {
+      series.marker = forward ? render::Marker::plus : render::Marker::cross;
+      series.marker_size_px = 12.0;
+    }
     add_visible(panel, std::move(series));
   }
   if (!recommended) return;
+  Extent sizes;
+  for (const double friction : curve->friction_Nm) sizes.add(std::abs(friction));
+  const double span = sizes.span();
   for (std::size_t i = 0; i < std::min(calibration.viscous.runs.size(), curve->friction_Nm.size());
        ++i) {
     const ConstantSpeedRun& run = calibration.viscous.runs[i];
     const double size = curve->friction_Nm[i] * (run.speed_rad_s > 0.0 ? 1.0 : -1.0);
     const double half = run.torque_half_width_Nm;
-    if (!std::isfinite(size) || !(half > 0.0) || !std::isfinite(half)) continue;
-    panel.error_bars.push_back(
-        {std::abs(run.speed_rad_s), scale(size - half), scale(size + half), style.colour});
+    if (!std::isfinite(size) || !(half > marker_share * span) || !std::isfinite(half)) continue;
+    panel.error_bars.push_back({std::abs(run.speed_rad_s), scale(size - half), scale(size + half),
+                                colour_of(run.speed_rad_s > 0.0, true)});
   }
 }
 
@@ -76,7 +90,7 @@ void add_folded_reference(render::Panel& panel, const Calibration& calibration,
   if (calibration.viscous.from_sweep) {
     series.style = render::LineStyle::none;
     series.marker = render::Marker::plus;
-    series.marker_size_px = 14.0;
+    series.marker_size_px = 10.0;
   }
   series.label = reference_label(calibration);
   add_visible(panel, std::move(series));
@@ -94,7 +108,7 @@ void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& frict
       y.push_back(scale(friction.fit_Nm[i]));
     }
     add_visible(panel, line("Waiboer's law, fitted", std::move(x), std::move(y),
-                            render::palette::orange, 3.0, render::LineStyle::dash));
+                            render::palette::purple, 3.0, render::LineStyle::dash));
   }
   if (!friction.coulomb_viscous) return;
   const CoulombViscousFit& law = *friction.coulomb_viscous;

@@ -11,7 +11,7 @@
 namespace tribolog::figures {
 
 /// Both directions of an estimator's curve as markers; the recommended one with the 95 % bars of
-/// its runs. Nothing if there is no such curve.
+/// its runs that are longer than a marker. Nothing if there is no such curve.
 void add_folded_curve(render::Panel& panel, const Calibration& calibration,
                       const std::string& estimator, const AxisScale& scale, bool recommended);
 

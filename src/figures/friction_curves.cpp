@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "figures/close_up.h"
 #include "figures/number_text.h"
 #include "figures/run_curves.h"
+#include "figures/shaft.h"
 
 namespace tribolog::figures {
 namespace {
@@ -23,17 +25,19 @@ AxisScale friction_scale(const Calibration& calibration) {
 render::Panel all_candidates(const Calibration& calibration, const AxisScale& scale,
                              bool with_reference) {
   render::Panel panel;
-  panel.x.title = "motor speed φ\u0307 [rad/s]";
+  panel.x.title = speed_quantity(calibration.manifest) + " [rad/s]";
   panel.y.title = axis_title("friction T_{f}", scale);
-  if (with_reference) add_reference(panel, calibration, scale);
   std::vector<NamedValues> curves;
+  Extent friction;
   for (const ViscousCurve& curve : calibration.viscous.curves) {
     curves.push_back({curve.estimator, curve.friction_Nm});
+    friction.add(curve.friction_Nm);
   }
-  for (const NamedValues& curve : in_drawing_order(std::move(curves))) {
-    add_run_curve(panel, calibration.viscous, curve.estimator,
-                  candidate_words(calibration, curve.estimator), curve.values, scale);
+  for (const NamedValues& curve : in_drawing_order(std::move(curves), friction.span())) {
+    add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
+                  curve.values, scale);
   }
+  if (with_reference) add_reference(panel, calibration, scale);
   return panel;
 }
 
@@ -63,7 +67,7 @@ std::vector<NamedValues> differences(const Calibration& calibration) {
     }
     all.push_back(std::move(difference));
   }
-  return in_drawing_order(std::move(all));
+  return all;
 }
 
 }  // namespace
@@ -74,7 +78,7 @@ std::optional<ReportFigure> friction_curves_figure(const Calibration& calibratio
   ReportFigure out;
   out.number = 18;
   out.id = "fig-18-friction-curves";
-  out.title = "Friction against motor speed, all candidates";
+  out.title = "Friction against speed, all candidates";
   out.stage = "viscous_curves";
   const AxisScale scale = friction_scale(calibration);
   out.figure.panels.push_back(all_candidates(calibration, scale, false));
@@ -94,8 +98,9 @@ std::optional<ReportFigure> friction_curves_figure(const Calibration& calibratio
       "wrong "
       "mass shifts its curve up or down as a whole, so that friction is larger in one direction "
       "than in the other, or even drives the joint.";
-  out.alt = fmt::format("Friction torque against signed motor speed for {}, over {}.",
-                        counted(viscous.curves.size(), "candidate"), runs);
+  out.alt =
+      fmt::format("Friction torque against signed {} speed for {}, over {}.",
+                  shaft(calibration.manifest), counted(viscous.curves.size(), "candidate"), runs);
   return out;
 }
 
@@ -106,7 +111,7 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   ReportFigure out;
   out.number = 19;
   out.id = "fig-19-friction-against-reference";
-  out.title = "Friction against motor speed, with the reference";
+  out.title = "Friction against speed, with the reference";
   out.stage = "quality_errors";
   const AxisScale scale = friction_scale(calibration);
   render::Panel curves = all_candidates(calibration, scale, true);
@@ -114,9 +119,9 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   const auto difference = differences(calibration);
   const CloseUp close = close_up(difference, calibration.selection);
   render::Panel below = close_up_panel(calibration, difference, close, "T_{f} − reference", "N·m");
+  share_legend(curves, below);
   out.figure.panels.push_back(std::move(curves));
   if (!below.series.empty()) {
-    below.show_legend = false;
     out.figure.panels.push_back(std::move(below));
     out.figure.panels_share_x = true;
     out.figure.height_px = 1400;
@@ -129,17 +134,17 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   const std::string reference = reference_words(calibration.quality.reference);
   const std::string away =
       chosen.empty ? std::string()
-                   : fmt::format(" The recommended candidate, {}, stays within {} of it.",
+                   : fmt::format(" The largest difference of the recommended candidate, {}, is {}.",
                                  candidate_words(calibration, calibration.selection.recommended),
-                                 with_unit(chosen.largest(), prefixed("N·m", chosen.largest()), 2));
+                                 size_words(chosen.largest(), torque_floor_Nm, "N·m"));
   out.caption =
       fmt::format("The candidates of figure 18 against the reference ({}).{}", reference, away);
   out.how_to_read =
-      "Above, the reference is the black line. Below, the distance to it: a wrong mass gives "
-      "a level line off zero; a line that bends with speed would be an error of the friction "
-      "measurement itself, which no choice of mass repairs.";
-  out.alt = fmt::format("Candidate friction curves and the reference ({}) against motor speed.{}",
-                        reference, away);
+      "Above, the reference is in black; AB, CD and EF are the means of opposite points. Below, "
+      "the distance to it: a wrong mass gives a level line off zero; a line that bends with speed "
+      "would be an error of the friction measurement itself, which no choice of mass repairs.";
+  out.alt = fmt::format("Candidate friction curves and the reference ({}) against {} speed.{}",
+                        reference, shaft(calibration.manifest), away);
   return out;
 }
 

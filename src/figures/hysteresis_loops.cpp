@@ -1,7 +1,6 @@
 #include "figures/hysteresis_loops.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -28,7 +27,6 @@ std::string points_words(const Calibration& calibration, LoopSignal signal,
   std::vector<std::string> words;
   for (const LoopPoint& point : calibration.hysteresis.points) {
     const double value = reading(point, signal);
-
     words.push_back(fmt::format("{} {}", point.name, to_place(scale(value), largest, 4)));
   }
   return words.empty() ? std::string() : listed(words) + " " + scale.unit;
@@ -38,6 +36,14 @@ std::string bristle_words(const LoopView& view) {
   return view.modelled ? " The bristle is not measured: it is that of the LuGre model fitted to "
                          "the torque."
                        : "";
+}
+
+/// What the reader must know of where the curves come from.
+std::string origin_words(const Calibration& calibration, const LoopView& view) {
+  const std::size_t loops = calibration.hysteresis.traces.size();
+  const std::string which =
+      loops > 1 ? fmt::format(" The first of {} oscillations is shown.", loops) : std::string();
+  return which + bristle_words(view);
 }
 
 }  // namespace
@@ -72,7 +78,7 @@ std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
   const std::string points = points_words(calibration, LoopSignal::torque, torque.scale);
   out.caption = fmt::format("Loop of {} height; the mid-line of the steady loop averages {}.{}{}",
                             height, midline, points.empty() ? "" : " Readings: " + points + ".",
-                            bristle_words(*view));
+                            origin_words(calibration, *view));
   out.how_to_read =
       "From rest at A the torque climbs into the loop; every later cycle should lie on the one "
       "before. Gravity is the mid-line: a loop that drifts, or that is a bare ellipse without flat "
@@ -102,10 +108,10 @@ std::optional<ReportFigure> bristle_figure(const Calibration& calibration, LoopS
   ReportFigure out = two_panels(calibration, *view, bristle);
   const std::string points = points_words(calibration, signal, bristle.scale);
   const std::string most = with_unit(largest, bristle.scale, 4);
-  out.caption =
-      fmt::format("{} of the bristles, up to {} at the motor.{}{}",
-                  rate ? "Rate of deflection" : "Mean deflection", most,
-                  points.empty() ? "" : " At the points: " + points + ".", bristle_words(*view));
+  out.caption = fmt::format("{} of the bristles, up to {} at the motor.{}{}",
+                            rate ? "Rate of deflection" : "Mean deflection", most,
+                            points.empty() ? "" : " At the points: " + points + ".",
+                            origin_words(calibration, *view));
   out.alt = fmt::format("{} over joint angle and over time, up to {}{}.",
                         rate ? "Bristle rate" : "Bristle deflection", most,
                         points.empty() ? "" : "; points " + points);

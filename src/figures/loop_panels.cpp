@@ -41,7 +41,8 @@ render::Panel over_time(const Calibration& calibration, const LoopView& view,
                 line("", shown(view.until(view.shown_end_s, view.trace->t_s), time),
                      shown(view.until(view.shown_end_s, signal), curves.scale), colour, width));
   };
-  if (curves.all != nullptr) add(*curves.all, cloud, cloud_px);
+  // Over time the strokes hide what they were taken from.
+  if (curves.all != nullptr && curves.all != curves.strokes) add(*curves.all, cloud, cloud_px);
   add(*curves.strokes, render::palette::blue, strokes_px);
   add_loop_points(panel, calibration.hysteresis.points, curves.signal, true, view, curves.scale);
   return panel;

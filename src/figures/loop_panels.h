@@ -13,7 +13,7 @@ namespace tribolog::figures {
 /// Colour of all samples behind the first strokes.
 inline constexpr render::Colour cloud{190, 190, 190};
 /// Wider than the strokes: where every cycle is the same, it stays visible on both sides of them.
-inline constexpr double cloud_px = 6.0;
+inline constexpr double cloud_px = 8.0;
 inline constexpr double strokes_px = 3.0;
 
 /// A signal of the loop and how it is shown.

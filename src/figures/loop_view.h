@@ -2,7 +2,6 @@
 // One oscillation cut for display: first strokes, the cycles shown over time, and its axes.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "calibration.h"

@@ -9,6 +9,7 @@ namespace tribolog::figures {
 namespace {
 
 constexpr double lopsided = 0.2;  // of the half width: more is shown as two ends
+constexpr double exact = 1e-6;
 
 std::string with_minus(std::string text) {
   const std::size_t first = text.find('-');
@@ -34,6 +35,12 @@ bool printable_in_full(double value) {
   return value == 0.0 || (std::abs(value) < 1e9 && std::abs(value) >= 1e-9);
 }
 
+/// Whether an interval says how the value is to be rounded. One of a millionth is a computer's.
+bool worth_showing(double half, double value) {
+  return half > exact * std::abs(value) && printable_in_full(half) && half != 0.0 &&
+         printable_in_full(value);
+}
+
 std::string joined(const std::string& number, const std::string& unit) {
   if (unit.empty() || unit == "°") return number + unit;
   return number + " " + unit;
@@ -57,16 +64,21 @@ std::string with_unit(double si_value, const AxisScale& scale, int digits) {
   return joined(significant(scale(si_value), digits), scale.unit);
 }
 
+std::string size_words(double si_size, double floor, const std::string& si_unit) {
+  const auto scale_of = [&](double size) {
+    return si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, size);
+  };
+  if (std::abs(si_size) < floor) return "below " + with_unit(floor, scale_of(floor), 1);
+  return with_unit(si_size, scale_of(si_size), 2);
+}
+
 std::string with_interval(const Estimate& estimate, const AxisScale& scale) {
   const double value = scale(estimate.value);
   const double below = value - scale(estimate.low);
   const double above = scale(estimate.high) - value;
   const double half = (below + above) / 2;
   if (!std::isfinite(value)) return "unknown";
-  if (!(half > 0.0) || !std::isfinite(half) || !printable_in_full(value) || half >= 1e9 ||
-      half < 1e-9) {
-    return joined(significant(value, 5), scale.unit);
-  }
+  if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
   const int decimals = decimals_for(half, 2);
   const std::string number = joined(fixed(value, decimals), scale.unit);
   if (std::abs(above - below) > lopsided * half) {
@@ -80,9 +92,7 @@ std::string with_interval(const Estimate& estimate, const AxisScale& scale) {
 std::string rounded(const Estimate& estimate, const AxisScale& scale) {
   const double value = scale(estimate.value);
   const double half = std::abs(estimate.half_width() * scale.factor);
-  if (!(half > 0.0) || !std::isfinite(half) || !std::isfinite(value) || !printable_in_full(value)) {
-    return joined(significant(value, 5), scale.unit);
-  }
+  if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
   return joined(fixed(value, decimals_for(half, 1)), scale.unit);
 }
 

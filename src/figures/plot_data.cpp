@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "figures/axis_scale.h"
@@ -32,22 +31,6 @@ Extent extent_of(const std::vector<double>& values) {
 std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale) {
   std::vector<double> out(si_values.size());
   std::transform(si_values.begin(), si_values.end(), out.begin(), scale);
-  return out;
-}
-
-std::vector<double> selected(const std::vector<double>& values,
-                             const std::function<bool(std::size_t)>& chosen) {
-  std::vector<double> out;
-  bool gap = false;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!chosen(i)) {
-      gap = !out.empty();
-      continue;
-    }
-    if (gap) out.push_back(std::numeric_limits<double>::quiet_NaN());
-    gap = false;
-    out.push_back(values[i]);
-  }
   return out;
 }
 
@@ -84,6 +67,13 @@ void add_visible(render::Panel& panel, render::PointLabel label) {
   if (std::isfinite(label.x) && std::isfinite(label.y)) {
     panel.point_labels.push_back(std::move(label));
   }
+}
+
+render::Colour lightened(render::Colour colour, double share_of_white) {
+  const auto mixed = [&](std::uint8_t part) {
+    return static_cast<std::uint8_t>(std::lround(part + (255 - part) * share_of_white));
+  };
+  return {mixed(colour.red), mixed(colour.green), mixed(colour.blue), colour.alpha};
 }
 
 render::Colour faded(render::Colour colour, int alpha) {

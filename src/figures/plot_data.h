@@ -2,8 +2,6 @@
 // Numbers of a recording or a result made ready for a panel: scaled, selected, never altered.
 
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +28,6 @@ struct AxisScale;
 /// All values as the axis shows them.
 std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale);
 
-/// The elements for which `chosen(index)` holds; one gap (not a number) marks each place where
-/// others were left out, so that a line breaks there.
-std::vector<double> selected(const std::vector<double>& values,
-                             const std::function<bool(std::size_t)>& chosen);
-
 /// A line with the shorter of the two lengths.
 render::Series line(const std::string& label, std::vector<double> x, std::vector<double> y,
                     render::Colour colour, double width_px = 2.5,
@@ -46,6 +39,9 @@ bool add_visible(render::Panel& panel, render::Series series);
 
 /// Adds the labelled point if it can be drawn.
 void add_visible(render::Panel& panel, render::PointLabel label);
+
+/// The colour mixed with white. Opaque: where a pale line crosses itself it grows no darker.
+render::Colour lightened(render::Colour colour, double share_of_white);
 
 /// The same colour, `alpha` of 255 opaque.
 render::Colour faded(render::Colour colour, int alpha);

@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "figures/close_up.h"
 #include "figures/estimator_style.h"
 #include "figures/number_text.h"
 #include "figures/run_curves.h"
+#include "figures/shaft.h"
 
 namespace tribolog::figures {
 namespace {
@@ -17,7 +19,7 @@ std::string rms_words(const QualityErrorsResult& quality, const std::string& est
   const QualityError* error = quality.find(estimator);
   if (error == nullptr) return {};
   return fmt::format("{} {}", estimator_words(estimator),
-                     with_unit(error->rms_percent, AxisScale{1.0, "%"}, 2));
+                     size_words(error->rms_percent, percent_floor, "%"));
 }
 
 }  // namespace
@@ -29,7 +31,6 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
   for (const QualityError& error : quality.errors) {
     errors.push_back({error.estimator, error.percent});
   }
-  errors = in_drawing_order(std::move(errors));
 
   ReportFigure out;
   out.number = 20;
@@ -43,7 +44,7 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
   const CloseUp close = close_up(errors, calibration.selection);
   if (close.limit > 0.0) {
     render::Panel near = close_up_panel(calibration, errors, close, symbol, "%");
-    near.show_legend = false;
+    share_legend(out.figure.panels.front(), near);
     out.figure.panels.push_back(std::move(near));
     out.figure.panels_share_x = true;
     out.figure.height_px = 1400;
@@ -68,8 +69,8 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
       "The closer to zero over all speeds the better the mass. A wrong mass gives a level line in "
       "each direction, a step apart because the driving torque differs; scatter of the same size "
       "as the distance between two candidates means that the runs cannot choose between them.";
-  out.alt = fmt::format("Error of {} in percent of the driving torque against motor speed.{}",
-                        counted(errors.size(), "candidate"), chosen);
+  out.alt = fmt::format("Error of {} in percent of the driving torque against {} speed.{}",
+                        counted(errors.size(), "candidate"), shaft(calibration.manifest), chosen);
   return out;
 }
 

@@ -8,14 +8,12 @@
 
 #include "figures/estimator_style.h"
 #include "figures/number_text.h"
+#include "figures/shaft.h"
 
 namespace tribolog::figures {
 namespace {
 
-constexpr double room = 2.0;        // of the chosen curves' largest value: neighbours come in
-constexpr double worthwhile = 2.0;  // times larger must the whole be for a close-up
 constexpr int reference_points = 200;
-constexpr double bin_marker_px = 13.0;  // markers of a sweep: one candidate, nothing to lie under
 
 std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
   std::vector<double> speeds;
@@ -25,10 +23,6 @@ std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
 
 /// The two sides of zero speed, as predicates over runs.
 bool on_side(double speed, bool positive) { return positive ? speed > 0.0 : speed < 0.0; }
-
-bool within(const std::vector<double>& values, double limit) {
-  return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) <= limit; });
-}
 
 }  // namespace
 
@@ -50,7 +44,7 @@ void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
     apply(estimator_style(estimator), series);
     if (viscous.from_sweep) {
       series.style = render::LineStyle::none;
-      series.marker_size_px = bin_marker_px;
+
       if (series.marker == render::Marker::none) series.marker = render::Marker::circle;
     }
 
@@ -101,62 +95,7 @@ std::string candidate_words(const Calibration& calibration, const std::string& e
   const SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return estimator_words(estimator);
   return fmt::format("{} ({})", estimator_words(estimator),
-                     with_unit(mass->mass_kg.value, AxisScale{1.0, "kg"}, 4));
-}
-
-std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves) {
-  static const std::vector<std::string> first{"midline", "sweep", "AB", "CD", "EF"};
-  const auto rank = [](const NamedValues& curve) {
-    return std::find(first.begin(), first.end(), curve.estimator) - first.begin();
-  };
-  std::stable_sort(curves.begin(), curves.end(),
-                   [&](const auto& one, const auto& other) { return rank(one) < rank(other); });
-  return curves;
-}
-
-CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
-  Extent chosen;
-  Extent all;
-  for (const NamedValues& curve : curves) {
-    all.add(curve.values);
-    const bool matters =
-        curve.estimator == selection.paper_rule || curve.estimator == selection.recommended;
-    if (matters) chosen.add(curve.values);
-  }
-  CloseUp close;
-  const double limit = room * chosen.largest();
-  if (!(limit > 0.0) || all.largest() < worthwhile * limit) return close;
-  close.limit = limit;
-  for (const NamedValues& curve : curves) {
-    if (!within(curve.values, limit)) close.outside.push_back(estimator_words(curve.estimator));
-  }
-  return close;
-}
-
-render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
-                             const CloseUp& close, const std::string& quantity,
-                             const std::string& si_unit) {
-  Extent all;
-  for (const NamedValues& curve : curves) all.add(curve.values);
-  const double largest = close.limit > 0.0 ? close.limit : all.largest();
-  const AxisScale scale = si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, largest);
-  render::Panel panel;
-  panel.x.title = "motor speed φ\u0307 [rad/s]";
-  panel.y.title = axis_title(quantity, scale);
-  if (close.limit > 0.0) {
-    panel.y.minimum = -scale(close.limit);
-    panel.y.maximum = scale(close.limit);
-    panel.title = "Close-up";
-    if (!close.outside.empty()) panel.title += "; outside: " + listed(close.outside);
-  }
-  for (const NamedValues& curve : curves) {
-    if (close.limit > 0.0 && !within(curve.values, close.limit)) continue;
-    add_run_curve(panel, calibration.viscous, curve.estimator,
-                  candidate_words(calibration, curve.estimator), curve.values, scale);
-  }
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, 0.0, "",
-                                   render::palette::black, render::LineStyle::solid});
-  return panel;
+                     rounded(mass->mass_kg, AxisScale{1.0, "kg"}));
 }
 
 }  // namespace tribolog::figures

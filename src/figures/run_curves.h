@@ -29,25 +29,4 @@ std::string reference_label(const Calibration& calibration);
 /// "A (80.00 kg)"
 std::string candidate_words(const Calibration& calibration, const std::string& estimator);
 
-/// A value per run and curve, and the band in which the ones that matter are told apart.
-struct CloseUp {
-  double limit{};                    ///< The panel shows -limit to +limit, SI.
-  std::vector<std::string> outside;  ///< Curves with no value in the band.
-};
-struct NamedValues {
-  std::string estimator;
-  std::vector<double> values;
-};
-/// What coincides most first and largest, single points last, so that each stays visible.
-std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves);
-
-/// The band holds the paper's choice and the recommended estimator with room for their neighbours.
-/// `limit` is 0 if a close-up would show nothing new.
-CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection);
-
-/// A panel of the curves within the close-up (all of them if its limit is 0), with a zero line.
-render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
-                             const CloseUp& close, const std::string& quantity,
-                             const std::string& si_unit);
-
 }  // namespace tribolog::figures

@@ -1,35 +1,35 @@
 #include "figures/selected_curve.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "figures/folded_curves.h"
 #include "figures/number_text.h"
 #include "figures/run_curves.h"
+#include "figures/shaft.h"
 
 namespace tribolog::figures {
 namespace {
 
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 
-std::string fit_words(const FrictionParametersResult& friction) {
+std::string fit_words(const Calibration& calibration) {
+  const FrictionParametersResult& friction = calibration.friction;
   std::string text;
   if (friction.coulomb_viscous) {
     const CoulombViscousFit& law = *friction.coulomb_viscous;
     text += fmt::format(
-        " Coulomb friction {}, viscous {} at the motor.",
+        " Coulomb friction {}, viscous {} at the {}.",
         with_interval(law.coulomb_Nm, prefixed("N·m", law.coulomb_Nm.value)),
-        with_interval(law.viscous_Nms_rad, prefixed("N·m·s/rad", law.viscous_Nms_rad.value)));
+        with_interval(law.viscous_Nms_rad, prefixed("N·m·s/rad", law.viscous_Nms_rad.value)),
+        shaft(calibration.manifest));
   }
   if (friction.waiboer && friction.waiboer->converged) {
-    text += fmt::format(" Waiboer's law leaves {} of scatter.",
-                        with_unit(friction.waiboer->residual_Nm,
-                                  prefixed("N·m", friction.waiboer->residual_Nm), 2));
+    text += fmt::format(" The scatter about Waiboer's law is {}.",
+                        size_words(friction.waiboer->residual_Nm, torque_floor_Nm, "N·m"));
   }
   return text;
 }
@@ -56,19 +56,22 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
   out.stage = "friction_parameters";
   const AxisScale scale = prefixed("N·m", friction.largest());
   render::Panel panel;
-  panel.x.title = "size of motor speed |φ\u0307| [rad/s]";
+  panel.x.title = "size of " + speed_quantity(calibration.manifest) + " [rad/s]";
   panel.y.title = axis_title("friction along the motion T_{f}", scale);
   if (!calibration.viscous.from_sweep && speeds.high > wide_range * speeds.low) {
     panel.x.logarithmic = true;
     panel.x.minimum = 0.8 * speeds.low;
     panel.x.maximum = 1.25 * speeds.high;
   }
-  add_folded_reference(panel, calibration, speeds, scale);
+  const bool bins = calibration.viscous.from_sweep;
+  // Lines lie under the markers; where everything is a marker, small ones lie on large ones.
+  if (!bins) add_folded_reference(panel, calibration, speeds, scale);
   add_fitted_laws(panel, calibration.friction, scale);
+  add_folded_curve(panel, calibration, selection.recommended, scale, true);
   if (selection.paper_rule != selection.recommended) {
     add_folded_curve(panel, calibration, selection.paper_rule, scale, false);
   }
-  add_folded_curve(panel, calibration, selection.recommended, scale, true);
+  if (bins) add_folded_reference(panel, calibration, speeds, scale);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
 
@@ -81,7 +84,7 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
           ? std::string("no estimator is recommended")
           : "recommended: " + candidate_words(calibration, selection.recommended);
   out.caption = fmt::format("Friction with gravity removed; {}.{}{}", recommended, paper,
-                            fit_words(calibration.friction));
+                            fit_words(calibration));
   out.how_to_read =
       calibration.viscous.from_sweep
           ? "Each marker is the friction at one angle of the sweep, at the speed that the joint "
@@ -90,13 +93,14 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
             "same speed mean that friction also depends on load or angle, and then no law of "
             "speed alone fits."
           : "Forward and backward runs are folded onto each other. With the right mass they "
-            "coincide within their bars and lie on the reference; a constant gap between them is "
+            "coincide within their bars (drawn where longer than a marker) and lie on the "
+            "reference; a constant gap between them is "
             "twice the error in gravity torque. The fitted laws should pass through the points "
             "without a pattern.";
   out.alt =
-      fmt::format("Friction torque against motor speed from {} to {}; {}.{}{}",
+      fmt::format("Friction torque against speed from {} to {}; {}.{}{}",
                   significant(speeds.low, 3), with_unit(speeds.high, AxisScale{1.0, "rad/s"}, 3),
-                  recommended, paper, fit_words(calibration.friction));
+                  recommended, paper, fit_words(calibration));
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "figures/axis_scale.h"
 #include "figures/estimator_style.h"
 #include "figures/number_text.h"
+#include "figures/shaft.h"
 #include "figures/sweep_traces.h"
 
 namespace tribolog::figures {
@@ -20,18 +21,29 @@ render::Panel signal_panel(const std::vector<SweepTrace>& sweeps, Signal signal,
   panel.x.title = "time t [s]";
   panel.y.title = axis_title(quantity, scale);
   panel.show_legend = legend;
+  bool labelled = false;
+  const auto add = [&](const std::vector<double>& t, const std::vector<double>& y,
+                       const std::string& label, render::Colour colour, double width_px) {
+    const bool name_it = legend && !labelled;
+    labelled =
+        add_visible(panel, line(name_it ? label : "", t, shown(y, scale), colour, width_px)) ||
+        labelled;
+  };
   // The grey line runs through all samples, so that nothing seems missing between strokes.
   if (count(sweeps, Stroke::left_out) > 0) {
-    add_visible(panel, line(legend ? "left out: rest, acceleration, reversal" : "",
-                            signal_of(sweeps, &SweepTrace::t_s),
-                            shown(signal_of(sweeps, signal), scale), render::palette::grey, 2.0));
+    for (const SweepTrace& sweep : sweeps) {
+      add(sweep.t_s, sweep.*signal, "left out: rest, acceleration, reversal", render::palette::grey,
+          2.0);
+    }
   }
-  const auto add = [&](Stroke stroke, const std::string& label, render::Colour colour) {
-    add_visible(panel, line(legend ? label : "", signal_of(sweeps, stroke, &SweepTrace::t_s),
-                            shown(signal_of(sweeps, stroke, signal), scale), colour, 3.0));
+  const auto add_used = [&](Stroke stroke, const std::string& label, render::Colour colour) {
+    labelled = false;
+    for (const Stretch& stretch : stretches_of(sweeps, stroke, &SweepTrace::t_s, signal)) {
+      add(stretch.x, stretch.y, label, colour, 3.0);
+    }
   };
-  add(Stroke::rising, "used, q rising", rising_colour);
-  add(Stroke::falling, "used, q falling", falling_colour);
+  add_used(Stroke::rising, "used, q rising", rising_colour);
+  add_used(Stroke::falling, "used, q falling", falling_colour);
   return panel;
 }
 
@@ -58,29 +70,33 @@ std::optional<ReportFigure> sweep_motion_figure(const Dataset& dataset,
   const AxisScale torque = levelled("N·m", torques);
   out.figure.panels = {
       signal_panel(sweeps, &SweepTrace::q_rad, "joint angle q", degrees(), true),
-      signal_panel(sweeps, &SweepTrace::motor_speed_rad_s, "motor speed φ\u0307", speed, false),
+      signal_panel(sweeps, &SweepTrace::motor_speed_rad_s, speed_quantity(dataset.manifest), speed,
+                   false),
       signal_panel(sweeps, &SweepTrace::torque_Nm, "driving torque T", torque, false)};
   out.figure.panels_share_x = true;
   out.figure.height_px = 1300;
 
   const std::string range =
       with_unit(angles.low, degrees(), 3) + " to " + with_unit(angles.high, degrees(), 3);
+  const std::string fastest =
+      with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3);
   const std::size_t rising = count(sweeps, Stroke::rising);
   const std::size_t falling = count(sweeps, Stroke::falling);
   out.caption = fmt::format(
-      "The rough sweep from {} with the motor at up to {}. {} of {} samples were used ({} with the "
-      "angle rising, {} falling); at the others the joint rests, accelerates or reverses.",
-      range, with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3),
-      rising + falling, rising + falling + count(sweeps, Stroke::left_out), rising, falling);
+      "The rough sweep from {} with the {} at up to {}. {} of {} samples were used ({} with the "
+      "angle rising, {} falling); at the others the joint rests, accelerates or reverses.{}",
+      range, shaft(dataset.manifest), fastest, rising + falling,
+      rising + falling + count(sweeps, Stroke::left_out), rising, falling,
+      sweeps.size() > 1 ? fmt::format(" {} recordings, one after the other.", sweeps.size()) : "");
   out.how_to_read =
       "Used samples should cover the whole stroke in both directions, and torque should bend over "
       "the stroke as a piece of a cosine, with a step where the direction changes. Spikes, drift "
       "between equal strokes, or a torque that follows the speed instead of the angle mean that "
       "something other than gravity and friction was measured.";
   out.alt = fmt::format(
-      "Three panels over time: joint angle from {}, motor speed up to {} and driving torque from "
+      "Three panels over time: joint angle from {}, {} speed up to {} and driving torque from "
       "{} to {}.",
-      range, with_unit(largest_in(sweeps, &SweepTrace::motor_speed_rad_s), speed, 3),
+      range, shaft(dataset.manifest), fastest,
       with_unit(torques.low, prefixed("N·m", torques.largest()), 3),
       with_unit(torques.high, prefixed("N·m", torques.largest()), 3));
   return out;

@@ -12,13 +12,14 @@
 #include "figures/estimator_style.h"
 #include "figures/number_text.h"
 #include "figures/peak_marks.h"
+#include "figures/shaft.h"
 #include "figures/sweep_traces.h"
 
 namespace tribolog::figures {
 namespace {
 
-constexpr double samples_px = 5.0;  // wider than the fit, to be seen beside it in a clean log
-constexpr int pale = 90;            // alpha of raw samples under a fit
+constexpr double dot_px = 7.0;  // wider than the fit, to be seen beside it in a clean log
+constexpr double paleness = 0.6;
 
 struct Direction {
   Stroke stroke;
@@ -43,13 +44,15 @@ Extent torques_of(const CogSweepResult& sweep, const std::vector<SweepTrace>& sa
 }
 
 void add_direction(render::Panel& panel, const CogSweepResult& sweep,
-                   const std::vector<SweepTrace>& samples, const Direction& direction,
+                   const std::vector<SweepTrace>& sweeps, const Direction& direction,
                    const AxisScale& torque) {
-  add_visible(panel,
-              line(direction.words,
-                   shown(signal_of(samples, direction.stroke, &SweepTrace::q_rad), degrees()),
-                   shown(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm), torque),
-                   faded(direction.colour, pale), samples_px));
+  render::Series samples = line(
+      direction.words, shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), degrees()),
+      shown(signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm), torque),
+      lightened(direction.colour, paleness), 1.0, render::LineStyle::none);
+  samples.marker = render::Marker::circle;
+  samples.marker_size_px = dot_px;
+  add_visible(panel, std::move(samples));
   if (direction.fit_Nm.size() != sweep.fit_q_rad.size()) return;
   add_visible(panel,
               line("fit, " + direction.words, shown(sweep.fit_q_rad, degrees()),
@@ -116,8 +119,9 @@ std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
   add_words(out, sweep, "Rough sweep",
-            fmt::format(", with a gravity torque of {} at the motor",
-                        with_interval(sweep.gravity_Nm, prefixed("N·m", sweep.gravity_Nm.value))));
+            fmt::format(", with a gravity torque of {} at the {}",
+                        with_interval(sweep.gravity_Nm, prefixed("N·m", sweep.gravity_Nm.value)),
+                        shaft(dataset.manifest)));
   out.how_to_read =
       "The two directions should be the same cosine, one friction torque above and below gravity, "
       "and the fit should run through the middle of the samples everywhere. A fit that leaves the "

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
-#include "figures/plot_data.h"
 #include "stages/plateaus.h"
 
 namespace tribolog::figures {
 namespace {
 
 constexpr std::size_t fewest_for_slope = 3;
+constexpr std::size_t most_stretches = 60;
 
 std::vector<double> joint_speed(const Recording& recording) {
   if (recording.size() >= fewest_for_slope) {
@@ -48,10 +49,17 @@ SweepTrace samples_of(const Recording& recording, const std::vector<bool>& used,
   return samples;
 }
 
-void append(std::vector<double>& all, const std::vector<double>& part) {
-  if (part.empty()) return;
-  if (!all.empty()) all.push_back(std::numeric_limits<double>::quiet_NaN());
-  all.insert(all.end(), part.begin(), part.end());
+std::vector<Stretch> joined(const std::vector<Stretch>& stretches) {
+  Stretch all;
+  for (const Stretch& stretch : stretches) {
+    if (!all.x.empty()) {
+      all.x.push_back(std::numeric_limits<double>::quiet_NaN());
+      all.y.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    all.x.insert(all.x.end(), stretch.x.begin(), stretch.x.end());
+    all.y.insert(all.y.end(), stretch.y.begin(), stretch.y.end());
+  }
+  return {all};
 }
 
 }  // namespace
@@ -81,15 +89,35 @@ std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke) {
 std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal signal) {
   std::vector<double> all;
   for (const SweepTrace& sweep : sweeps) {
-    append(all, selected(sweep.*signal, [&](std::size_t i) { return sweep.stroke[i] == stroke; }));
+    for (std::size_t i = 0; i < sweep.stroke.size(); ++i) {
+      if (sweep.stroke[i] == stroke) all.push_back((sweep.*signal)[i]);
+    }
   }
   return all;
 }
 
 std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Signal signal) {
   std::vector<double> all;
-  for (const SweepTrace& sweep : sweeps) append(all, sweep.*signal);
+  for (const SweepTrace& sweep : sweeps) {
+    all.insert(all.end(), (sweep.*signal).begin(), (sweep.*signal).end());
+  }
   return all;
+}
+
+std::vector<Stretch> stretches_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal x,
+                                  Signal y) {
+  std::vector<Stretch> stretches;
+  for (const SweepTrace& sweep : sweeps) {
+    bool within = false;
+    for (std::size_t i = 0; i < sweep.stroke.size(); ++i) {
+      const bool before = std::exchange(within, sweep.stroke[i] == stroke);
+      if (!within) continue;
+      if (!before) stretches.emplace_back();
+      stretches.back().x.push_back((sweep.*x)[i]);
+      stretches.back().y.push_back((sweep.*y)[i]);
+    }
+  }
+  return stretches.size() > most_stretches ? joined(stretches) : stretches;
 }
 
 }  // namespace tribolog::figures

@@ -30,11 +30,19 @@ std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke);
 /// A signal of SweepTrace, e.g. &SweepTrace::q_rad.
 using Signal = std::vector<double> SweepTrace::*;
 
-/// That signal of all samples with this stroke, with a gap (not a number) between strokes and
-/// between recordings. Two signals of the same sweeps and stroke have the same length.
+/// That signal of all samples with this stroke, or of all samples, in the order of time.
 std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal signal);
-
-/// That signal of all samples, with a gap between recordings.
 std::vector<double> signal_of(const std::vector<SweepTrace>& sweeps, Signal signal);
+
+/// Two signals over an uninterrupted stretch of samples; of equal length.
+struct Stretch {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+/// One stretch for each time the stroke is taken up. A mask that flickers gives very many: beyond a
+/// few dozen they come as one, with a gap (not a number) between them.
+std::vector<Stretch> stretches_of(const std::vector<SweepTrace>& sweeps, Stroke stroke, Signal x,
+                                  Signal y);
 
 }  // namespace tribolog::figures

@@ -1,10 +1,8 @@
 #include "figures/torque_choice.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,7 +15,7 @@ namespace tribolog::figures {
 namespace {
 
 constexpr double zoom = 1.7;           // of the farthest reading's distance from the mid-line
-constexpr double same_share = 0.05;    // of the close-up's reach: one reading, not two
+constexpr double same_share = 0.08;    // of the close-up's reach: one reading, not two
 constexpr double dimension_at = 0.22;  // of the loop's height, above its lowest torque
 
 /// Whether two readings of a point would lie on each other in the close-up.

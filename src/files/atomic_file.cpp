@@ -1,11 +1,11 @@
 #include "files/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include "error.h"
 #include "files/temporary_file.h"

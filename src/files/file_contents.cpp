@@ -1,11 +1,11 @@
 #include "files/file_contents.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include "error.h"
 #include "files/file_descriptor.h"

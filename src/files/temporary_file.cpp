@@ -1,13 +1,13 @@
 #include "files/temporary_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string_view>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 namespace tribolog {
 namespace {

@@ -26,7 +26,8 @@ constexpr Utf8Character first_utf8_character(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80) return {};
     code_point = (code_point << 6) | (byte(i) & 0x3fU);
   }
-  const bool is_overlong = (bytes == 3 && code_point < 0x800) || (bytes == 4 && code_point < 0x10000);
+  const bool is_overlong =
+      (bytes == 3 && code_point < 0x800) || (bytes == 4 && code_point < 0x10000);
   const bool is_surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
   if (is_overlong || is_surrogate || code_point > 0x10ffff) return {};
   return {code_point, bytes};

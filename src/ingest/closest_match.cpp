@@ -34,13 +34,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// 0: the same but for case; more than 2 plus a third of the word: not close.
+/// "q" in "q_rad" and "tau" in "measured_tau_3", but not "t" in "tau".
+bool stands_in(const std::string& part, const std::string& whole) {
+  constexpr std::size_t shortest_telling_part = 3;
+  if (part.empty() || part.size() >= whole.size()) return false;
+  if (part.size() >= shortest_telling_part) return whole.find(part) != std::string::npos;
+  const char next = whole[part.size()];
+  return whole.starts_with(part) && !(next >= 'a' && next <= 'z');
+}
+
+/// 0: the same but for case.
 double distance(const std::string& word, const std::string& candidate) {
-  const bool contains = !word.empty() && !candidate.empty() &&
-                        (candidate.find(word) != std::string::npos ||
-                         word.find(candidate) != std::string::npos);
-  const auto edits = static_cast<double>(edit_distance(word, candidate));
-  return contains ? std::min(edits, 1.5) : edits;
+  constexpr double of_a_part = 0.5;  // closer than one slip
+  if (stands_in(word, candidate) || stands_in(candidate, word)) return of_a_part;
+  return static_cast<double>(edit_distance(word, candidate));
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ std::size_t count_columns(std::string_view row, Delimiter delimiter) {
 
 struct Fit {
   Delimiter delimiter{};
-  std::size_t columns{};    ///< Of the header.
-  std::size_t rows_alike{}; ///< Sampled rows with as many; one trailing delimiter is forgiven.
+  std::size_t columns{};     ///< Of the header.
+  std::size_t rows_alike{};  ///< Sampled rows with as many; one trailing delimiter is forgiven.
 };
 
 Fit fit_of(Delimiter delimiter, const std::vector<std::string_view>& rows) {

@@ -15,8 +15,8 @@ enum class Delimiter : char { comma = ',', semicolon = ';', tab = '\t', spaces =
 std::string to_string(Delimiter delimiter);
 
 struct Field {
-  std::string text;     ///< Without quotes and without blanks around it.
-  std::size_t column{}; ///< Of its first byte in the line; counts from 1.
+  std::string text;      ///< Without quotes and without blanks around it.
+  std::size_t column{};  ///< Of its first byte in the line; counts from 1.
 };
 
 inline constexpr std::size_t longest_field_bytes = 64 * 1024;

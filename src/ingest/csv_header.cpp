@@ -1,9 +1,9 @@
 #include "ingest/csv_header.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
+
+#include <fmt/format.h>
 
 #include "files/utf8.h"
 #include "ingest/closest_match.h"
@@ -52,8 +52,9 @@ void check_header(const std::vector<Field>& header, const Location& line) {
             "", "", "rename one of them"});
   }
   if (all_numbers) {
-    refuse(line, 1, {"no column names: the first row holds numbers", "", "",
-                     "put a first line with the columns' names, without '#'"});
+    refuse(line, 1,
+           {"no column names: the first row holds numbers", "", "",
+            "put a first line with the columns' names, without '#'"});
   }
 }
 
@@ -80,8 +81,9 @@ std::size_t find_column(const std::vector<Field>& header, const std::string& nam
 std::vector<Field> join_units(std::vector<Field> header) {
   std::vector<Field> joined;
   for (Field& field : header) {
-    const bool is_unit = field.text.size() > 2 && ((field.text[0] == '[' && field.text.back() == ']') ||
-                                                   (field.text[0] == '(' && field.text.back() == ')'));
+    const bool is_unit =
+        field.text.size() > 2 && ((field.text[0] == '[' && field.text.back() == ']') ||
+                                  (field.text[0] == '(' && field.text.back() == ')'));
     if (is_unit && !joined.empty()) {
       joined.back().text += " " + field.text;
     } else {

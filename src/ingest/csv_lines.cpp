@@ -35,7 +35,8 @@ constexpr std::array formats = {
     BinaryFormat{"MATLAB 5.0 MAT"sv, "MATLAB"},
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& what, const std::string& hint) {
+[[noreturn]] void refuse(const std::string& file, const std::string& what,
+                         const std::string& hint) {
   throw InputError({file, 0, 0}, {what, "", "a text file of columns", hint});
 }
 

@@ -22,7 +22,7 @@ class RowCursor {
   bool next();
 
   [[nodiscard]] std::string_view row() const { return row_; }
-  [[nodiscard]] long line() const { return line_; }       ///< Of the row; counts from 1.
+  [[nodiscard]] long line() const { return line_; }  ///< Of the row; counts from 1.
   [[nodiscard]] bool has_line_end() const { return has_line_end_; }
   [[nodiscard]] std::size_t bytes_walked() const { return bytes_ - rest_.size(); }
   [[nodiscard]] bool is_last() const { return rest_.empty(); }

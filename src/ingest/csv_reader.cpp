@@ -10,7 +10,8 @@
 namespace tribolog {
 namespace {
 
-RowLayout read_header(RowCursor& cursor, const std::vector<WantedColumn>& columns, CsvTable& table) {
+RowLayout read_header(RowCursor& cursor, const std::vector<WantedColumn>& columns,
+                      CsvTable& table) {
   const Location line{table.file, cursor.line(), 0};
   RowLayout layout;
   layout.header_row = cursor.row();
@@ -41,9 +42,9 @@ std::size_t likely_rows(std::string_view text, std::size_t bytes_walked) {
 }  // namespace
 
 long CsvTable::line_of(std::size_t row) const {
-  const auto after = std::upper_bound(
-      line_breaks.begin(), line_breaks.end(), row,
-      [](std::size_t wanted, const auto& entry) { return wanted < entry.first; });
+  const auto after =
+      std::upper_bound(line_breaks.begin(), line_breaks.end(), row,
+                       [](std::size_t wanted, const auto& entry) { return wanted < entry.first; });
   if (after == line_breaks.begin()) return 0;
   const auto& [first_row, first_line] = *std::prev(after);
   return first_line + static_cast<long>(row - first_row);

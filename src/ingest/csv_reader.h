@@ -3,10 +3,12 @@
 //
 // Accepted: UTF-8 with or without byte order mark; lines ending with LF, CR LF or CR; comma,
 // semicolon, tab or blanks between the columns (found out, and stated in `delimiter`); one header
-// row with the columns' names, units in brackets allowed; quoted fields within a line; comments with
-// `#`; blank lines; a delimiter after the last column. Numbers are read the same under every locale.
-// Empty fields, nan, inf, null and the like are gaps. A last row without line end that is cut off is
-// left out and counted. Everything else is refused with the line and column where it stands.
+// row with the columns' names, units in brackets allowed; quoted fields within a line; comments
+// with
+// `#`; blank lines; a delimiter after the last column. Numbers are read the same under every
+// locale. Empty fields, nan, inf, null and the like are gaps. A last row without line end that is
+// cut off is left out and counted. Everything else is refused with the line and column where it
+// stands.
 
 #include <cstddef>
 #include <string>

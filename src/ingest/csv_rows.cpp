@@ -1,10 +1,11 @@
 #include "ingest/csv_rows.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "ingest/closest_match.h"
 #include "ingest/number_field.h"
@@ -94,7 +95,9 @@ class RowReader {
       fields.push_back({"", cursor_.row().size() + 1});
     }
     refuse_second_header();
-    if (may_be_cut && fields.size() < columns) return false;
+    const bool ends_with_delimiter =
+        fields.back().text.empty() && !layout_.header.back().text.empty();
+    if (may_be_cut && (fields.size() < columns || ends_with_delimiter)) return false;
     if (fields.size() != columns) refuse_ragged_row(fields.size());
     for (std::size_t i = 0; i < columns; ++i) {
       if (layout_.slots[i] < 0) continue;
@@ -137,10 +140,11 @@ class RowReader {
   [[noreturn]] void refuse_ragged_row(std::size_t found) const {
     const std::size_t expected = layout_.slots.size();
     const bool comma_suspect = found > expected && table_.delimiter == Delimiter::comma;
-    throw InputError({table_.file, cursor_.line(), 0},
-                     {"row has another number of fields than the header", fmt::format("{}", found),
-                      fmt::format("{}", expected),
-                      comma_suspect ? "decimal or thousands commas? write numbers with a point" : ""});
+    throw InputError(
+        {table_.file, cursor_.line(), 0},
+        {"row has another number of fields than the header", fmt::format("{}", found),
+         fmt::format("{}", expected),
+         comma_suspect ? "decimal or thousands commas? write numbers with a point" : ""});
   }
 
   [[noreturn]] void refuse_field(const Field& field, std::size_t column, FieldKind kind) const {

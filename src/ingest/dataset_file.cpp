@@ -26,7 +26,8 @@ InputFile fingerprint(const std::string& name, const std::string& role, std::str
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
                    double effort_sign, Dataset& dataset) {
   if (entry.file.find('\0') != std::string::npos) {
-    throw InputError(entry.where, {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
+    throw InputError(entry.where,
+                     {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
   const std::string path = (directory / entry.file).string();
   const std::string bytes = read_file(path);

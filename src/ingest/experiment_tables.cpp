@@ -1,9 +1,9 @@
 #include "ingest/experiment_tables.h"
 
-#include <fmt/format.h>
-
 #include <numbers>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "ingest/key_guard.h"
 #include "simulate/motion.h"
@@ -57,8 +57,8 @@ SweepExperiment read_sweep(const TomlTable& table) {
                           "another angle than from", ""});
   }
   guarded(table, to_key, [&] {
-    return TravelMotion({e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2,
-                         e.both_directions});
+    return TravelMotion(
+        {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions});
   });
   return e;
 }

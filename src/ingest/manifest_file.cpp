@@ -1,8 +1,8 @@
 #include "ingest/manifest_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "ingest/closest_match.h"
 #include "ingest/friction_tables.h"
@@ -92,16 +92,15 @@ void refuse_missing_columns(const TomlTable& recording, const ColumnEntries& col
   };
   need(columns.time.has_value(), "time", "");
   need(columns.angle.has_value(), "angle", "");
-  need(columns.effort.has_value(), "effort",
-       "without torque or current nothing can be identified");
+  need(columns.effort.has_value(), "effort", "without torque or current nothing can be identified");
 }
 
 RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
   entry.where = table.where();
-  entry.role = static_cast<Role>(table.choice(
-      "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed"}));
+  entry.role = static_cast<Role>(
+      table.choice("role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed"}));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
   entry.from_s = table.find_number("from_s");
@@ -144,8 +143,8 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   }
   top.refuse_unknown_keys();
   if (result.recordings.empty()) {
-    throw InputError({file, 0, 0}, {"no [[recording]] is stated", "", "one or more",
-                                    "each with role and file"});
+    throw InputError({file, 0, 0},
+                     {"no [[recording]] is stated", "", "one or more", "each with role and file"});
   }
   return result;
 }

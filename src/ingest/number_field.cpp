@@ -22,8 +22,8 @@ std::string_view without_plus(std::string_view field) {
 }
 
 bool is_gap_word(std::string_view field) {
-  constexpr std::array<std::string_view, 7> words = {"nan", "null", "n/a", "na",
-                                                     "none", "nat", "inf"};
+  constexpr std::array<std::string_view, 7> words = {"nan",  "null", "n/a", "na",
+                                                     "none", "nat",  "inf"};
   constexpr std::size_t longest_word = 12;
   if (field.size() > longest_word) return false;
   std::string lower(field);

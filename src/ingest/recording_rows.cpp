@@ -1,10 +1,10 @@
 #include "ingest/recording_rows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "ingest/closest_match.h"
 
@@ -12,9 +12,9 @@ namespace tribolog {
 namespace {
 
 constexpr std::size_t fewest_rows = 20;
-constexpr double largest_step_back_s = 1.0;   ///< Beyond: two logs, not a clock being set.
-constexpr double most_repeated_stamps = 0.05; ///< Share of the rows.
-constexpr double many_gaps = 0.2;             ///< Share of a column from which on the user is told.
+constexpr double largest_step_back_s = 1.0;    ///< Beyond: two logs, not a clock being set.
+constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
+constexpr double many_gaps = 0.2;  ///< Share of a column from which on the user is told.
 constexpr double likely_largest_angle_rad = 7.0;
 constexpr double slowest_likely_Hz = 10.0;
 constexpr double fastest_likely_Hz = 1e5;
@@ -110,7 +110,8 @@ class RowChoice {
     }
     skip("outside the window " + window(), outside);
     for (std::size_t k = 0; k < gaps.size(); ++k) {
-      skip(fmt::format("gap (nan) in column {}", in_quotes(table_.columns[k].header.full)), gaps[k]);
+      skip(fmt::format("gap (nan) in column {}", in_quotes(table_.columns[k].header.full)),
+           gaps[k]);
     }
   }
 
@@ -120,9 +121,8 @@ class RowChoice {
   }
 
   void put_in_order() {
-    std::stable_sort(rows_.begin(), rows_.end(), [this](std::size_t a, std::size_t b) {
-      return time_s(a) < time_s(b);
-    });
+    std::stable_sort(rows_.begin(), rows_.end(),
+                     [this](std::size_t a, std::size_t b) { return time_s(a) < time_s(b); });
     notes_.add(fmt::format("time runs back in {} row{} (first in line {}); put in order of time",
                            steps_back_, steps_back_ == 1 ? "" : "s", first_back_line_));
   }
@@ -179,8 +179,9 @@ void note_gaps(const CsvTable& table, Notes& notes) {
 }
 
 void note_implausible_units(const RecordingEntry& entry, const Recording& r, Notes& notes) {
-  const double largest = std::abs(*std::max_element(
-      r.q_rad.begin(), r.q_rad.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double largest =
+      std::abs(*std::max_element(r.q_rad.begin(), r.q_rad.end(),
+                                 [](double a, double b) { return std::abs(a) < std::abs(b); }));
   const std::string& unit = entry.columns.angle->unit;
   if (largest > likely_largest_angle_rad) {
     notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", largest,

@@ -12,7 +12,8 @@ namespace tribolog {
 
 /// Reads the columns that the entry names.
 /// @param path of the log, for messages.
-/// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit in
+/// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
+/// in
 ///        the log's header that contradicts the manifest.
 CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
                          const std::string& path);

@@ -9,7 +9,8 @@
 //   [surrogate]   distance_m = 0.5 (optional)
 //   [friction.presliding]  model = "lugre" and its six parameters (lugre.h)
 //   [friction.sliding]     model = "waiboer" and its parameters (waiboer.h)
-//   [rough_sweep], [precise_sweep]  from, to, speed; both_directions = true, acceleration = 1 rad/s2,
+//   [rough_sweep], [precise_sweep]  from, to, speed; both_directions = true, acceleration = 1
+//   rad/s2,
 //                 sample_rate_Hz = 1000
 //   [oscillation] centre, amplitude, frequency_Hz, cycles; sample_rate_Hz = 1000,
 //                 record_bristle = true

@@ -1,15 +1,16 @@
 #include "ingest/toml_table.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <set>
+
+#include <fmt/format.h>
 
 // Bounds the recursion of parser and destructor; the files read here need 3.
 #define TOML_MAX_NESTED_VALUES 32
 #include <toml++/toml.h>
 
 #include "ingest/closest_match.h"
+#include "ingest/toml_precheck.h"
 
 namespace tribolog {
 
@@ -35,15 +36,6 @@ namespace {
 
 Location location_of(const std::string& file, const toml::source_region& region) {
   return {file, static_cast<long>(region.begin.line), static_cast<long>(region.begin.column)};
-}
-
-/// Keys know where they stand from toml++ 3.0 on; before, their value does.
-template <class Key>
-Location location_of(const std::string& file, const Key& key, const toml::node& value) {
-  if constexpr (requires { key.source(); }) {
-    if (key.source().begin.line > 0) return location_of(file, key.source());
-  }
-  return location_of(file, value.source());
 }
 
 std::string describe(const toml::node& node) {
@@ -77,23 +69,10 @@ std::optional<double> number_in(const toml::node& node, Sign sign) {
   return fits ? std::optional(value) : std::nullopt;
 }
 
-/// `a.a.a.a...` nests a table for every dot, which older parsers do not bound.
-void refuse_deep_keys(std::string_view text, const std::string& file) {
-  constexpr int most_dots = 50;
-  int dots = 0;
-  long line = 1;
-  for (const char c : text) {
-    if (c == '\n') ++line;
-    if (c == '.') ++dots;
-    if (c == '\n' || c == '=' || c == '[' || c == ']' || c == '{' || c == '}' || c == ',') dots = 0;
-    if (dots > most_dots) throw InputError({file, line, 0}, {"key with too many dots", "", "", ""});
-  }
-}
-
 }  // namespace
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
-  refuse_deep_keys(text, file);
+  precheck_toml(text, file);
   try {
     auto document = std::make_shared<const toml::table>(toml::parse(text, std::string_view(file)));
     const toml::table* top = document.get();
@@ -109,10 +88,8 @@ bool TomlTable::has(const std::string& key) const { return view_->find(key) != n
 Location TomlTable::where() const { return location_of(view_->file, view_->table->source()); }
 
 Location TomlTable::where(const std::string& key) const {
-  for (auto&& [name, value] : *view_->table) {
-    if (std::string_view(name) == key) return location_of(view_->file, name, value);
-  }
-  return where();
+  const toml::node* node = view_->table->get(key);
+  return node == nullptr ? where() : location_of(view_->file, node->source());
 }
 
 void TomlTable::refuse(const std::string& key, InputError::Problem problem) const {
@@ -127,7 +104,8 @@ void TomlTable::refuse_unknown_keys() const {
   std::string first_name;
   for (auto&& [name, value] : *view_->table) {
     if (view_->asked.count(std::string(std::string_view(name))) > 0) continue;
-    const bool is_earlier = first == nullptr || value.source().begin.line < first->source().begin.line;
+    const bool is_earlier =
+        first == nullptr || value.source().begin.line < first->source().begin.line;
     if (is_earlier) {
       first = &value;
       first_name = std::string(std::string_view(name));
@@ -135,8 +113,9 @@ void TomlTable::refuse_unknown_keys() const {
   }
   if (first == nullptr) return;
   const std::string meant = did_you_mean(first_name, known);
-  throw InputError(where(first_name), {"unknown key " + in_quotes(view_->path + first_name), "", "",
-                                       meant.empty() ? "known here: " + list_of_names(known) : meant});
+  throw InputError(where(first_name),
+                   {"unknown key " + in_quotes(view_->path + first_name), "", "",
+                    meant.empty() ? "known here: " + list_of_names(known) : meant});
 }
 
 const toml::node& TomlTable::View::need(const TomlTable& self, const std::string& key,

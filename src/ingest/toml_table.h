@@ -22,7 +22,8 @@ enum class Sign { any, not_negative, positive };
 class TomlTable {
  public:
   /// The top-level table of a document.
-  /// @throw InputError for a syntax error, a key given twice, broken UTF-8, or absurdly deep nesting.
+  /// @throw InputError for a syntax error, a key given twice, broken UTF-8, or absurdly deep
+  /// nesting.
   static TomlTable parse(std::string_view text, const std::string& file);
 
   // Required keys. @throw InputError if missing (with the hint) or of another type or range.
@@ -48,7 +49,8 @@ class TomlTable {
 
   [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] Location where() const;
-  [[nodiscard]] Location where(const std::string& key) const;  ///< The table's if there is no such.
+  /// Of the key's value; the table's where there is no such key.
+  [[nodiscard]] Location where(const std::string& key) const;
   /// @throw InputError naming the key in full at its place: "key 'joint.gear_ratio': <what>".
   [[noreturn]] void refuse(const std::string& key, InputError::Problem problem) const;
   /// @throw InputError at the first key that was not asked for, with the closest that was.

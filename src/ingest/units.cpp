@@ -18,15 +18,18 @@ struct Unit {
   bool listed{true};  ///< Other spellings are accepted silently.
 };
 
-constexpr std::array times = {
-    Unit{"s", 1}, Unit{"ms", 1e-3}, Unit{"us", 1e-6}, Unit{"ns", 1e-9},
-    Unit{"µs", 1e-6, false} /* micro sign */, Unit{"μs", 1e-6, false} /* Greek mu */,
-    Unit{"sec", 1, false}};
+constexpr std::array times = {Unit{"s", 1},
+                              Unit{"ms", 1e-3},
+                              Unit{"us", 1e-6},
+                              Unit{"ns", 1e-9},
+                              Unit{"µs", 1e-6, false} /* micro sign */,
+                              Unit{"μs", 1e-6, false} /* Greek mu */,
+                              Unit{"sec", 1, false}};
 constexpr std::array angles = {Unit{"rad", 1}, Unit{"mrad", 1e-3}, Unit{"deg", pi / 180},
                                Unit{"°", pi / 180, false}};
 constexpr std::array angular_speeds = {
-    Unit{"rad/s", 1}, Unit{"mrad/s", 1e-3}, Unit{"deg/s", pi / 180}, Unit{"rpm", 2 * pi / 60},
-    Unit{"°/s", pi / 180, false}, Unit{"1/min", 2 * pi / 60, false}};
+    Unit{"rad/s", 1},         Unit{"mrad/s", 1e-3},         Unit{"deg/s", pi / 180},
+    Unit{"rpm", 2 * pi / 60}, Unit{"°/s", pi / 180, false}, Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
 constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
 
@@ -98,9 +101,9 @@ std::optional<double> find_si_factor(Quantity quantity, std::string_view unit) {
 
 double si_factor(Quantity quantity, std::string_view unit, const Location& where) {
   if (const auto factor = find_si_factor(quantity, unit)) return *factor;
-  throw InputError(where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
-                           "one of " + known_units(quantity),
-                           did_you_mean(bare(unit), listed_units(quantity))});
+  throw InputError(
+      where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
+              "one of " + known_units(quantity), did_you_mean(bare(unit), listed_units(quantity))});
 }
 
 std::string known_units(Quantity quantity) {

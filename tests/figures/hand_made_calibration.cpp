@@ -116,7 +116,7 @@ HysteresisResult loop_result(const Recording& recording) {
                  reading('D', recording, 150), reading('E', recording, 180)};
   for (const LoopPoint& point : loop.points) {
     loop.steady_points.push_back(point);
-    loop.steady_points.back().torque_Nm += 0.1;
+    loop.steady_points.back().torque_Nm += 0.2;
   }
   loop.midline_Nm = symmetric_estimate(known::gravity_Nm, 0.008, "by hand");
   loop.midline_q_rad = known::centre_rad;

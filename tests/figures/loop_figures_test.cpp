@@ -132,6 +132,20 @@ TEST_F(LoopFigures, CloseUpHoldsAllItsReadings) {
   }
 }
 
+TEST_F(LoopFigures, FurtherOscillationsAreMentioned) {
+  EXPECT_EQ(torque_loop_figure(calibration_)->caption.find("oscillations"), std::string::npos);
+  calibration_.hysteresis.traces.push_back(calibration_.hysteresis.traces.front());
+  EXPECT_NE(torque_loop_figure(calibration_)->caption.find("first of 2 oscillations"),
+            std::string::npos);
+}
+
+TEST_F(LoopFigures, ReadingsThatCoincideAreLabelledOnce) {
+  calibration_.hysteresis.steady_points = calibration_.hysteresis.points;
+  const auto figure = torque_choice_figure(calibration_);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->figure.panels[1].point_labels.size(), 2U);
+}
+
 TEST_F(LoopFigures, PeakFarFromTheLoopIsNotDrawnOnIt) {
   calibration_.q_peak_rad = symmetric_estimate(known::q_peak_rad + 0.01, 0.02, "by hand");
   for (const auto& figure :

@@ -45,6 +45,20 @@ TEST(NumberText, WithoutAnInterval) {
   EXPECT_EQ(significant(infinity, 3), "unknown");
 }
 
+TEST(NumberText, ComputersRoundingIsNoResult) {
+  EXPECT_EQ(size_words(4.8e-12, torque_floor_Nm, "N·m"), "below 1 µN·m");
+  EXPECT_EQ(size_words(0.005, torque_floor_Nm, "N·m"), "5.0 mN·m");
+  EXPECT_EQ(size_words(1.3e-10, percent_floor, "%"), "below 0.001 %");
+  EXPECT_EQ(size_words(0.66, percent_floor, "%"), "0.66 %");
+}
+
+TEST(NumberText, ListMembersShareTheirPlace) {
+  EXPECT_EQ(to_place(2.6e-17, 62.83, 4), "0.00");
+  EXPECT_EQ(to_place(-31.114, 62.83, 4), "−31.11");
+}
+
+TEST(NumberText, RoundingUpLosesNoDigit) { EXPECT_EQ(significant(0.99996, 3), "1.00"); }
+
 TEST(NumberText, CountsAndLists) {
   EXPECT_EQ(counted(1, "run"), "1 run");
   EXPECT_EQ(counted(20, "run"), "20 runs");

@@ -37,12 +37,14 @@ TEST_F(RunFigures, EveryCandidateHasACurveOnBothSidesOfZero) {
   const auto figure = friction_curves_figure(calibration_);
   ASSERT_TRUE(figure);
   const render::Panel& panel = figure->figure.panels.front();
-  EXPECT_EQ(panel.series.size(), 2 * calibration_.viscous.curves.size());
+  // AB, CD, EF and the sweep lie within a line's width of the mid-line and are named with it.
+  EXPECT_EQ(panel.series.size(), 2U * (1 + 6));
+  EXPECT_TRUE(has_label(panel, "= sweep fit, AB, CD and EF"));
   for (const render::Series& series : panel.series) {
     // A line never crosses standstill, where friction jumps.
     EXPECT_TRUE(series.x.back() < 0.0 || series.x.front() > 0.0);
   }
-  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg)"));
+  EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg)"));
   EXPECT_NE(figure->caption.find("8 runs (4 forward, 4 backward) from 1.00 to 300 rad/s"),
             std::string::npos)
       << figure->caption;
@@ -75,6 +77,21 @@ TEST_F(RunFigures, DifferenceToTheReferenceIsTheErrorOfGravity) {
   EXPECT_NE(figure->caption.find("5.0 mN·m"), std::string::npos) << figure->caption;
 }
 
+TEST_F(RunFigures, AxisDoesNotEnlargeTheRoundingOfAPerfectCandidate) {
+  constexpr double rounding_Nm = 1e-15;
+  for (ViscousCurve& curve : calibration_.viscous.curves) {
+    curve.friction_Nm = calibration_.quality.reference_Nm;
+    curve.friction_Nm.front() += rounding_Nm;
+  }
+  const auto figure = friction_against_reference_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const render::Panel& near = figure->figure.panels[1];
+  ASSERT_TRUE(near.y.maximum);
+  EXPECT_GT(*near.y.maximum, 0.5);
+  EXPECT_NE(near.y.title.find("[µN·m]"), std::string::npos) << near.y.title;
+  EXPECT_NE(figure->caption.find("below 1 µN·m"), std::string::npos) << figure->caption;
+}
+
 TEST_F(RunFigures, ErrorCaptionNamesBothSelections) {
   const auto figure = quality_error_figure(calibration_);
   ASSERT_TRUE(figure);
@@ -102,8 +119,8 @@ TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
   ASSERT_TRUE(figure);
   const render::Panel& panel = figure->figure.panels.front();
   EXPECT_TRUE(panel.x.logarithmic);
-  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg), forward"));
-  EXPECT_TRUE(has_label(panel, "mid-line (81.65 kg), backward"));
+  EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), forward"));
+  EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), backward"));
   EXPECT_TRUE(has_label(panel, "Coulomb + viscous"));
   EXPECT_TRUE(has_label(panel, "Waiboer"));
   for (const render::Series& series : panel.series) {

@@ -36,11 +36,21 @@ TEST_F(SweepFigures, MotionShowsAllSamplesAndColoursThoseUsed) {
   ASSERT_EQ(figure->figure.panels.size(), 3U);
   EXPECT_TRUE(figure->figure.panels_share_x);
   for (const render::Panel& panel : figure->figure.panels) {
-    ASSERT_EQ(panel.series.size(), 3U);
+    ASSERT_EQ(panel.series.size(), 3U);  // one stroke up, one down
     EXPECT_EQ(drawable(panel.series[0]), dataset_.recordings[0].size());
     EXPECT_EQ(drawable(panel.series[1]) + drawable(panel.series[2]), 780U);
   }
   EXPECT_NE(figure->caption.find("780 of 890"), std::string::npos) << figure->caption;
+}
+
+TEST_F(SweepFigures, StrokesAreSeparateLinesUnlessTheMaskFlickers) {
+  const auto lines = [&] {
+    return sweep_motion_figure(dataset_, calibration_)->figure.panels[0].series.size();
+  };
+  for (const std::size_t i : {100U, 200U, 300U}) calibration_.rough.used[0][i] = false;
+  EXPECT_EQ(lines(), 3U + 3U);
+  for (std::size_t i = 0; i < 890; i += 3) calibration_.rough.used[0][i] = false;
+  EXPECT_EQ(lines(), 3U);
 }
 
 TEST_F(SweepFigures, MotorSpeedIsTheGearRatioTimesTheSlope) {
@@ -108,6 +118,16 @@ TEST_F(SweepFigures, ArgmaxAtTheEndIsSaid) {
   const auto figure = rough_torque_figure(dataset_, calibration_);
   ASSERT_TRUE(figure);
   EXPECT_NE(figure->caption.find("no peak was crossed"), std::string::npos);
+}
+
+TEST_F(SweepFigures, JointWithoutGearHasNoMotorSide) {
+  dataset_.manifest.drive = Drive(1.0, EffortKind::joint_torque, Side::joint);
+  const auto motion = sweep_motion_figure(dataset_, calibration_);
+  const auto torque = rough_torque_figure(dataset_, calibration_);
+  ASSERT_TRUE(motion && torque);
+  EXPECT_NE(motion->figure.panels[1].y.title.find("joint speed q"), std::string::npos);
+  EXPECT_EQ(motion->caption.find("motor"), std::string::npos) << motion->caption;
+  EXPECT_NE(torque->caption.find("at the joint"), std::string::npos) << torque->caption;
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "files/atomic_file.h"
 
+#include <csignal>
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-
-#include <csignal>
 
 #include "error.h"
 #include "files/temporary_directory.h"

@@ -39,8 +39,12 @@ TEST(Printable, KeepsOrdinaryTextOfEveryScript) {
 
 TEST(Printable, EscapesWhatDisturbsATerminal) {
   EXPECT_EQ(printable("\x1b]0;title\a"), R"(\x1b]0;title\x07)");
-  EXPECT_EQ(printable("a\xc2\x9b" "b"), R"(a\xc2\x9bb)");            // C1 control
-  EXPECT_EQ(printable("a\xe2\x80\xae" "b"), R"(a\xe2\x80\xaeb)");    // right-to-left override
+  EXPECT_EQ(printable("a\xc2\x9b"
+                      "b"),
+            R"(a\xc2\x9bb)");  // C1 control
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b"),
+            R"(a\xe2\x80\xaeb)");  // right-to-left override
   EXPECT_EQ(printable(std::string("a\0b", 3)), R"(a\x00b)");
 }
 

@@ -59,8 +59,9 @@ TEST(ReadFile, RefusesWhatIsLargerThanTheBound) {
   const std::string path = directory.file("large", "123456");
   EXPECT_EQ(read_file(path, 6), "123456");
   EXPECT_EQ(refusal_of<InputError>([&] { return read_file(path, 5); }),
-            path + ": file is larger than the bound of 5 bytes; hint: split it, or leave out "
-                   "columns that are not needed");
+            path +
+                ": file is larger than the bound of 5 bytes; hint: split it, or leave out "
+                "columns that are not needed");
 }
 
 TEST(ReadFile, ReadsFilesThatHaveNoSize) {  // such as those of /proc

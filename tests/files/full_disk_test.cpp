@@ -1,10 +1,10 @@
 // Faults of the disk itself, on small file systems in memory; needs the right to mount one.
 
-#include <gtest/gtest.h>
-#include <sys/mount.h>
-
 #include <cerrno>
 #include <cstring>
+
+#include <gtest/gtest.h>
+#include <sys/mount.h>
 
 #include "error.h"
 #include "files/atomic_file.h"

@@ -1,15 +1,15 @@
 #pragma once
 // A directory of its own for a test, removed at its end.
 
-#include <gtest/gtest.h>
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
 
 namespace tribolog::test {
 

@@ -1,10 +1,10 @@
 #include "friction/lugre.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace tribolog {
 namespace {

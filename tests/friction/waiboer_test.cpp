@@ -1,9 +1,9 @@
 #include "friction/waiboer.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "support/paper_joint.h"
 

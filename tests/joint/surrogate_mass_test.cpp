@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "joint/gravity_load.h"
 
@@ -35,7 +35,8 @@ TEST(SurrogateMass, Table2TorquesGiveTable2Masses) {
 TEST(SurrogateMass, MisprintsOfThePaperDoNotGiveTable2) {
   // r = 500 m, and the cosine of q_c instead of the angle from the peak: both far off.
   EXPECT_GT(std::abs(surrogate_mass_kg(3.924, gear_ratio, 500, gravity_m_s2, 1.0) - 79.999), 79);
-  EXPECT_GT(std::abs(surrogate_mass_kg(3.924, gear_ratio, distance_m, gravity_m_s2, 0.9257) - 79.999), 6);
+  EXPECT_GT(
+      std::abs(surrogate_mass_kg(3.924, gear_ratio, distance_m, gravity_m_s2, 0.9257) - 79.999), 6);
 }
 
 TEST(SurrogateMass, InvertsTheGravityLoad) {

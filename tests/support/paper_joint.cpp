@@ -31,11 +31,11 @@ Scenario paper_joint() {
       SweepExperiment{-23.2 * degree, -21.2 * degree, 0.1 * degree, true, 1.0, 1000.0};
   s.oscillation = OscillationExperiment{true_q_peak_rad(), 1e-4, 1.0, 5.0, 1000.0, true};
   ConstantSpeedExperiment runs;
-  runs.motor_speeds_rad_s = {1,  2,  3,  4,   5,   7,   10,  15,  20,  25,
-                             35, 50, 70, 100, 130, 160, 200, 230, 260, 300};
+  runs.motor_speeds_rad_s = {1,  1.5, 2,  3,  4,  5.5, 7.5, 10,  13,  17,
+                             22, 30,  40, 55, 75, 100, 135, 180, 240, 300};
   runs.centre_rad = true_q_peak_rad();
-  runs.largest_travel_rad = 2.0;
-  runs.longest_plateau_s = 2.0;
+  runs.largest_travel_rad = 60 * degree;
+  runs.longest_plateau_s = 5.0;
   runs.acceleration_rad_s2 = 20.0;
   s.constant_speed = runs;
   return s;

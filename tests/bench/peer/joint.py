@@ -13,7 +13,7 @@ ARM_INERTIA = MASS * DISTANCE**2
 MOTOR_INERTIA = 1e-4
 LUGRE = dict(s0=465.42, s1=0.77080, s2=0.001, tc=0.60, ts=0.88437633, ws=5.0)
 WAIBOER = dict(ta=0.8844, ws=5.0, da=0.7, cv=0.12, dv=0.6, c=1e6)
-SPEEDS = [1, 2, 3, 4, 5, 7, 10, 15, 20, 25, 35, 50, 70, 100, 130, 160, 200, 230, 260, 300]
+SPEEDS = [1, 1.5, 2, 3, 4, 5.5, 7.5, 10, 13, 17, 22, 30, 40, 55, 75, 100, 135, 180, 240, 300]
 
 
 def waiboer(w, p=WAIBOER):
@@ -89,7 +89,7 @@ def simulate():
     out["oscillation"] = np.column_stack([t, q, dq, torque(q, ddq, friction), z, dz])
     for i, speed in enumerate(SPEEDS):
         v = speed / GEAR
-        plateau = min(2.0, v * 2.0)
+        plateau = min(np.deg2rad(60), v * 5.0)
         half = plateau / 2 + v * v * np.pi / (2 * 20.0) / 2
         t, q, dq, ddq = travel(Q_PEAK - half, Q_PEAK + half, v, 20.0)
         out[f"constant_speed_{i + 1:02}"] = np.column_stack(

@@ -1,0 +1,152 @@
+#include "render/check/picture_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "render/check/visibility_map.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr int least_contrast = 16;      // of 255, in the strongest channel
+constexpr double least_tint = 0.4;      // of the way from the background to the colour
+constexpr double most_hue_error = 48;   // of 255
+constexpr double least_share = 0.5;     // of the pixels that must show a series
+constexpr double white = 255.0;
+
+struct Ink {
+  double red, green, blue;
+  [[nodiscard]] double dot(const Ink& other) const {
+    return red * other.red + green * other.green + blue * other.blue;
+  }
+};
+
+/// How far a colour darkens white paper.
+Ink ink_of(Colour colour) {
+  const double cover = colour.alpha / 255.0;
+  return {(white - colour.red) * cover, (white - colour.green) * cover,
+          (white - colour.blue) * cover};
+}
+
+bool shows(Colour pixel, Colour colour) {
+  const Ink wanted = ink_of(colour);
+  const Ink found = ink_of(pixel);
+  const double tint = found.dot(wanted) / wanted.dot(wanted);
+  if (tint < least_tint) return false;
+  if (colour.alpha < 255) return true;  // what lies below shows through
+  const double error = std::max({std::abs(found.red - tint * wanted.red),
+                                 std::abs(found.green - tint * wanted.green),
+                                 std::abs(found.blue - tint * wanted.blue)});
+  return error <= most_hue_error;
+}
+
+bool contrasts(Colour colour) {
+  const Ink ink = ink_of(colour);
+  return std::max({ink.red, ink.green, ink.blue}) >= least_contrast;
+}
+
+std::string name_of(const Figure& figure, const Owner& owner) {
+  const Panel& panel = figure.panels[static_cast<std::size_t>(owner.panel)];
+  const auto index = static_cast<std::size_t>(owner.index);
+  const bool band = owner.role == Role::band;
+  const std::string& label = band ? panel.bands[index].label : panel.series[index].label;
+  const std::string kind = band ? "band " : "series ";
+  return label.empty() ? kind + std::to_string(index + 1) : kind + "'" + label + "'";
+}
+
+bool is_blank(const Picture& picture) {
+  const auto& rgb = picture.rgb;
+  for (std::size_t i = 3; i < rgb.size(); i += 3) {
+    if (rgb[i] != rgb[0] || rgb[i + 1] != rgb[1] || rgb[i + 2] != rgb[2]) return false;
+  }
+  return true;
+}
+
+bool has_ink(const TextRun& run, const Picture& picture) {
+  if (run.text.find_first_not_of(' ') == std::string::npos) return true;
+  const int left = std::max(0, static_cast<int>(run.box.left) - 1);
+  const int right = std::min(picture.width - 1, static_cast<int>(run.box.right) + 1);
+  const int top = std::max(0, static_cast<int>(run.box.top) - 1);
+  const int bottom = std::min(picture.height - 1, static_cast<int>(run.box.bottom) + 1);
+  for (int y = top; y <= bottom; ++y) {
+    for (int x = left; x <= right; ++x) {
+      if (shows(picture.at(x, y), run.colour)) return true;
+    }
+  }
+  return left > right || top > bottom;  // wholly outside: nothing to see, and reported elsewhere
+}
+
+void check_series(const DrawList& list, const Figure& figure, const Picture& picture,
+                  PictureFindings& findings) {
+  const VisibilityMap map(list);
+  const auto& subjects = map.subjects();
+  std::vector<std::size_t> expected(subjects.size());
+  std::vector<std::size_t> found(subjects.size());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const std::uint16_t number = map.at(i);
+    if (number == 0) continue;
+    const Colour pixel{picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]};
+    ++expected[number - 1U];
+    if (shows(pixel, subjects[number - 1U].colour)) ++found[number - 1U];
+  }
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    const std::string name = name_of(figure, subjects[i].owner);
+    if (!contrasts(subjects[i].colour)) {
+      findings.error = name + " cannot be told from the background";
+    } else if (expected[i] == 0 && subjects[i].painted > 0) {
+      findings.warnings.push_back(name + " is hidden under what is drawn after it");
+    } else if (static_cast<double>(found[i]) < least_share * static_cast<double>(expected[i])) {
+      findings.error = name + " is not visible in the picture: " + std::to_string(found[i]) +
+                       " of " + std::to_string(expected[i]) + " pixels show it";
+    }
+    if (!findings.error.empty()) return;
+  }
+}
+
+/// A series with samples of which none made it into the draw list.
+void report_outside(const DrawList& list, const Figure& figure, PictureFindings& findings) {
+  const auto is_drawn = [&](const Owner& wanted) {
+    return std::any_of(list.primitives.begin(), list.primitives.end(), [&](const Primitive& one) {
+      Owner owner = owner_of(one);
+      if (owner.role == Role::series_marker) owner.role = Role::series;
+      return owner == wanted;
+    });
+  };
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    const Panel& panel = figure.panels[p];
+    for (std::size_t s = 0; s < panel.series.size(); ++s) {
+      const Series& series = panel.series[s];
+      const bool asked = series.style != LineStyle::none || series.marker != Marker::none;
+      const Owner owner{Role::series, static_cast<int>(p), static_cast<int>(s)};
+      const bool has_samples =
+          std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
+      if (asked && has_samples && !is_drawn(owner)) {
+        findings.warnings.push_back(name_of(figure, owner) + " lies outside its axes");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture) {
+  PictureFindings findings;
+  if (!list.primitives.empty() && is_blank(picture)) {
+    findings.error = "the picture came out blank";
+    return findings;
+  }
+  report_outside(list, figure, findings);
+  check_series(list, figure, picture, findings);
+  if (!findings.error.empty()) return findings;
+  for (const Primitive& primitive : list.primitives) {
+    const auto* run = std::get_if<TextRun>(&primitive);
+    if (run != nullptr && contrasts(run->colour) && !has_ink(*run, picture)) {
+      findings.error = "the text '" + run->text + "' is missing in the picture";
+      return findings;
+    }
+  }
+  return findings;
+}
+
+}  // namespace tribolog::render

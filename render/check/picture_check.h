@@ -1,0 +1,23 @@
+#pragma once
+// Whether a finished picture shows what its draw list says. The graphics stack can fail silently:
+// a wrong OpenGL library gives a white picture and reports success.
+
+#include <string>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/paint/picture.h"
+
+namespace tribolog::render {
+
+struct PictureFindings {
+  std::string error;  ///< One sentence; empty if the picture is whole.
+  std::vector<std::string> warnings;
+};
+
+/// An error: a blank picture, a series or band that is not visible where it must be, one in the
+/// colour of the background, a text without ink. A warning: a series that lies wholly outside its
+/// axes or under what is painted later, and so cannot be seen by anyone's fault but its own.
+PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture);
+
+}  // namespace tribolog::render

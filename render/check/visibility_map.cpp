@@ -1,0 +1,162 @@
+#include "render/check/visibility_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/dashes.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double touch = 1.0;    // pixels beside an edge that antialiasing may tint
+constexpr double inside = 0.75;  // a pixel this far inside an edge is wholly covered
+constexpr double least_core = 0.35;
+
+PixelBox bounds(const std::vector<PixelPoint>& outline) {
+  PixelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const PixelPoint& p : outline) {
+    box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x),
+           std::max(box.bottom, p.y)};
+  }
+  return box;
+}
+
+}  // namespace
+
+VisibilityMap::VisibilityMap(const DrawList& list)
+    : width_(list.width), height_(list.height),
+      pixels_(static_cast<std::size_t>(list.width) * static_cast<std::size_t>(list.height)) {
+  for (const Primitive& primitive : list.primitives) paint(primitive);
+}
+
+std::uint16_t VisibilityMap::number_of(const Primitive& primitive) {
+  Owner owner = owner_of(primitive);
+  if (owner.role == Role::series_marker || owner.role == Role::direction_arrow) {
+    owner.role = Role::series;
+  }
+  if (owner.role != Role::series && owner.role != Role::band) return 0;
+  for (std::size_t i = 0; i < subjects_.size(); ++i) {
+    if (subjects_[i].owner == owner) return static_cast<std::uint16_t>(i + 1);
+  }
+  const Colour colour =
+      std::visit([](const auto& one) -> Colour { return one.colour; }, primitive);
+  subjects_.push_back({owner, colour, 0});
+  return static_cast<std::uint16_t>(subjects_.size());
+}
+
+void VisibilityMap::paint(const Primitive& primitive) {
+  const std::uint16_t number = number_of(primitive);
+  if (const auto* line = std::get_if<Polyline>(&primitive)) {
+    for (const auto& dash : cut_into_dashes(line->points, line->dashes)) {
+      stroke(dash, line->width, number);
+    }
+  } else if (const auto* area = std::get_if<Ribbon>(&primitive)) {
+    ribbon(*area, number);
+  } else if (const auto* polygon = std::get_if<Polygon>(&primitive)) {
+    box(bounds(polygon->outline).grown(touch), 0);
+  } else if (const auto* all = std::get_if<Markers>(&primitive)) {
+    markers(*all, number);
+  } else if (const auto* run = std::get_if<TextRun>(&primitive)) {
+    box(run->box.grown(touch + 1), 0);
+  }
+}
+
+void VisibilityMap::row(int y, double from, double to, std::uint16_t number) {
+  if (y < 0 || y >= height_) return;
+  // Pixel centres lie at halves.
+  const int first = std::max(0, static_cast<int>(std::ceil(std::max(from - 0.5, -1.0))));
+  const int last =
+      std::min(width_ - 1, static_cast<int>(std::floor(std::min(to - 0.5, width_ + 1.0))));
+  if (first > last) return;
+  const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * width_;
+  std::fill(pixels_.begin() + start + first, pixels_.begin() + start + last + 1, number);
+  if (number > 0) subjects_[number - 1U].painted += static_cast<std::size_t>(last - first + 1);
+}
+
+void VisibilityMap::box(const PixelBox& area, std::uint16_t number) {
+  const int top = std::max(0, static_cast<int>(std::floor(area.top)));
+  const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(area.bottom)));
+  for (int y = top; y <= bottom; ++y) {
+    if (y + 0.5 >= area.top && y + 0.5 <= area.bottom) row(y, area.left, area.right, number);
+  }
+}
+
+/// Pixels whose centre is within `half` of the segment, which is longer by `extra` at both ends.
+void VisibilityMap::bar(PixelPoint a, PixelPoint b, double half, double extra,
+                        std::uint16_t number) {
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  if (length < 1e-9 || half <= 0) return;
+  const double ux = (b.x - a.x) / length;
+  const double uy = (b.y - a.y) / length;
+  const double reach = half + std::max(0.0, extra);
+  const int top = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - reach)));
+  const int bottom =
+      std::min(height_ - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + reach)));
+  for (int y = top; y <= bottom; ++y) {
+    const double dy = y + 0.5 - a.y;
+    double from = -1e9;
+    double to = 1e9;
+    // low <= dx * slope + offset <= high bounds dx.
+    const auto bound = [&](double slope, double offset, double low, double high) {
+      if (std::abs(slope) < 1e-9) {
+        if (offset < low || offset > high) to = from - 1;
+        return;
+      }
+      const double p = (low - offset) / slope;
+      const double q = (high - offset) / slope;
+      from = std::max(from, std::min(p, q));
+      to = std::min(to, std::max(p, q));
+    };
+    bound(-uy, dy * ux, -half, half);
+    bound(ux, dy * uy, -extra, length + extra);
+    if (from <= to) row(y, a.x + from, a.x + to, number);
+  }
+}
+
+void VisibilityMap::stroke(const std::vector<PixelPoint>& line, double width,
+                           std::uint16_t number) {
+  const double half = width / 2;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    bar(line[i - 1], line[i], half + touch, half + touch, 0);
+  }
+  if (number == 0) return;
+  const double core = std::max(half - inside, least_core);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    // Inner joints are covered by both segments; the ends of the whole line may be cut short.
+    bar(line[i - 1], line[i], core, -0.5, number);
+  }
+}
+
+void VisibilityMap::markers(const Markers& all, std::uint16_t number) {
+  const double reach = 0.75 * all.size + 2.5;
+  const double core = all.size >= 5 ? std::max(0.2 * all.size, 1.0) : 0.6;
+  const bool solid = all.shape != Marker::cross && all.shape != Marker::plus;
+  for (const PixelPoint& c : all.centres) {
+    box({c.x - reach, c.y - reach, c.x + reach, c.y + reach}, 0);
+  }
+  for (const PixelPoint& c : all.centres) {
+    if (number == 0) break;
+    const double half = solid ? core : 0.7;
+    box({c.x - half, c.y - half, c.x + half, c.y + half}, number);
+  }
+}
+
+void VisibilityMap::ribbon(const Ribbon& one, std::uint16_t number) {
+  for (std::size_t i = 1; i < one.edge_a.size(); ++i) {
+    const PixelPoint& a0 = one.edge_a[i - 1];
+    const PixelPoint& a1 = one.edge_a[i];
+    const PixelPoint& b0 = one.edge_b[i - 1];
+    const PixelPoint& b1 = one.edge_b[i];
+    const double left = std::min(a0.x, a1.x);
+    const double right = std::max(a0.x, a1.x);
+    box(PixelBox{left, std::min({a0.y, a1.y, b0.y, b1.y}), right,
+                 std::max({a0.y, a1.y, b0.y, b1.y})}.grown(touch), 0);
+    const double top = std::max(std::min(a0.y, b0.y), std::min(a1.y, b1.y));
+    const double bottom = std::min(std::max(a0.y, b0.y), std::max(a1.y, b1.y));
+    if (number > 0 && top + 2 * inside < bottom) {
+      box({left, top + inside, right, bottom - inside}, number);
+    }
+  }
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,196 @@
+#include "render/layout/data_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_set>
+
+#include "render/dashes.h"
+#include "render/layout/clip.h"
+#include "render/layout/direction_arrows.h"
+
+namespace tribolog::render {
+namespace {
+
+std::optional<PixelPoint> place(const PanelFrame& frame, double x, double y) {
+  if (!drawable(x, frame.x.logarithmic()) || !drawable(y, frame.y.logarithmic())) {
+    return std::nullopt;
+  }
+  return PixelPoint{frame.x.pixel(x), frame.y.pixel(y)};
+}
+
+std::string named(const Series& series, int index) {
+  return series.label.empty() ? "series " + std::to_string(index + 1)
+                              : "series '" + series.label + "'";
+}
+
+void report_dropped(DrawList& list, const PanelFrame& frame, const Series& series, int index,
+                    std::size_t drawn) {
+  const std::size_t all = std::max(series.x.size(), series.y.size());
+  if (drawn == all && all > 0) return;
+  if (drawn == 0) {
+    list.warnings.push_back(named(series, index) + " has no sample that can be drawn");
+    return;
+  }
+  const bool logarithmic = frame.x.logarithmic() || frame.y.logarithmic();
+  list.warnings.push_back(named(series, index) + ": dropped " + std::to_string(all - drawn) +
+                          " of " + std::to_string(all) + " samples that are not finite" +
+                          (logarithmic ? " or not positive on a logarithmic axis" : ""));
+}
+
+/// Markers that would hide each other almost wholly are drawn once.
+class MarkerSieve {
+ public:
+  MarkerSieve(double size, std::size_t count)
+      : cell_(count > many ? std::max(1.0, 0.25 * size) : 0.5) {}
+  bool fresh(PixelPoint p) {
+    const auto column = static_cast<std::int64_t>(std::floor(p.x / cell_));
+    const auto row = static_cast<std::int64_t>(std::floor(p.y / cell_));
+    return taken_.insert(column * 1'000'003 + row).second;
+  }
+
+ private:
+  static constexpr std::size_t many = 2000;
+  double cell_;
+  std::unordered_set<std::int64_t> taken_;
+};
+
+}  // namespace
+
+void draw_series(DrawList& list, const PanelFrame& frame, const Series& series,
+                 const FigureStyle& style, int panel, int index) {
+  const std::size_t count = std::min(series.x.size(), series.y.size());
+  LineCollector collector(frame.plot);
+  Markers markers{{Role::series_marker, panel, index}, series.marker, {}, series.marker_size_px,
+                  series.colour};
+  MarkerSieve sieve(series.marker_size_px, count);
+  const bool marked = series.marker != Marker::none;
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto point = place(frame, series.x[i], series.y[i]);
+    if (!point) {
+      collector.lift();
+      continue;
+    }
+    ++drawn;
+    collector.add(*point);
+    if (marked && frame.plot.grown(0.5).contains(*point) && sieve.fresh(*point)) {
+      markers.centres.push_back(*point);
+    }
+  }
+  report_dropped(list, frame, series, index, drawn);
+  const Owner owner{Role::series, panel, index};
+  if (series.style != LineStyle::none) {
+    const std::vector<double> dashes = dash_lengths(series.style, series.width_px);
+    for (auto& line : collector.take()) {
+      if (line.size() == 1 && marked) continue;
+      if (line.size() == 1) {  // a lone sample between gaps is a dot as wide as the line
+        list.primitives.emplace_back(
+            Markers{owner, Marker::circle, {line.front()}, 2.0 * series.width_px, series.colour});
+        continue;
+      }
+      list.primitives.emplace_back(
+          Polyline{owner, std::move(line), series.width_px, series.colour, dashes});
+    }
+    draw_direction_arrows(list, frame, series, style, {Role::direction_arrow, panel, index});
+  }
+  if (!markers.centres.empty()) list.primitives.emplace_back(std::move(markers));
+}
+
+void draw_band(DrawList& list, const PanelFrame& frame, const Band& band, Owner owner) {
+  Ribbon ribbon{owner, {}, {}, band.colour};
+  const auto finish = [&] {
+    if (ribbon.edge_a.size() > 1) list.primitives.emplace_back(ribbon);
+    ribbon.edge_a.clear();
+    ribbon.edge_b.clear();
+  };
+  const std::size_t count = std::min({band.x.size(), band.low.size(), band.high.size()});
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto low = place(frame, band.x[i], band.low[i]);
+    auto high = place(frame, band.x[i], band.high[i]);
+    if (!low || !high) {
+      ++dropped;
+      finish();
+      continue;
+    }
+    for (PixelPoint* p : {&*low, &*high}) {
+      p->x = std::clamp(p->x, frame.plot.left, frame.plot.right);
+      p->y = std::clamp(p->y, frame.plot.top, frame.plot.bottom);
+    }
+    constexpr double finest = 0.25;  // pixels between two points of an edge
+    const bool last = i + 1 == count;
+    if (!ribbon.edge_a.empty() && !last && std::abs(low->x - ribbon.edge_a.back().x) < finest) {
+      ribbon.edge_a.back().y = std::max(ribbon.edge_a.back().y, low->y);
+      ribbon.edge_b.back().y = std::min(ribbon.edge_b.back().y, high->y);
+      continue;
+    }
+    ribbon.edge_a.push_back(*low);
+    ribbon.edge_b.push_back(*high);
+  }
+  finish();
+  if (dropped > 0) {
+    list.warnings.push_back("band '" + band.label + "': dropped " + std::to_string(dropped) +
+                            " samples that are not finite");
+  }
+}
+
+void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar,
+                    const FigureStyle& style, Owner owner) {
+  const auto low = place(frame, bar.x, bar.low);
+  const auto high = place(frame, bar.x, bar.high);
+  if (!low || !high) {
+    list.warnings.push_back("an error bar is not finite; it was left out");
+    return;
+  }
+  const double half_cap = 8 * style.unit;
+  const double width = 2.5 * style.unit;
+  const auto line = [&](PixelPoint a, PixelPoint b) {
+    if (const auto visible = clipped({a, b}, frame.plot)) {
+      list.primitives.emplace_back(
+          Polyline{owner, {visible->first, visible->second}, width, bar.colour, {}});
+    }
+  };
+  line(*low, *high);
+  line({low->x - half_cap, low->y}, {low->x + half_cap, low->y});
+  line({high->x - half_cap, high->y}, {high->x + half_cap, high->y});
+}
+
+void draw_reference_line(DrawList& list, const PanelFrame& frame, const ReferenceLine& line,
+                         const FigureStyle& style, Owner owner) {
+  const bool vertical = line.direction == ReferenceLine::Direction::vertical;
+  const AxisMap& axis = vertical ? frame.x : frame.y;
+  if (!drawable(line.at, axis.logarithmic())) {
+    list.warnings.push_back("reference line '" + line.text + "' is not finite; it was left out");
+    return;
+  }
+  const double at = axis.pixel(line.at);
+  const PixelPoint a = vertical ? PixelPoint{at, frame.plot.bottom} : PixelPoint{frame.plot.left, at};
+  const PixelPoint b = vertical ? PixelPoint{at, frame.plot.top} : PixelPoint{frame.plot.right, at};
+  const double width = 2.0 * style.unit;
+  if (line.style == LineStyle::none || !clipped({a, b}, frame.plot)) return;
+  list.primitives.emplace_back(
+      Polyline{owner, {a, b}, width, line.colour, dash_lengths(line.style, width)});
+}
+
+bool has_drawable_data(const Panel& panel) {
+  const auto good = [&](double x, double y) {
+    return drawable(x, panel.x.logarithmic) && drawable(y, panel.y.logarithmic);
+  };
+  for (const Series& one : panel.series) {
+    for (std::size_t i = 0; i < std::min(one.x.size(), one.y.size()); ++i) {
+      if (good(one.x[i], one.y[i])) return true;
+    }
+  }
+  for (const Band& band : panel.bands) {
+    for (std::size_t i = 0; i < std::min({band.x.size(), band.low.size(), band.high.size()}); ++i) {
+      if (good(band.x[i], band.low[i]) && good(band.x[i], band.high[i])) return true;
+    }
+  }
+  return std::any_of(panel.error_bars.begin(), panel.error_bars.end(),
+                     [&](const ErrorBar& bar) { return good(bar.x, bar.low); }) ||
+         std::any_of(panel.point_labels.begin(), panel.point_labels.end(),
+                     [&](const PointLabel& label) { return good(label.x, label.y); });
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,15 @@
+#pragma once
+// From the description of a figure to its draw list. Needs no graphics.
+
+#include "render/draw_list.h"
+#include "render/figure.h"
+#include "render/text/font.h"
+
+namespace tribolog::render {
+
+/// Lays a figure out. Never fails for what the data is like: what cannot be shown is left out and
+/// reported in `warnings`; a panel without anything to show says "no data".
+/// @throw tribolog::FigureError if the picture's size is not between 64 and 16384 pixels.
+DrawList lay_out(const Figure& figure, const Font& font);
+
+}  // namespace tribolog::render

@@ -1,0 +1,60 @@
+#pragma once
+// The legend of a panel: what it says, and where it covers no data.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/layout/figure_style.h"
+#include "render/layout/occupancy.h"
+
+namespace tribolog::render {
+
+class Legend {
+ public:
+  /// Texts wider than `most_width` are cut with an ellipsis and reported.
+  Legend(const Panel& panel, int panel_index, const Font& font, const FigureStyle& style,
+         double most_width, std::vector<std::string>& warnings, TextFaults& faults);
+
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+
+  /// Draws it inside the plot where no cell is taken, nearest to a corner. False if there is no
+  /// such place.
+  bool draw_inside(DrawList& list, const PixelBox& plot, const Occupancy& taken) const;
+
+  /// Height of the strip that it needs below the plot, and drawing it there.
+  [[nodiscard]] double strip_height(double width) const;
+  void draw_strip(DrawList& list, const PixelBox& plot, double top) const;
+
+ private:
+  struct Entry {
+    const Series* series{};
+    const Band* band{};
+    Owner sample;
+    Owner text;
+    TextLine label;
+  };
+  struct Block {
+    std::size_t columns{1};
+    std::size_t rows{};
+    std::vector<double> column_widths;
+    double width{};
+    double height{};
+  };
+  [[nodiscard]] Block arranged(std::size_t columns) const;
+  [[nodiscard]] Block widest_block(double width) const;
+  [[nodiscard]] std::optional<PixelPoint> free_place(const Block& block, const PixelBox& plot,
+                                                     const Occupancy& taken) const;
+  void draw_block(DrawList& list, const Block& block, PixelPoint top_left, bool framed) const;
+  void draw_sample(DrawList& list, const Entry& entry, PixelPoint left_middle) const;
+
+  const FigureStyle& style_;
+  int panel_;
+  std::vector<Entry> entries_;
+  double row_height_{};
+  double sample_width_{};
+  double padding_{};
+};
+
+}  // namespace tribolog::render

@@ -1,0 +1,44 @@
+#pragma once
+// Which parts of a panel are taken, on a grid of a few pixels, to find room for texts.
+
+#include <cstdint>
+#include <vector>
+
+#include "render/draw_list.h"
+
+namespace tribolog::render {
+
+class Occupancy {
+ public:
+  explicit Occupancy(const PixelBox& area);
+
+  /// Marks everything that a primitive covers; what lies outside the area is ignored.
+  void mark(const Primitive& primitive);
+  void mark(const PixelBox& box);
+  void mark(PixelPoint a, PixelPoint b, double width);
+
+  /// Number of taken cells that a box touches, and as a share of all it touches.
+  [[nodiscard]] long taken(const PixelBox& box) const;
+  [[nodiscard]] double share_taken(const PixelBox& box) const;
+
+  static constexpr double cell_px = 4.0;
+
+ private:
+  struct Cells {
+    int left, top, right, bottom;  // half open
+    [[nodiscard]] long count() const {
+      return static_cast<long>(right - left) * (bottom - top);
+    }
+  };
+  [[nodiscard]] Cells cells_of(const PixelBox& box) const;
+  void sum_up() const;
+
+  PixelBox area_;
+  int columns_;
+  int rows_;
+  std::vector<std::uint8_t> cells_;
+  mutable std::vector<std::int32_t> sums_;  ///< Summed-area table, rebuilt when stale.
+  mutable bool stale_{true};
+};
+
+}  // namespace tribolog::render

@@ -1,0 +1,208 @@
+#include "render/layout/panel_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/layout/axis_range.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double x_margin_share = 0.02;
+constexpr double y_margin_share = 0.06;
+constexpr double least_plot_height = 40.0;
+
+class Framer {
+ public:
+  Framer(const Figure& figure, const Font& font, const FigureStyle& style,
+         const std::vector<double>& strips, std::vector<std::string>& warnings, TextFaults& faults)
+      : figure_(figure), font_(font), style_(style), strips_(strips), warnings_(warnings),
+        faults_(faults) {}
+
+  FigureFrame run() {
+    wrap_titles();
+    choose_ranges();
+    divide_height();
+    make_y_axes();
+    divide_width();
+    make_x_axes();
+    return std::move(out_);
+  }
+
+ private:
+  std::vector<TextLine> wrap(const std::string& text, TextStyle style, double width,
+                             std::size_t most_lines) {
+    if (text.empty()) return {};
+    bool cut = false;
+    TextFaults found;
+    std::vector<TextLine> lines = wrap_lines(font_, text, style, width, most_lines, found, cut);
+    if (cut) {
+      style.size_px = std::max(8, static_cast<int>(std::lround(style.size_px * 0.8)));
+      cut = false;
+      found = {};
+      lines = wrap_lines(font_, text, style, width, most_lines, found, cut);
+    }
+    faults_.malformed += found.malformed;
+    faults_.without_glyph += found.without_glyph;
+    if (cut) warnings_.push_back("a title was too long and was cut: " + text.substr(0, 60));
+    return lines;
+  }
+
+  static double line_pitch(const TextStyle& style) { return 1.28 * style.size_px; }
+
+  static double height_of(const std::vector<TextLine>& lines) {
+    return lines.empty() ? 0.0
+                         : line_pitch(lines.front().style) * static_cast<double>(lines.size());
+  }
+
+  void wrap_titles() {
+    const double width = figure_.width_px - 2 * style_.margin;
+    out_.title = wrap(figure_.title, style_.figure_title, width, 3);
+    out_.panels.resize(figure_.panels.size());
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      PanelFrame& frame = out_.panels[i];
+      const Panel& panel = figure_.panels[i];
+      frame.shows_x = !figure_.panels_share_x || i + 1 == out_.panels.size();
+      frame.title = wrap(panel.title, style_.panel_title, 0.8 * width, 2);
+      if (frame.shows_x) frame.x_title = wrap(panel.x.title, style_.axis_title, 0.72 * width, 2);
+    }
+  }
+
+  void choose_ranges() {
+    DataExtent shared(!figure_.panels.empty() && figure_.panels.back().x.logarithmic);
+    for (const Panel& panel : figure_.panels) shared.add(x_extent(panel));
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      const Panel& panel = figure_.panels[i];
+      const bool share = figure_.panels_share_x;
+      const Axis& x = share ? figure_.panels.back().x : panel.x;
+      std::vector<std::string> repeated;
+      ranges_x_.push_back(choose_range(share ? shared : x_extent(panel), x, x_margin_share,
+                                       share && i > 0 ? repeated : warnings_));
+      ranges_y_.push_back(choose_range(y_extent(panel), panel.y, y_margin_share, warnings_));
+      x_logarithmic_.push_back(x.logarithmic);
+    }
+  }
+
+  [[nodiscard]] double head_of(const PanelFrame& frame) const {
+    // Room for the scale note of the y axis is always kept, so that panels look alike.
+    return std::max(height_of(frame.title) + (frame.title.empty() ? 0.0 : style_.gap / 2),
+                    style_.unit * 34.0);
+  }
+
+  [[nodiscard]] double foot_of(const PanelFrame& frame) const {
+    if (!frame.shows_x) return style_.gap;
+    return style_.tick_mark + style_.gap + line_pitch(style_.tick) +
+           std::max(height_of(frame.x_title), line_pitch(style_.tick)) + style_.gap;
+  }
+
+  void divide_height() {
+    double y = style_.margin + height_of(out_.title);
+    double taken = y + style_.margin / 2;
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      taken += head_of(out_.panels[i]) + foot_of(out_.panels[i]) + strips_[i];
+    }
+    const double count = std::max<double>(1.0, static_cast<double>(out_.panels.size()));
+    double plot_height = std::floor((figure_.height_px - taken) / count);
+    if (plot_height < least_plot_height) {
+      if (!out_.panels.empty()) warnings_.push_back("the picture is too low for its panels");
+      plot_height = least_plot_height;
+    }
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      PanelFrame& frame = out_.panels[i];
+      y += head_of(frame);
+      frame.plot.top = std::round(y);
+      frame.plot.bottom = frame.plot.top + plot_height;
+      frame.below = frame.plot.bottom + foot_of(frame);
+      y = frame.below + strips_[i];
+    }
+  }
+
+  void make_y_axes() {
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      PanelFrame& frame = out_.panels[i];
+      const Panel& panel = figure_.panels[i];
+      frame.y = AxisMap(ranges_y_[i], panel.y.logarithmic, frame.plot.bottom, frame.plot.top);
+      const int most = std::clamp(
+          static_cast<int>(frame.plot.height() / (2.2 * style_.tick.size_px)) + 1, 2, 11);
+      frame.y_ticks = panel.y.logarithmic ? logarithmic_ticks(ranges_y_[i], most)
+                                          : linear_ticks(ranges_y_[i], most);
+      const double room = frame.plot.height() + 0.5 * head_of(frame);
+      frame.y_title = wrap(panel.y.title, style_.axis_title, room, 3);
+    }
+  }
+
+  double label_width(const TickSet& ticks) {
+    double widest = 0;
+    for (const Tick& tick : ticks.major) {
+      widest = std::max(widest, shape_line(font_, tick.label, style_.tick, faults_).width);
+    }
+    return widest;
+  }
+
+  void divide_width() {
+    double titles = 0;
+    double labels = 0;
+    for (PanelFrame& frame : out_.panels) {
+      titles = std::max(titles, height_of(frame.y_title));
+      labels = std::max(labels, label_width(frame.y_ticks));
+    }
+    const double most_left = 0.6 * figure_.width_px;
+    double left = style_.margin + titles + (titles > 0 ? style_.gap : 0.0) + labels + style_.gap +
+                  style_.tick_mark;
+    left = std::round(std::min(left, most_left));
+    const double right = std::round(figure_.width_px - style_.margin - 1.2 * style_.tick.size_px);
+    for (PanelFrame& frame : out_.panels) {
+      frame.plot.left = left;
+      frame.plot.right = std::max(right, left + least_plot_height);
+      frame.y_title_left = left - style_.tick_mark - 2 * style_.gap - labels -
+                           height_of(frame.y_title);
+    }
+  }
+
+  bool crowded(const PanelFrame& frame) {
+    double previous = -1e9;
+    for (const Tick& tick : frame.x_ticks.major) {
+      const double half = shape_line(font_, tick.label, style_.tick, faults_).width / 2;
+      const double at = frame.x.pixel(tick.value);
+      if (at - half < previous + 0.8 * style_.tick.size_px) return true;
+      previous = at + half;
+    }
+    return false;
+  }
+
+  void make_x_axes() {
+    for (std::size_t i = 0; i < out_.panels.size(); ++i) {
+      PanelFrame& frame = out_.panels[i];
+      const bool logarithmic = x_logarithmic_[i];
+      frame.x = AxisMap(ranges_x_[i], logarithmic, frame.plot.left, frame.plot.right);
+      for (int most = 13; most >= 2; --most) {
+        frame.x_ticks = logarithmic ? logarithmic_ticks(ranges_x_[i], most)
+                                    : linear_ticks(ranges_x_[i], most);
+        if (!crowded(frame)) break;
+      }
+      if (crowded(frame) && frame.x_ticks.major.size() > 2) frame.x_ticks.major.resize(2);
+    }
+  }
+
+  const Figure& figure_;
+  const Font& font_;
+  const FigureStyle& style_;
+  const std::vector<double>& strips_;
+  std::vector<std::string>& warnings_;
+  TextFaults& faults_;
+  FigureFrame out_;
+  std::vector<AxisRange> ranges_x_;
+  std::vector<AxisRange> ranges_y_;
+  std::vector<bool> x_logarithmic_;
+};
+
+}  // namespace
+
+FigureFrame frame_figure(const Figure& figure, const Font& font, const FigureStyle& style,
+                         const std::vector<double>& strip_heights,
+                         std::vector<std::string>& warnings, TextFaults& faults) {
+  return Framer(figure, font, style, strip_heights, warnings, faults).run();
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,45 @@
+#pragma once
+// Where the panels of a figure, their axes and their titles go.
+
+#include <string>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/layout/axis_map.h"
+#include "render/layout/figure_style.h"
+#include "render/layout/ticks.h"
+
+namespace tribolog::render {
+
+struct PanelFrame {
+  PixelBox plot;  ///< The axes box.
+  AxisMap x;
+  AxisMap y;
+  TickSet x_ticks;
+  TickSet y_ticks;
+  bool shows_x{true};  ///< Whether x tick labels and title stand below.
+  std::vector<TextLine> title;
+  std::vector<TextLine> x_title;
+  std::vector<TextLine> y_title;
+  double y_title_left{};  ///< Left edge of the turned title.
+  double below{};         ///< Where free room for a legend strip starts.
+};
+
+struct FigureFrame {
+  std::vector<TextLine> title;
+  std::vector<PanelFrame> panels;
+};
+
+/// Divides the picture. `strip_heights` is the room to keep below each panel for its legend.
+/// Complaints (texts cut, no room) go to `warnings`, unprintable text to `faults`.
+FigureFrame frame_figure(const Figure& figure, const Font& font, const FigureStyle& style,
+                         const std::vector<double>& strip_heights,
+                         std::vector<std::string>& warnings, TextFaults& faults);
+
+/// Draws grid, and (after the data) box, ticks and titles.
+void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style, int panel);
+void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font,
+               const FigureStyle& style, int panel);
+void draw_figure_title(DrawList& list, const FigureFrame& frame, const FigureStyle& style);
+
+}  // namespace tribolog::render

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/layout/label_placement.h"
+#include "render/layout/text_backing.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr int directions = 16;
+constexpr std::array<double, 6> distances{10, 22, 40, 64, 96, 140};  // point to box, in units
+constexpr double leader_from = 18;  // a box farther away than this is tied to its point
+constexpr double far_cost = 0.012;  // per unit of distance
+constexpr double data_cost = 6.0;   // for a box wholly on data
+constexpr double clash_cost = 100.0;
+constexpr int rounds = 4;
+
+struct Label {
+  int index{};
+  PixelPoint point;
+  TextLine line;
+  PixelPoint start;
+  PixelBox box;
+};
+
+double distance_to(const PixelBox& box, PixelPoint p) {
+  const double dx = std::max({box.left - p.x, 0.0, p.x - box.right});
+  const double dy = std::max({box.top - p.y, 0.0, p.y - box.bottom});
+  return std::hypot(dx, dy);
+}
+
+PixelPoint nearest_in(const PixelBox& box, PixelPoint p) {
+  return {std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)};
+}
+
+class Placer {
+ public:
+  Placer(std::vector<Label>& labels, const PixelBox& plot, const Occupancy& taken,
+         const FigureStyle& style)
+      : labels_(labels), room_(plot.grown(-0.4 * style.gap)), taken_(taken), unit_(style.unit) {}
+
+  void run() {
+    for (int round = 0; round < rounds; ++round) {
+      bool moved = false;
+      for (std::size_t i = 0; i < labels_.size(); ++i) moved = improve(i, round == 0) || moved;
+      if (!moved) break;
+    }
+  }
+
+ private:
+  bool improve(std::size_t i, bool first) {
+    Label& label = labels_[i];
+    const PixelBox before = label.box;
+    double best = first ? 1e300 : cost(i, label.box);
+    for (const double distance : distances) {
+      for (int k = 0; k < directions; ++k) {
+        const PixelPoint start = start_at(label, distance * unit_, k);
+        const PixelBox box = box_of_line(label.line, start, true);
+        const double candidate = cost(i, box);
+        if (candidate < best - 1e-9) {
+          best = candidate;
+          label.start = start;
+          label.box = box;
+        }
+      }
+    }
+    return !(label.box == before);
+  }
+
+  /// The box whose edge lies `distance` from the point in direction `k`, pulled into the panel.
+  [[nodiscard]] PixelPoint start_at(const Label& label, double distance, int k) const {
+    const double angle = std::numbers::pi * (2.0 * k / directions + 0.25);  // up right first
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const double half_width = label.line.width / 2;
+    const double half_height = label.line.height() / 2;
+    // From the point to the centre of the box: `distance` plus the box's own reach that way.
+    const double x = label.point.x + cosine * distance + std::clamp(cosine * 1.5, -1.0, 1.0) * half_width;
+    const double y = label.point.y - sine * distance - std::clamp(sine * 1.5, -1.0, 1.0) * half_height;
+    const double left = std::clamp(x - half_width, room_.left,
+                                   std::max(room_.left, room_.right - label.line.width));
+    const double top = std::clamp(y - half_height, room_.top,
+                                  std::max(room_.top, room_.bottom - label.line.height()));
+    return {left, top + label.line.ascent};
+  }
+
+  [[nodiscard]] double cost(std::size_t i, const PixelBox& box) const {
+    const Label& label = labels_[i];
+    const double away = distance_to(box, label.point) / unit_;
+    double sum = far_cost * away + data_cost * taken_.share_taken(box.grown(2 * unit_));
+    if (away < 5) sum += clash_cost / 2;  // on its own point
+    for (std::size_t j = 0; j < labels_.size(); ++j) {
+      if (j == i) continue;
+      const Label& other = labels_[j];
+      if (other.box.width() > 0 && overlap_area(box.grown(4 * unit_), other.box) > 0) {
+        sum += clash_cost;
+      }
+      if (distance_to(box, other.point) < 9 * unit_) sum += clash_cost / 2;
+      // A text nearer to another point than to its own misleads.
+      if (distance_to(box, other.point) < distance_to(box, label.point)) sum += 1.0;
+    }
+    return sum;
+  }
+
+  std::vector<Label>& labels_;
+  PixelBox room_;
+  const Occupancy& taken_;
+  double unit_;
+};
+
+}  // namespace
+
+void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& panel,
+                       const Font& font, const FigureStyle& style, int index, Occupancy& taken,
+                       TextFaults& faults) {
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < panel.point_labels.size(); ++i) {
+    const PointLabel& point = panel.point_labels[i];
+    if (!drawable(point.x, frame.x.logarithmic()) || !drawable(point.y, frame.y.logarithmic())) {
+      list.warnings.push_back("point '" + point.text + "' is not finite; it was left out");
+      continue;
+    }
+    Label label{static_cast<int>(i), {frame.x.pixel(point.x), frame.y.pixel(point.y)}, {}, {}, {}};
+    if (!frame.plot.grown(1).contains(label.point)) {
+      list.warnings.push_back("point '" + point.text + "' lies outside its axes; it was left out");
+      continue;
+    }
+    bool cut = false;
+    label.line = wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults,
+                            cut).front();
+    label.line.style.colour = point.colour;
+    labels.push_back(std::move(label));
+  }
+  Placer(labels, frame.plot, taken, style).run();
+
+  const double marker_size = 15 * style.unit;
+  for (const Label& label : labels) {
+    const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
+    if (distance_to(label.box, label.point) > leader_from * style.unit && !label.line.empty()) {
+      list.primitives.emplace_back(
+          Polyline{{Role::label_leader, index, label.index},
+                   {label.point, nearest_in(label.box.grown(2 * style.unit), label.point)},
+                   std::max(1.0, 1.8 * style.unit), point.colour, {}});
+      taken.mark(list.primitives.back());
+    }
+  }
+  for (const Label& label : labels) {
+    const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
+    if (point.marker != Marker::none) {
+      list.primitives.emplace_back(Markers{{Role::label_marker, index, label.index}, point.marker,
+                                           {label.point}, marker_size, point.colour});
+      taken.mark(list.primitives.back());
+    }
+    if (label.line.empty()) continue;
+    draw_backing(list, label.box.grown(2 * style.unit), index, label.index);
+    place_line(list, label.line, label.start, true, {Role::label_text, index, label.index});
+    taken.mark(label.box.grown(2 * style.unit));
+  }
+}
+
+}  // namespace tribolog::render

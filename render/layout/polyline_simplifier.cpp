@@ -1,0 +1,103 @@
+#include "render/layout/polyline_simplifier.h"
+
+#include <cmath>
+#include <utility>
+
+namespace tribolog::render {
+namespace {
+
+// Both stages together stay within the promised tolerance.
+constexpr double column_width = 0.25;
+constexpr double sector_tolerance = simplification_tolerance_px - column_width / 2;
+
+double cross(PixelPoint a, PixelPoint b) { return a.x * b.y - a.y * b.x; }
+double dot(PixelPoint a, PixelPoint b) { return a.x * b.x + a.y * b.y; }
+
+}  // namespace
+
+void PolylineSimplifier::add(PixelPoint point) {
+  const double column = std::floor(point.x / column_width);
+  if (!in_column_ || column != column_) {
+    flush_column(false);
+    in_column_ = true;
+    column_ = column;
+    first_ = last_ = lowest_ = highest_ = point;
+    return;
+  }
+  last_ = point;
+  if (point.y < lowest_.y) lowest_ = point;
+  if (point.y > highest_.y) highest_ = point;
+}
+
+void PolylineSimplifier::flush_column(bool line_ends) {
+  if (!in_column_) return;
+  in_column_ = false;
+  const auto move_to = [this](PixelPoint to) {
+    if (has_pen_ && to == pen_) return;
+    add_to_sector(to);
+    pen_ = to;
+    has_pen_ = true;
+  };
+  // Entering at the nearer end lets each column be drawn in a single stroke.
+  if (!has_pen_) move_to(first_);
+  const bool down = std::abs(lowest_.y - pen_.y) <= std::abs(highest_.y - pen_.y);
+  move_to(down ? lowest_ : highest_);
+  move_to(down ? highest_ : lowest_);
+  if (line_ends) move_to(last_);
+}
+
+void PolylineSimplifier::restart_sector(PixelPoint anchor) {
+  kept_.push_back(anchor);
+  has_candidate_ = false;
+  open_ = true;
+  reach_ = 0;
+}
+
+void PolylineSimplifier::add_to_sector(PixelPoint point) {
+  if (kept_.empty()) {
+    restart_sector(point);
+    return;
+  }
+  const PixelPoint anchor = kept_.back();
+  PixelPoint step{point.x - anchor.x, point.y - anchor.y};
+  double distance = std::hypot(step.x, step.y);
+  const bool turned_back = has_candidate_ && distance < reach_;
+  const bool outside = !open_ && distance > sector_tolerance &&
+                       (cross(bound_right_, step) < 0 || cross(bound_left_, step) > 0 ||
+                        dot(bound_right_, step) < 0);
+  if (turned_back || outside) {
+    restart_sector(candidate_);
+    step = {point.x - candidate_.x, point.y - candidate_.y};
+    distance = std::hypot(step.x, step.y);
+  }
+  candidate_ = point;
+  has_candidate_ = true;
+  reach_ = distance;
+  if (distance <= sector_tolerance) return;
+  const double angle = std::asin(sector_tolerance / distance);
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  const PixelPoint left{step.x * cosine - step.y * sine, step.x * sine + step.y * cosine};
+  const PixelPoint right{step.x * cosine + step.y * sine, -step.x * sine + step.y * cosine};
+  if (open_ || cross(bound_left_, left) < 0) bound_left_ = left;
+  if (open_ || cross(bound_right_, right) > 0) bound_right_ = right;
+  open_ = false;
+}
+
+std::vector<PixelPoint> PolylineSimplifier::take() {
+  flush_column(true);
+  has_pen_ = false;
+  if (has_candidate_) kept_.push_back(candidate_);
+  has_candidate_ = false;
+  open_ = true;
+  reach_ = 0;
+  return std::exchange(kept_, {});
+}
+
+std::vector<PixelPoint> simplified(const std::vector<PixelPoint>& line) {
+  PolylineSimplifier simplifier;
+  for (const PixelPoint& point : line) simplifier.add(point);
+  return simplifier.take();
+}
+
+}  // namespace tribolog::render

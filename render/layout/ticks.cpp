@@ -1,0 +1,105 @@
+#include "render/layout/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "render/layout/tick_text.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double rounding_slack = 1e-9;  // of a step: a tick at the very end of the range counts
+
+struct Step {
+  int digit{1};  ///< 1, 2 or 5
+  int exponent{};
+  [[nodiscard]] double size() const { return digit * std::pow(10.0, exponent); }
+  [[nodiscard]] Step larger() const {
+    if (digit == 1) return {2, exponent};
+    if (digit == 2) return {5, exponent};
+    return {1, exponent + 1};
+  }
+};
+
+double ticks_within(const AxisRange& range, double step) {
+  return std::floor(range.high / step + rounding_slack) -
+         std::ceil(range.low / step - rounding_slack) + 1.0;
+}
+
+Step choose_step(const AxisRange& range, int most) {
+  const double span = range.high - range.low;
+  Step step{1, static_cast<int>(std::floor(std::log10(span / most))) - 1};
+  while (ticks_within(range, step.size()) > most) step = step.larger();
+  return step;
+}
+
+/// A range far from zero is labelled by its distance from a round number near by.
+double choose_offset(const AxisRange& range) {
+  constexpr double narrow = 1e-4;  // of the magnitude: labels would need six digits
+  const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
+  const double span = range.high - range.low;
+  if (span > narrow * magnitude) return 0.0;
+  const double exponent = std::ceil(std::log10(span));
+  const double power = std::pow(10.0, std::abs(exponent));  // exact, unlike its inverse
+  return exponent < 0 ? std::round(range.low * power) / power
+                      : std::round(range.low / power) * power;
+}
+
+}  // namespace
+
+TickSet linear_ticks(const AxisRange& range, int most) {
+  TickSet out;
+  const double offset = choose_offset(range);
+  const AxisRange shifted{range.low - offset, range.high - offset};
+  const Step step = choose_step(shifted, std::max(most, 2));
+  const double size = step.size();
+  const auto first = static_cast<long long>(std::ceil(shifted.low / size - rounding_slack));
+  const auto last = static_cast<long long>(std::floor(shifted.high / size + rounding_slack));
+  std::vector<long long> multiples;
+  for (long long k = first; k <= last; ++k) multiples.push_back(k * step.digit);
+  const CommonPower power = common_power(multiples, step.exponent);
+  for (const long long multiple : multiples) {
+    const double relative = step.exponent >= 0
+                                ? static_cast<double>(multiple) * std::pow(10.0, step.exponent)
+                                : static_cast<double>(multiple) / std::pow(10.0, -step.exponent);
+    out.major.push_back({std::clamp(offset + relative, range.low, range.high),
+                         decimal_text(multiple, step.exponent - power.exponent)});
+  }
+  if (power.exponent != 0) out.scale_note = "×10^{" + integer_text(power.exponent) + "}";
+  if (offset != 0.0) {
+    if (!out.scale_note.empty()) out.scale_note += "  ";
+    out.scale_note += (offset > 0 ? "+ " : "− ") + magnitude_text(std::abs(offset));
+  }
+  return out;
+}
+
+TickSet logarithmic_ticks(const AxisRange& range, int most) {
+  const int first = static_cast<int>(std::floor(std::log10(range.low) - rounding_slack));
+  const int last = static_cast<int>(std::ceil(std::log10(range.high) + rounding_slack));
+  const auto inside = [&](double value) {
+    return value >= range.low * (1 - rounding_slack) && value <= range.high * (1 + rounding_slack);
+  };
+  TickSet out;
+  const double decades = std::log10(range.high / range.low);
+  const bool with_halves = decades <= 2.0 && most >= 4;
+  const int stride = std::max(1, static_cast<int>(std::ceil(decades / std::max(most - 1, 1))));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double value = power_of_ten_multiple(digit, exponent);
+      if (!inside(value)) continue;
+      const bool labelled = (digit == 1 && exponent % stride == 0) ||
+                            (with_halves && (digit == 2 || digit == 5));
+      if (labelled) {
+        out.major.push_back({value, logarithmic_text(digit, exponent)});
+      } else {
+        out.minor.push_back(value);
+      }
+    }
+  }
+  if (out.major.size() < 2) return linear_ticks(range, most);
+  return out;
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,74 @@
+#include "render/paint/headless_window.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkVersion.h>
+
+#include "error.h"
+#include "render/paint/vtk_generation.h"
+
+#if TRIBOLOG_VTK_HAS_GLEW
+#include <vtk_glew.h>
+#endif
+
+namespace tribolog::render {
+
+vtkStandardNewMacro(HeadlessWindow);
+
+HeadlessWindow::HeadlessWindow() {
+  SetMapped(true);
+  SetIsCurrent(true);
+  SetReadyForRendering(true);
+  SetSupportsOpenGL(1);
+  SetIsDirect(0);
+  SetDPI(72);  // a point of type is a pixel
+}
+
+HeadlessWindow::~HeadlessWindow() {
+  Finalize();
+  context_ = nullptr;
+}
+
+void HeadlessWindow::attach(GlContext* context) {
+  context_ = context;
+#if !TRIBOLOG_VTK_HAS_GLEW
+  SetOpenGLSymbolLoader(
+      [](void* from, const char* name) {
+        return reinterpret_cast<VTKOpenGLAPIProc>(static_cast<GlContext*>(from)->function(name));
+      },
+      context);
+#endif
+}
+
+void HeadlessWindow::MakeCurrent() {
+  if (context_ != nullptr && !context_->is_current()) context_->make_current();
+}
+
+bool HeadlessWindow::IsCurrent() { return context_ != nullptr && context_->is_current(); }
+
+void HeadlessWindow::OpenGLInitContext() {
+#if TRIBOLOG_VTK_HAS_GLEW
+  ContextCreationTime.Modified();
+  if (Initialized) return;
+  MakeCurrent();
+  glewExperimental = GL_TRUE;
+  const GLenum result = glewInit();
+  constexpr GLenum no_glx = 3;          // GLEW_ERROR_GLX_VERSION_11_ONLY
+  constexpr GLenum no_glx_display = 4;  // GLEW_ERROR_NO_GLX_DISPLAY
+  const bool tolerable = result == GLEW_OK || result == no_glx || result == no_glx_display;
+  const bool complete =
+      GLEW_VERSION_3_2 && glGenVertexArrays != nullptr && glBindFramebuffer != nullptr;
+  if (!tolerable || !complete) {
+    throw FigureError("VTK finds no OpenGL 3.2 functions (GLEW status " + std::to_string(result) +
+                      ")");
+  }
+  GlewInitValid = true;
+  Initialized = true;
+  GLfloat widths[2] = {1, 1};
+  glGetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, widths);
+  if (glGetError() == GL_NO_ERROR) MaximumHardwareLineWidth = widths[1];
+#else
+  Superclass::OpenGLInitContext();
+#endif
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,35 @@
+#pragma once
+// VTK's render window on a context of ours.
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include "render/paint/gl_context.h"
+
+namespace tribolog::render {
+
+class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static HeadlessWindow* New();
+  vtkTypeMacro(HeadlessWindow, vtkGenericOpenGLRenderWindow)
+
+  /// The context must outlive the window. To be called before anything is drawn.
+  void attach(GlContext* context);
+
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  int SupportsOpenGL() override { return 1; }
+  void OpenGLInitContext() override;
+  void DestroyWindow() override {}
+
+  HeadlessWindow(const HeadlessWindow&) = delete;
+  HeadlessWindow& operator=(const HeadlessWindow&) = delete;
+
+ protected:
+  HeadlessWindow();
+  ~HeadlessWindow() override;
+
+ private:
+  GlContext* context_{};
+};
+
+}  // namespace tribolog::render

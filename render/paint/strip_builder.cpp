@@ -1,0 +1,124 @@
+#include "render/paint/strip_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/dashes.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double flatness = 0.2;  // pixels between a round join and its polygon
+
+PixelPoint direction(PixelPoint from, PixelPoint to) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  return {(to.x - from.x) / length, (to.y - from.y) / length};
+}
+
+std::vector<PixelPoint> regular_polygon(PixelPoint c, double radius, int corners, double turn) {
+  std::vector<PixelPoint> out;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners + turn;
+    out.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
+  }
+  return out;
+}
+
+/// Corners, and radii that give all shapes about the area of the circle.
+std::vector<PixelPoint> marker_outline(Marker shape, PixelPoint c, double radius) {
+  constexpr double quarter = std::numbers::pi / 4;
+  switch (shape) {
+    case Marker::square: return regular_polygon(c, 1.25 * radius, 4, quarter);
+    case Marker::diamond: return regular_polygon(c, 1.3 * radius, 4, 0.0);
+    case Marker::triangle: return regular_polygon(c, 1.45 * radius, 3, -2 * quarter);
+    default: return regular_polygon(c, radius, 20, 0.0);
+  }
+}
+
+}  // namespace
+
+void StripBuilder::pair(PixelPoint a, PixelPoint b) {
+  points_.push_back(a);
+  points_.push_back(b);
+}
+
+void StripBuilder::begin_part(PixelPoint at) {
+  if (!points_.empty()) pair(at, at);
+}
+
+void StripBuilder::end_part(PixelPoint at) { pair(at, at); }
+
+void StripBuilder::stroke(const std::vector<PixelPoint>& line, double width) {
+  const double half = width / 2;
+  const double widest_turn = 2.0 * std::acos(std::max(0.0, 1.0 - flatness / half));
+  const auto across = [&](PixelPoint p, double angle) {
+    const PixelPoint normal{-std::sin(angle) * half, std::cos(angle) * half};
+    pair({p.x + normal.x, p.y + normal.y}, {p.x - normal.x, p.y - normal.y});
+  };
+  double angle = 0;
+  bool started = false;
+  PixelPoint end = line.front();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (line[i] == end) continue;
+    const PixelPoint along = direction(end, line[i]);
+    const double next = std::atan2(along.y, along.x);
+    if (!started) {
+      begin_part(end);
+      across(end, next);
+      started = true;
+    } else {
+      const double turn = std::remainder(next - angle, 2.0 * std::numbers::pi);
+      const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / widest_turn)));
+      for (int k = 1; k <= steps; ++k) across(end, angle + turn * k / steps);
+    }
+    across(line[i], next);
+    angle = next;
+    end = line[i];
+  }
+  if (started) end_part(end);
+}
+
+void StripBuilder::convex(const std::vector<PixelPoint>& outline) {
+  if (outline.size() < 3) return;
+  begin_part(outline.front());
+  pair(outline.front(), outline.front());
+  std::size_t up = 1;
+  std::size_t down = outline.size() - 1;
+  for (; up < down; ++up, --down) pair(outline[up], outline[down]);
+  if (up == down) pair(outline[up], outline[up]);
+  end_part(points_.back());
+}
+
+void StripBuilder::add(const Polyline& line) {
+  if (line.points.size() < 2) return;
+  for (const auto& dash : cut_into_dashes(line.points, line.dashes)) {
+    if (dash.size() > 1) stroke(dash, line.width);
+  }
+}
+
+void StripBuilder::add(const Ribbon& ribbon) {
+  if (ribbon.edge_a.size() < 2) return;
+  begin_part(ribbon.edge_a.front());
+  for (std::size_t i = 0; i < ribbon.edge_a.size(); ++i) pair(ribbon.edge_a[i], ribbon.edge_b[i]);
+  end_part(ribbon.edge_b.back());
+}
+
+void StripBuilder::add(const Polygon& polygon) { convex(polygon.outline); }
+
+void StripBuilder::add(const Markers& markers, double grow) {
+  const double radius = markers.size / 2 + grow;
+  const double thickness = std::max(2.0, 0.22 * markers.size) + 2 * grow;
+  for (const PixelPoint& c : markers.centres) {
+    if (markers.shape == Marker::cross || markers.shape == Marker::plus) {
+      const double reach = markers.shape == Marker::cross ? 0.8 * radius : 1.1 * radius;
+      const double tilt = markers.shape == Marker::cross ? reach : 0.0;
+      stroke({{c.x - reach, c.y - tilt}, {c.x + reach, c.y + tilt}}, thickness);
+      stroke({{c.x - tilt, c.y + reach}, {c.x + tilt, c.y - reach}}, thickness);
+    } else if (markers.shape != Marker::none) {
+      convex(marker_outline(markers.shape, c, radius));
+    }
+  }
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,145 @@
+#include "render/png/png_encoder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include <libdeflate.h>
+
+#include "error.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr int compression_level = 6;
+constexpr double printed_width_m = 0.160;
+constexpr std::uint8_t filter_none = 0;
+constexpr std::uint8_t filter_up = 2;
+constexpr std::uint8_t type_rgb = 2;
+constexpr std::uint8_t type_indexed = 3;
+
+using Bytes = std::vector<std::uint8_t>;
+
+void put_u32(Bytes& out, std::uint32_t value) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+    out.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+}
+
+void put_chunk(Bytes& out, std::string_view name, const Bytes& data) {
+  put_u32(out, static_cast<std::uint32_t>(data.size()));
+  const std::size_t start = out.size();
+  out.insert(out.end(), name.begin(), name.end());
+  out.insert(out.end(), data.begin(), data.end());
+  put_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
+}
+
+struct IndexedPicture {
+  Bytes palette;  ///< Three bytes a colour, in order of appearance.
+  Bytes indices;
+};
+
+/// Nothing if there are more than 256 colours.
+std::optional<IndexedPicture> indexed(const Picture& picture) {
+  constexpr std::uint32_t free_slot = 0xFFFFFFFF;
+  constexpr std::size_t slots = 1024;
+  std::array<std::uint32_t, slots> keys{};
+  keys.fill(free_slot);
+  std::array<std::uint8_t, slots> values{};
+  IndexedPicture out;
+  out.indices.resize(picture.rgb.size() / 3);
+  std::uint32_t last_key = free_slot;
+  std::uint8_t last_value = 0;
+  const std::uint8_t* rgb = picture.rgb.data();
+  for (std::uint8_t& index : out.indices) {
+    const std::uint32_t key = rgb[0] | (rgb[1] << 8U) | (rgb[2] << 16U);
+    rgb += 3;
+    if (key != last_key) {
+      std::size_t slot = (key * 2654435761U) >> 22U;
+      while (keys[slot] != key && keys[slot] != free_slot) slot = (slot + 1) % slots;
+      if (keys[slot] == free_slot) {
+        const std::size_t count = out.palette.size() / 3;
+        if (count == 256) return std::nullopt;
+        keys[slot] = key;
+        values[slot] = static_cast<std::uint8_t>(count);
+        for (const unsigned shift : {0U, 8U, 16U}) {
+          out.palette.push_back(static_cast<std::uint8_t>(key >> shift));
+        }
+      }
+      last_key = key;
+      last_value = values[slot];
+    }
+    index = last_value;
+  }
+  return out;
+}
+
+/// Rows with their filter byte in front.
+Bytes filtered(const Bytes& pixels, std::size_t row, std::uint8_t filter) {
+  const std::size_t rows = pixels.size() / row;
+  Bytes out((row + 1) * rows);
+  for (std::size_t y = 0; y < rows; ++y) {
+    const std::uint8_t* from = pixels.data() + y * row;
+    std::uint8_t* to = out.data() + y * (row + 1);
+    const bool up = filter == filter_up && y > 0;
+    *to++ = up ? filter_up : filter_none;
+    if (!up) {
+      std::memcpy(to, from, row);
+    } else {
+      for (std::size_t i = 0; i < row; ++i) {
+        to[i] = static_cast<std::uint8_t>(from[i] - from[static_cast<std::ptrdiff_t>(i) -
+                                                         static_cast<std::ptrdiff_t>(row)]);
+      }
+    }
+  }
+  return out;
+}
+
+Bytes compressed(const Bytes& raw) {
+  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
+      libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
+  if (!compressor) throw FigureError("no memory for compressing a picture");
+  Bytes out(libdeflate_zlib_compress_bound(compressor.get(), raw.size()));
+  out.resize(libdeflate_zlib_compress(compressor.get(), raw.data(), raw.size(), out.data(),
+                                      out.size()));
+  if (out.empty()) throw FigureError("a picture could not be compressed");
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png(const Picture& picture) {
+  const auto palette = indexed(picture);
+  Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  Bytes header;
+  put_u32(header, static_cast<std::uint32_t>(picture.width));
+  put_u32(header, static_cast<std::uint32_t>(picture.height));
+  header.insert(header.end(), {8, palette ? type_indexed : type_rgb, 0, 0, 0});
+  put_chunk(out, "IHDR", header);
+
+  Bytes density;
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(picture.width / printed_width_m));
+  put_u32(density, per_metre);
+  put_u32(density, per_metre);
+  density.push_back(1);  // the unit is the metre
+  put_chunk(out, "pHYs", density);
+
+  const auto width = static_cast<std::size_t>(picture.width);
+  if (palette) {
+    put_chunk(out, "PLTE", palette->palette);
+    put_chunk(out, "IDAT", compressed(filtered(palette->indices, width, filter_none)));
+  } else {
+    put_chunk(out, "IDAT", compressed(filtered(picture.rgb, 3 * width, filter_up)));
+  }
+  put_chunk(out, "IEND", {});
+  std::vector<std::byte> bytes(out.size());
+  std::memcpy(bytes.data(), out.data(), out.size());
+  return bytes;
+}
+
+}  // namespace tribolog::render

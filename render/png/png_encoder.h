@@ -1,0 +1,15 @@
+#pragma once
+// Pictures to PNG.
+
+#include <cstddef>
+#include <vector>
+
+#include "render/paint/picture.h"
+
+namespace tribolog::render {
+
+/// The same picture gives the same bytes: no time stamp, no text. Indexed colour where the picture
+/// has at most 256 of them. Printed at 160 mm width by programs that heed pHYs.
+std::vector<std::byte> encode_png(const Picture& picture);
+
+}  // namespace tribolog::render

@@ -1,0 +1,170 @@
+#include "render/text/text_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/text/accents.h"
+#include "render/text/markup.h"
+#include "render/text/utf8.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double script_size = 0.70;
+constexpr double superscript_raise = 0.36;  // of the full size
+constexpr double subscript_drop = 0.17;
+constexpr double capital_height = 0.73;  // DejaVu Sans
+constexpr double letter_height = 0.55;   // its x-height; free-standing accents sit above it
+
+class Shaper {
+ public:
+  Shaper(const Font& font, const TextStyle& style, TextFaults& faults)
+      : font_(font), faults_(faults) {
+    line_.style = style;
+    line_.ascent = capital_height * style.size_px;
+  }
+
+  void add(const MarkupRun& run) {
+    const bool script = run.shift != Shift::none;
+    const int full = line_.style.size_px;
+    piece_.size_px = script ? static_cast<int>(std::lround(script_size * full)) : full;
+    piece_.raise = run.shift == Shift::superscript ? std::round(superscript_raise * full)
+                   : run.shift == Shift::subscript ? -std::round(subscript_drop * full)
+                                                   : 0.0;
+    start_piece();
+    for (const char32_t c : run.text) add(c);
+    finish_piece();
+  }
+
+  TextLine take() {
+    line_.width = pen_;
+    return std::move(line_);
+  }
+
+ private:
+  void add(char32_t c) {
+    if (const auto sign = free_standing(c); sign && previous_ != 0) {
+      add_accent(c, *sign);
+      return;
+    }
+    if (!font_.has(line_.style.weight, c)) {
+      faults_.without_glyph += c;
+      c = U'?';
+    }
+    if (previous_ != 0) {
+      pen_ += font_.kerning(line_.style.weight, piece_.size_px, previous_, c);
+    }
+    put(c);
+  }
+
+  void put(char32_t c) {
+    const GlyphMeasure& glyph = measure(c);
+    glyph_start_ = pen_;
+    text_ += c;
+    piece_.ink_top = std::max(piece_.ink_top, glyph.top);
+    piece_.ink_bottom = std::min(piece_.ink_bottom, glyph.bottom);
+    pen_ += glyph.advance;
+    previous_ = c;
+  }
+
+  void add_accent(char32_t mark, char32_t sign) {
+    if (const auto whole = composed(previous_, mark);
+        whole && font_.has(line_.style.weight, *whole)) {
+      text_.pop_back();
+      pen_ = glyph_start_;
+      put(*whole);
+      return;
+    }
+    const GlyphMeasure letter = measure(previous_);
+    const GlyphMeasure accent = measure(sign);
+    const double above = std::max(0.0, letter.top - letter_height * piece_.size_px);
+    TextPiece piece;
+    piece.text = encode_utf8(std::u32string(1, sign));
+    piece.size_px = piece_.size_px;
+    piece.offset = glyph_start_ + (letter.left + letter.right - accent.left - accent.right) / 2;
+    piece.raise = piece_.raise + std::round(above);
+    piece.advance = accent.advance;
+    piece.ink_top = accent.top;
+    piece.ink_bottom = accent.bottom;
+    accents_.push_back(std::move(piece));
+  }
+
+  void start_piece() {
+    piece_.offset = pen_;
+    piece_.ink_top = 0;
+    piece_.ink_bottom = 0;
+    previous_ = 0;
+    text_.clear();
+  }
+
+  void finish_piece() {
+    piece_.text = encode_utf8(text_);
+    piece_.advance = pen_ - piece_.offset;
+    keep(piece_);
+    for (const TextPiece& accent : accents_) keep(accent);
+    accents_.clear();
+  }
+
+  void keep(const TextPiece& piece) {
+    if (piece.text.empty()) return;
+    line_.ascent = std::max(line_.ascent, piece.raise + piece.ink_top);
+    line_.descent = std::max(line_.descent, -(piece.raise + piece.ink_bottom));
+    line_.pieces.push_back(piece);
+  }
+
+  [[nodiscard]] const GlyphMeasure& measure(char32_t c) const {
+    return font_.measure(line_.style.weight, piece_.size_px, c);
+  }
+
+  const Font& font_;
+  TextFaults& faults_;
+  TextLine line_;
+  TextPiece piece_;
+  std::vector<TextPiece> accents_;
+  std::u32string text_;
+  char32_t previous_{};
+  double glyph_start_{};
+  double pen_{};
+};
+
+}  // namespace
+
+TextLine shape_line(const Font& font, std::string_view markup, const TextStyle& style,
+                    TextFaults& faults) {
+  const MarkupText parsed = parse_markup(markup);
+  faults.malformed += parsed.replaced;
+  Shaper shaper(font, style, faults);
+  for (const MarkupRun& run : parsed.runs) shaper.add(run);
+  return shaper.take();
+}
+
+PixelBox box_of_line(const TextLine& line, PixelPoint start, bool upright) {
+  const double x = std::round(start.x);
+  const double y = std::round(start.y);
+  if (upright) return {x, y - line.ascent, x + line.width, y + line.descent};
+  return {x - line.ascent, y - line.width, x + line.descent, y};
+}
+
+PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool upright,
+                    Owner owner) {
+  const double x = std::round(start.x);
+  const double y = std::round(start.y);
+  for (const TextPiece& piece : line.pieces) {
+    TextRun run{owner, piece.text, line.style.weight == Weight::bold, piece.size_px, {}, upright,
+                line.style.colour, {}};
+    const double along = std::round(piece.offset);
+    if (upright) {
+      run.baseline = {x + along, y - piece.raise};
+      run.box = {run.baseline.x, run.baseline.y - piece.ink_top, run.baseline.x + piece.advance,
+                 run.baseline.y - piece.ink_bottom};
+    } else {
+      run.baseline = {x - piece.raise, y - along};
+      run.box = {run.baseline.x - piece.ink_top, run.baseline.y - piece.advance,
+                 run.baseline.x - piece.ink_bottom, run.baseline.y};
+    }
+    list.primitives.emplace_back(std::move(run));
+  }
+  return box_of_line(line, start, upright);
+}
+
+}  // namespace tribolog::render

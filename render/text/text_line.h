@@ -1,0 +1,65 @@
+#pragma once
+// One line of text with sub- and superscripts, measured and ready to be placed.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/text/font.h"
+
+namespace tribolog::render {
+
+struct TextStyle {
+  int size_px{26};
+  Weight weight{Weight::regular};
+  Colour colour{30, 30, 30};
+};
+
+/// Runs relative to the start of the baseline; `raise` is upwards.
+struct TextPiece {
+  std::string text;
+  int size_px{};
+  double offset{};
+  double raise{};
+  double advance{};
+  double ink_top{};     ///< Above this piece's own baseline.
+  double ink_bottom{};  ///< Negative below it.
+};
+
+struct TextLine {
+  std::vector<TextPiece> pieces;
+  TextStyle style;
+  double width{};
+  double ascent{};   ///< Highest ink above the baseline, at least a capital's height.
+  double descent{};  ///< Lowest ink below it, as a positive number.
+  [[nodiscard]] double height() const { return ascent + descent; }
+  [[nodiscard]] bool empty() const { return pieces.empty(); }
+};
+
+/// Collects what could not be printed as it was given.
+struct TextFaults {
+  std::size_t malformed{};
+  std::u32string without_glyph;
+};
+
+/// A character without a glyph becomes '?' and is noted. Kerning and advances are those that VTK
+/// uses, per piece.
+TextLine shape_line(const Font& font, std::string_view markup, const TextStyle& style,
+                    TextFaults& faults);
+
+/// Breaks between words so that no line is wider than `width`; at most `most_lines`, the last one
+/// cut with an ellipsis where needed (`cut` is then set).
+std::vector<TextLine> wrap_lines(const Font& font, const std::string& markup,
+                                 const TextStyle& style, double width, std::size_t most_lines,
+                                 TextFaults& faults, bool& cut);
+
+/// Puts a line with the start of its baseline at `start`, rounded to whole pixels; from bottom to
+/// top if not `upright`. Returns the box that it takes.
+PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool upright,
+                    Owner owner);
+
+/// The box that place_line would return.
+PixelBox box_of_line(const TextLine& line, PixelPoint start, bool upright);
+
+}  // namespace tribolog::render

@@ -1,0 +1,52 @@
+#pragma once
+// Messages between a process and its worker over a socket: a length, then that many bytes.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribolog::render {
+
+/// Writes values one after the other; reads them back in the same order.
+class Message {
+ public:
+  void put(std::uint32_t value);
+  void put(const std::string& text);
+  void put(const std::vector<std::byte>& bytes);
+
+  /// @throw std::runtime_error if the message ends before the value does.
+  std::uint32_t take_number();
+  std::string take_text();
+  std::vector<std::byte> take_bytes();
+
+  [[nodiscard]] std::vector<std::byte>& bytes() { return bytes_; }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  const std::byte* next(std::size_t count);
+
+  std::vector<std::byte> bytes_;
+  std::size_t position_{0};
+};
+
+/// Blocks until all is sent. False if the other side is gone; never raises SIGPIPE.
+bool send_message(int socket, const Message& message);
+
+/// Blocks until a whole message is there; nothing if the other side is gone.
+std::optional<Message> receive_message(int socket);
+
+/// Collects a message from whatever has arrived, without blocking.
+class MessageReader {
+ public:
+  enum class State { incomplete, complete, closed };
+  State read_some(int socket);
+  /// @pre the last state was complete. Starts over for the next message.
+  Message take();
+
+ private:
+  std::vector<std::byte> received_;
+};
+
+}  // namespace tribolog::render

@@ -1,0 +1,122 @@
+#include "render/workers/worker_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "error.h"
+
+namespace tribolog::render {
+namespace {
+
+void take_default_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGCHLD, SIGALRM, SIGUSR1,
+                           SIGUSR2, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    std::signal(signal, SIG_DFL);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+void redirect_output(int errors) {
+  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nowhere >= 0) {
+    dup2(nowhere, STDIN_FILENO);
+    dup2(nowhere, STDOUT_FILENO);
+  }
+  dup2(errors >= 0 ? errors : nowhere, STDERR_FILENO);
+}
+
+[[noreturn]] void run(const std::function<void(int)>& work, int socket, int errors,
+                      pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
+  take_default_signals();
+  redirect_output(errors);
+  try {
+    work(socket);
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);  // no destructor of the parent's objects runs, no buffer is flushed twice
+}
+
+std::string last_line(int file) {
+  constexpr off_t most = 300;
+  const off_t size = lseek(file, 0, SEEK_END);
+  if (size <= 0) return {};
+  std::array<char, most> buffer{};
+  const ssize_t got = pread(file, buffer.data(), buffer.size(), std::max<off_t>(0, size - most));
+  std::string text(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  text = text.substr(text.rfind('\n') + 1);
+  std::replace_if(text.begin(), text.end(),
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+  return text;
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const std::function<void(int socket)>& work) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw FigureError(std::string("no socket for a drawing process: ") + std::strerror(errno));
+  }
+  errors_ = memfd_create("tribolog-worker-errors", MFD_CLOEXEC);
+  const pid_t parent = getpid();
+  process_ = fork();
+  if (process_ == 0) {
+    close(ends[0]);
+    run(work, ends[1], errors_, parent);
+  }
+  const int reason = errno;
+  close(ends[1]);
+  socket_ = ends[0];
+  if (process_ < 0) {
+    close(socket_);
+    if (errors_ >= 0) close(errors_);
+    throw FigureError(std::string("no process for drawing: ") + std::strerror(reason));
+  }
+}
+
+WorkerProcess::~WorkerProcess() {
+  end();
+  close(socket_);
+  if (errors_ >= 0) close(errors_);
+}
+
+void WorkerProcess::end() {
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
+  while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+}
+
+std::string WorkerProcess::end_and_explain() {
+  // One that is ending by itself gets the time to, so that its own status is seen.
+  for (int i = 0; i < 20 && process_ >= 0; ++i) {
+    if (waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
+    if (process_ >= 0) usleep(10'000);
+  }
+  end();
+  std::string text = WIFSIGNALED(status_)
+                         ? "it was stopped by signal " + std::to_string(WTERMSIG(status_)) + " (" +
+                               strsignal(WTERMSIG(status_)) + ")"
+                         : "it ended with status " + std::to_string(WEXITSTATUS(status_));
+  const std::string said = errors_ >= 0 ? last_line(errors_) : std::string();
+  if (!said.empty()) text += "; its last words: " + said;
+  return text;
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,135 @@
+#include "figures/close_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "figures/estimator_style.h"
+#include "figures/number_text.h"
+#include "figures/run_curves.h"
+#include "figures/shaft.h"
+
+namespace tribolog::figures {
+namespace {
+
+constexpr double room = 2.0;              // of the chosen curves' largest value: neighbours come in
+constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
+constexpr double resolved_share = 0.008;  // of an axis: about one line width
+
+const std::vector<std::string> unbiased{"midline", "sweep", "AB", "CD", "EF"};
+
+std::ptrdiff_t rank(const std::string& estimator) {
+  return std::find(unbiased.begin(), unbiased.end(), estimator) - unbiased.begin();
+}
+
+bool may_be_merged(const std::string& estimator) {
+  return estimator != unbiased.front() && rank(estimator) < std::ssize(unbiased);
+}
+
+/// Infinite where they have no run in common.
+double largest_distance(const std::vector<double>& one, const std::vector<double>& other) {
+  Extent distances;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+    distances.add(one[i] - other[i]);
+  }
+  return distances.empty ? std::numeric_limits<double>::infinity() : distances.largest();
+}
+
+bool within(const std::vector<double>& values, double limit) {
+  return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) <= limit; });
+}
+
+}  // namespace
+
+std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves, double span) {
+  std::stable_sort(curves.begin(), curves.end(), [](const auto& one, const auto& other) {
+    return rank(one.estimator) < rank(other.estimator);
+  });
+  std::vector<NamedValues> drawn;
+  for (NamedValues& curve : curves) {
+    const auto twin = std::find_if(drawn.begin(), drawn.end(), [&](const NamedValues& before) {
+      return may_be_merged(curve.estimator) &&
+             largest_distance(curve.values, before.values) < resolved_share * span;
+    });
+    if (twin == drawn.end()) {
+      drawn.push_back(std::move(curve));
+    } else {
+      twin->same.push_back(curve.estimator == "sweep" ? "sweep fit" : curve.estimator);
+    }
+  }
+  return drawn;
+}
+
+std::string legend_words(const Calibration& calibration, const NamedValues& curve) {
+  const std::string words = candidate_words(calibration, curve.estimator);
+  return curve.same.empty() ? words : words + " = " + listed(curve.same);
+}
+
+void share_legend(const render::Panel& upper, render::Panel& lower) {
+  lower.show_legend =
+      std::any_of(lower.series.begin(), lower.series.end(), [&](const render::Series& series) {
+        return std::none_of(upper.series.begin(), upper.series.end(),
+                            [&](const auto& known) { return known.label == series.label; });
+      });
+}
+
+CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
+  Extent chosen;
+  Extent all;
+  for (const NamedValues& curve : curves) {
+    all.add(curve.values);
+    const bool matters =
+        curve.estimator == selection.paper_rule || curve.estimator == selection.recommended;
+    if (matters) chosen.add(curve.values);
+  }
+  CloseUp close;
+  const double limit = room * chosen.largest();
+  if (!(limit > 0.0) || all.largest() < worthwhile * limit) return close;
+  close.limit = limit;
+  for (const NamedValues& curve : curves) {
+    if (!within(curve.values, limit)) close.outside.push_back(estimator_words(curve.estimator));
+  }
+  return close;
+}
+
+render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
+                             const CloseUp& close, const std::string& quantity,
+                             const std::string& si_unit) {
+  Extent all;
+  for (const NamedValues& curve : curves) all.add(curve.values);
+  const double largest = close.limit > 0.0 ? close.limit : all.largest();
+  const AxisScale scale =
+      si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, std::max(largest, torque_floor_Nm));
+  render::Panel panel;
+  const double nothing = si_unit == "%" ? percent_floor : torque_floor_Nm;
+  if (close.limit <= 0.0 && largest < nothing) {
+    // No difference at all: the axis must not enlarge the computer's rounding.
+    panel.y.minimum = -scale(nothing);
+    panel.y.maximum = scale(nothing);
+  }
+  panel.x.title = speed_quantity(calibration.manifest) + " [rad/s]";
+  panel.y.title = axis_title(quantity, scale);
+  if (close.limit > 0.0) {
+    panel.y.minimum = -scale(close.limit);
+    panel.y.maximum = scale(close.limit);
+    panel.title = "Close-up";
+    if (!close.outside.empty()) panel.title += "; outside: " + listed(close.outside);
+  }
+  std::vector<NamedValues> shown_curves;
+  for (const NamedValues& curve : curves) {
+    if (close.limit <= 0.0 || within(curve.values, close.limit)) shown_curves.push_back(curve);
+  }
+  const double span = close.limit > 0.0 ? 2 * close.limit : std::max(all.span(), nothing);
+  for (const NamedValues& curve : in_drawing_order(std::move(shown_curves), span)) {
+    add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
+                  curve.values, scale);
+  }
+  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, 0.0, "",
+                                   render::palette::black, render::LineStyle::solid});
+  return panel;
+}
+
+}  // namespace tribolog::figures

@@ -1,0 +1,17 @@
+#pragma once
+// The shaft that speeds and torques are referred to, in words. A joint without a gear, or one whose
+// log and gain are stated at the joint, has no motor side of its own.
+
+#include <string>
+
+#include "joint/dataset.h"
+
+namespace tribolog::figures {
+
+/// "motor", or "joint" where the gear ratio is 1.
+std::string shaft(const Manifest& manifest);
+
+/// "motor speed φ̇", or "joint speed q̇" where the gear ratio is 1.
+std::string speed_quantity(const Manifest& manifest);
+
+}  // namespace tribolog::figures

@@ -1,0 +1,90 @@
+#include "export/simulation_files.h"
+
+#include <gtest/gtest.h>
+
+#include "error.h"
+#include "files/temporary_directory.h"
+#include "ingest/dataset_file.h"
+#include "ingest/scenario_file.h"
+#include "simulate/simulate_joint.h"
+
+namespace tribolog {
+namespace {
+
+using test::TemporaryDirectory;
+
+Scenario example(const std::string& name) {
+  return read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name);
+}
+
+class WriteSimulation : public testing::TestWithParam<const char*> {};
+
+TEST_P(WriteSimulation, ComesBackBitForBit) {
+  const TemporaryDirectory directory;
+  const Scenario scenario = example(GetParam());
+  const std::vector<Recording> recordings = simulate_joint(scenario);
+  write_simulation(scenario, recordings, directory.path("out/simulated"));
+  const Dataset d = read_dataset(directory.path("out/simulated/dataset.toml"));
+  ASSERT_EQ(d.recordings.size(), recordings.size());
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const Recording& written = recordings[i];
+    const Recording& read = d.recordings[i];
+    EXPECT_EQ(read.name, written.name);
+    EXPECT_EQ(read.role, written.role);
+    EXPECT_EQ(read.t_s, written.t_s) << written.name;
+    EXPECT_EQ(read.q_rad, written.q_rad) << written.name;
+    EXPECT_EQ(read.dq_rad_s, written.dq_rad_s) << written.name;
+    EXPECT_EQ(read.torque_Nm, written.torque_Nm) << written.name;
+    EXPECT_EQ(read.z_rad, written.z_rad) << written.name;
+    EXPECT_EQ(read.dz_rad_s, written.dz_rad_s) << written.name;
+    EXPECT_TRUE(read.skipped.empty()) << written.name;
+  }
+  EXPECT_TRUE(d.notes.empty());
+  EXPECT_TRUE(std::filesystem::exists(directory.path("out/simulated/truth.json")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, WriteSimulation,
+                         testing::Values("scenario.toml", "scenario_noise.toml",
+                                         "scenario_ripple.toml"));
+
+Scenario small_scenario() {
+  Scenario s = example("scenario.toml");
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.constant_speed.reset();
+  return s;
+}
+
+TEST(WriteSimulationTwice, GivesTheSameBytes) {
+  const TemporaryDirectory directory;
+  const Scenario s = small_scenario();
+  write_simulation(s, simulate_joint(s), directory.path("a"));
+  write_simulation(s, simulate_joint(s), directory.path("b"));
+  for (const char* name : {"/dataset.toml", "/truth.json", "/oscillation.csv"}) {
+    EXPECT_EQ(directory.contents(std::string("a") + name),
+              directory.contents(std::string("b") + name));
+  }
+}
+
+TEST(WriteSimulationRefusal, OfADirectoryThatCannotBeMade) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("file", "");
+  const Scenario s = small_scenario();
+  EXPECT_EQ(test::refusal_of<OutputError>([&] {
+              write_simulation(s, simulate_joint(s), file);
+              return 0;
+            }),
+            file + ": cannot create the directory: Not a directory");
+}
+
+TEST(WriteSimulationRefusal, OfNamesThatLeaveTheDirectory) {
+  const TemporaryDirectory directory;
+  const Scenario s = small_scenario();
+  std::vector<Recording> recordings = simulate_joint(s);
+  recordings[0].name = "../escaped.csv";
+  EXPECT_THROW(write_simulation(s, recordings, directory.path("out")), std::invalid_argument);
+  EXPECT_EQ(directory.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,109 @@
+// Logs that are read, with all their peculiarities.
+
+#include "ingest/csv_reader.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+CsvTable read(std::string_view text, const std::vector<WantedColumn>& columns = {{"t"}, {"tau"}}) {
+  return read_csv(text, "run.csv", columns);
+}
+
+using Values = std::vector<double>;
+using Notes = std::vector<std::string>;
+
+void expect_two_rows(std::string_view text) {
+  const CsvTable table = read(text);
+  EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
+  EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
+  EXPECT_EQ(table.rows, 2U);
+}
+
+TEST(CsvReader, ReadsTheColumnsAskedForInTheOrderAskedFor) {
+  const CsvTable table = read("t,q,tau,text\n0,7,1.25,a\n0.5,8,-3,b\n", {{"tau"}, {"t"}});
+  EXPECT_EQ(table.columns.at(0).values, (Values{1.25, -3}));
+  EXPECT_EQ(table.columns.at(1).values, (Values{0, 0.5}));
+  EXPECT_EQ(table.header, (std::vector<std::string>{"t", "q", "tau", "text"}));
+  EXPECT_TRUE(table.notes.empty());
+}
+
+TEST(CsvReader, TakesEveryLineEndAndTheByteOrderMark) {
+  expect_two_rows("t,tau\n0,1.25\n0.5,-3\n");
+  expect_two_rows("t,tau\r\n0,1.25\r\n0.5,-3\r\n");
+  expect_two_rows("t,tau\r0,1.25\r0.5,-3\r");
+  expect_two_rows("\xef\xbb\xbft,tau\n0,1.25\n0.5,-3");
+  EXPECT_EQ(read("t,tau\r\n0,1\n1,2\r\n").notes, (Notes{"line ends are mixed (LF, CR LF, CR)"}));
+  EXPECT_TRUE(read("t,tau\r\n0,1\r\n").notes.empty());
+}
+
+TEST(CsvReader, TakesEveryDelimiterAndStatesIt) {
+  expect_two_rows("t;tau\n0;1.25\n0.5;-3\n");
+  expect_two_rows("t\ttau\n0\t1.25\n0.5\t-3\n");
+  expect_two_rows("t  tau\n0   1.25 \n 0.5 -3\n");
+  expect_two_rows("t, tau\n0, 1.25\n 0.5 ,-3 \n");
+  EXPECT_EQ(read("t;tau\n0;1\n").notes, (Notes{"columns are separated by semicolons"}));
+}
+
+TEST(CsvReader, SkipsCommentsAndBlankLinesAndKeepsCountOfLines) {
+  const CsvTable table = read("# a log\n\nt,tau\n# units: s, Nm\n0,1.25\n\n  \n0.5,-3\n1,1\n");
+  EXPECT_EQ(table.rows, 3U);
+  EXPECT_EQ(table.line_of(0), 5);
+  EXPECT_EQ(table.line_of(1), 8);
+  EXPECT_EQ(table.line_of(2), 9);
+}
+
+TEST(CsvReader, FindsColumnsByNameWithAndWithoutUnit) {
+  const CsvTable table = read("\"t [s]\",tau (Nm)\n0,1\n", {{"t"}, {"tau (Nm)"}});
+  EXPECT_EQ(table.columns.at(0).header.unit, "s");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+  expect_two_rows("t [s] tau [Nm]\n0 1.25\n0.5 -3\n");  // blanks in the header only
+  // As a robot's own logger names them: brackets that are no units.
+  EXPECT_EQ(read("time, state.q[0], state.q[1]\n0, 1, 2\n", {{"time"}, {"state.q[1]"}})
+                .columns.at(1)
+                .values,
+            Values{2});
+}
+
+TEST(CsvReader, CountsGapsByColumn) {
+  const CsvTable table = read("t,tau,x\n0,nan,\n1,,\n,3,\n3,inf,\n4,5,\n");
+  EXPECT_EQ(table.columns.at(0).gaps, 1U);
+  EXPECT_EQ(table.columns.at(1).gaps, 3U);
+  EXPECT_TRUE(std::isnan(table.columns.at(1).values.at(3)));
+  EXPECT_EQ(table.columns.at(1).values.at(4), 5);
+  EXPECT_EQ(table.rows, 5U);
+}
+
+TEST(CsvReader, ReadsQuotedFields) {
+  expect_two_rows("\"t\",\"a, b\",tau\n\"0\",\"x, y\",1.25\n0.5,,\"-3\"\n");
+}
+
+TEST(CsvReader, IgnoresADelimiterAfterTheLastColumn) {
+  expect_two_rows("t,tau,\n0,1.25,\n0.5,-3,\n");
+  expect_two_rows("t,tau,\n0,1.25\n0.5,-3\n");
+  expect_two_rows("t,tau\n0,1.25,\n0.5,-3,\n");
+  EXPECT_EQ(read("t,tau\n0,1.25,\n0.5,-3,\n").notes,
+            (Notes{"rows end with a delimiter; the empty column is ignored"}));
+}
+
+TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
+  for (const char* rest : {"2", "2,", "2,-", "2,1.5e", "2,\"1", "2,n"}) {
+    const CsvTable table = read(std::string("t,x,tau\n0,0,1.25\n0.5,0,-3\n2,") + rest);
+    EXPECT_EQ(table.rows, 2U) << rest;
+    EXPECT_EQ(table.cut_rows, 1U) << rest;
+    ASSERT_EQ(table.notes.size(), 1U) << rest;
+  }
+  EXPECT_EQ(read("t,tau\n0,1\n2").notes,
+            (Notes{"file ends inside a row at byte 11 (log truncated?); the row is left out"}));
+  EXPECT_EQ(read("t,tau\n0,1\n2,3").cut_rows, 0U) << "only the line end is missing";
+}
+
+TEST(CsvReader, TakesNumbersTooSmallForADoubleAsZero) {
+  EXPECT_EQ(read("t,tau\n1e-400,-1e-999\n").columns.at(0).values, Values{0});
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,77 @@
+#include "ingest/dataset_file.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "error.h"
+#include "files/sha256.h"
+#include "files/temporary_directory.h"
+
+namespace tribolog {
+namespace {
+
+using test::TemporaryDirectory;
+
+std::string log(int rows) {
+  std::string csv = "t,q,tau\n";
+  for (int i = 0; i < rows; ++i) csv += fmt::format("{},{},{}\n", i / 100.0, 0.1, i);
+  return csv;
+}
+
+std::string manifest(const std::string& recordings) {
+  return "schema = \"tribolog-dataset-1\"\n[robot]\nname = \"R\"\n[joint]\nname = \"J\"\n"
+         "gear_ratio = 100\n[effort]\nkind = \"joint_torque\"\nside = \"joint\"\n[columns]\n"
+         "time = {name = \"t\", unit = \"s\"}\nangle = {name = \"q\", unit = \"rad\"}\n"
+         "effort = {name = \"tau\", unit = \"Nm\"}\n" +
+         recordings;
+}
+
+std::string recording(const std::string& role, const std::string& file,
+                      const std::string& more = "") {
+  return fmt::format("[[recording]]\nrole = \"{}\"\nfile = \"{}\"\n{}", role, file, more);
+}
+
+TEST(ReadDataset, FindsLogsBesideTheManifest) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.path("logs"));
+  const std::string csv = log(50);
+  (void)directory.file("logs/a.csv", csv);
+  const std::string text = manifest(recording("oscillation", "logs/a.csv", "note = \"warm\"\n") +
+                                    recording("rough_sweep", "logs/a.csv", "from_s = 0.1\n"));
+  const Dataset d = read_dataset(directory.file("dataset.toml", text));
+  ASSERT_EQ(d.recordings.size(), 2U);
+  EXPECT_EQ(d.recordings[0].torque_Nm[50 - 1], 0.49) << "joint torque / 100";
+  EXPECT_EQ(d.with_role(Role::rough_sweep).size(), 1U);
+  EXPECT_EQ(d.notes, (std::vector<std::string>{"logs/a.csv: warm"}));
+  ASSERT_EQ(d.inputs.size(), 3U);
+  EXPECT_EQ(d.inputs[0].name, "dataset.toml");
+  EXPECT_EQ(d.inputs[0].role, "manifest");
+  EXPECT_EQ(d.inputs[0].sha256, sha256_hex(text));
+  EXPECT_EQ(d.inputs[0].bytes, text.size());
+  EXPECT_EQ(d.inputs[1].name, "logs/a.csv");
+  EXPECT_EQ(d.inputs[1].sha256, sha256_hex(csv));
+  EXPECT_EQ(d.inputs[1].rows_read, 50U);
+  EXPECT_EQ(d.inputs[1].rows_used, 50U);
+  EXPECT_EQ(d.inputs[2].role, "rough_sweep");
+  EXPECT_EQ(d.inputs[2].rows_used, 40U);
+  EXPECT_EQ(d.inputs[2].skipped.at(0).count, 10U);
+}
+
+TEST(ReadDataset, SaysWhichLogIsNotThere) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("d.toml", manifest(recording("oscillation", "no.csv")));
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+            directory.path("no.csv") + ": cannot open: No such file or directory");
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(directory.path("no.toml")); }),
+            directory.path("no.toml") + ": cannot open: No such file or directory");
+}
+
+TEST(ReadDataset, TakesRunningTwiceForTheSame) {
+  const TemporaryDirectory directory;
+  (void)directory.file("a.csv", log(50));
+  const std::string path = directory.file("d.toml", manifest(recording("oscillation", "a.csv")));
+  EXPECT_EQ(read_dataset(path).recordings[0].torque_Nm, read_dataset(path).recordings[0].torque_Nm);
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,220 @@
+#include "ingest/manifest_file.h"
+
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+
+namespace tribolog {
+namespace {
+
+const std::string minimal = R"(schema = "tribolog-dataset-1"
+[robot]
+name = "R"
+[joint]
+name = "J"
+gear_ratio = 100
+[effort]
+kind = "motor_torque"
+side = "motor"
+[columns]
+time = {name = "t", unit = "s"}
+angle = {name = "q", unit = "rad"}
+effort = {name = "tau", unit = "Nm"}
+[[recording]]
+role = "oscillation"
+file = "a.csv"
+)";
+
+/// The minimal manifest with one piece of text replaced.
+std::string with(const std::string& piece, const std::string& replacement) {
+  std::string text = minimal;
+  const std::size_t at = text.find(piece);
+  if (at == std::string::npos) throw std::logic_error("no such piece: " + piece);
+  return text.replace(at, piece.size(), replacement);
+}
+
+std::string refusal(const std::string& text) {
+  return test::refusal_of<InputError>([&] { return parse_manifest(text, "m.toml"); });
+}
+
+TEST(Manifest, MinimalOneIsEnough) {
+  const ManifestFile m = parse_manifest(minimal, "m.toml");
+  EXPECT_EQ(m.manifest.robot, "R");
+  EXPECT_EQ(m.manifest.joint, "J");
+  EXPECT_EQ(m.manifest.drive.gear_ratio(), 100);
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::motor_torque);
+  EXPECT_EQ(m.manifest.drive.side(), Side::motor);
+  EXPECT_EQ(m.manifest.surrogate_distance_m, 0.5);
+  EXPECT_EQ(m.manifest.gravity_m_s2, 9.81);
+  EXPECT_EQ(m.effort_sign, 1.0);
+  ASSERT_EQ(m.recordings.size(), 1U);
+  EXPECT_EQ(m.recordings[0].role, Role::oscillation);
+  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::joint);
+  EXPECT_FALSE(m.recordings[0].columns.speed.has_value());
+}
+
+TEST(Manifest, FullOneIsReadWhole) {
+  const ManifestFile m = parse_manifest(R"(schema = "tribolog-dataset-1"
+[robot]
+name = "Größe <b>"
+serial = "S1"
+operator = "O"
+measured_on = "2026-11-21"
+note = "N"
+[joint]
+name = "3"
+gear_ratio = 50.5
+[effort]
+kind = "motor_current"
+side = "joint"
+torque_constant_Nm_A = 10.5
+sign = -1
+[payload]
+mass_kg = 2.5
+note = "gripper"
+[temperature]
+degC = 21.5
+[surrogate]
+distance_m = 0.4
+gravity_m_s2 = 9.8
+[columns]
+time = {name = "t", unit = "ms"}
+angle = {name = "q", unit = "deg", side = "motor"}
+speed = {name = "dq", unit = "rpm", side = "motor"}
+effort = {name = "i", unit = "mA"}
+[reference.waiboer]
+asperity_torque_Nm = 1
+stribeck_speed_rad_s = 2
+stribeck_power = 0.5
+viscous_coefficient = 0.1
+viscous_power = 0.6
+[[recording]]
+role = "rough_sweep"
+file = "a.csv"
+from_s = 5
+to_s = 62.3
+note = "warm"
+[[recording]]
+role = "constant_speed"
+file = "b.csv"
+columns = {angle = {name = "q1", unit = "rad"}}
+)",
+                                        "m.toml");
+  EXPECT_EQ(m.manifest.robot, "Größe <b>");
+  EXPECT_EQ(m.manifest.serial, "S1");
+  EXPECT_EQ(m.manifest.operator_name, "O");
+  EXPECT_EQ(m.manifest.measured_on, "2026-11-21");
+  EXPECT_EQ(m.manifest.note, "N");
+  EXPECT_EQ(m.manifest.drive.torque_constant_Nm_A(), 10.5);
+  EXPECT_EQ(m.effort_sign, -1.0);
+  EXPECT_EQ(m.manifest.payload_kg, 2.5);
+  EXPECT_EQ(m.manifest.payload, "gripper");
+  EXPECT_EQ(m.manifest.temperature_C, 21.5);
+  EXPECT_EQ(m.manifest.surrogate_distance_m, 0.4);
+  EXPECT_EQ(m.manifest.gravity_m_s2, 9.8);
+  ASSERT_TRUE(m.manifest.reference.has_value());
+  EXPECT_EQ(m.manifest.reference->parameters().viscous_power, 0.6);
+  ASSERT_EQ(m.recordings.size(), 2U);
+  EXPECT_EQ(m.recordings[0].from_s, 5.0);
+  EXPECT_EQ(m.recordings[0].note, "warm");
+  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::motor);
+  EXPECT_EQ(m.recordings[1].columns.angle->name, "q1");
+  EXPECT_EQ(m.recordings[1].columns.angle->side, Side::joint);
+  EXPECT_EQ(m.recordings[1].columns.effort->name, "i");
+}
+
+TEST(Manifest, NeverGuessesWhatTheEffortIs) {
+  const std::string hint =
+      "; hint: state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same "
+      "column "
+      "is ampere on one robot and newton metre on another, so it is never guessed";
+  EXPECT_EQ(refusal(with("[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n", "")),
+            "m.toml:1:1: key 'effort' is missing" + hint);
+  EXPECT_EQ(refusal(with("kind = \"motor_torque\"\n", "")),
+            "m.toml:7:1: key 'effort.kind' is missing" + hint);
+  EXPECT_EQ(refusal(with("\"motor_torque\"", "\"effort\"")),
+            "m.toml:8:8: key 'effort.kind': not known, found 'effort', expected one of "
+            "'motor_current', 'motor_torque', 'joint_torque'" +
+                hint);
+  EXPECT_EQ(refusal(with("side = \"motor\"\n", "")),
+            "m.toml:7:1: key 'effort.side' is missing; hint: \"motor\": before the gear, or "
+            "\"joint\": after it");
+}
+
+TEST(Manifest, WantsATorqueConstantForACurrentOnly) {
+  EXPECT_EQ(refusal(with("\"motor_torque\"", "\"motor_current\"")),
+            "m.toml:7:1: key 'effort.torque_constant_Nm_A' is missing, expected newton metres per "
+            "ampere, on the side stated; hint: without it a current cannot become a torque");
+  EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\ntorque_constant_Nm_A = 2")),
+            "m.toml:10:24: key 'effort.torque_constant_Nm_A': torque constant 2 N·m/A is given for "
+            "an effort of kind motor_torque; it belongs to motor_current");
+}
+
+TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
+  EXPECT_EQ(refusal(with("\"Nm\"", "\"A\"")),
+            "m.toml:13:32: key 'columns.effort.unit': contradicts effort.kind, found 'A', a "
+            "current, expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated "
+            "rightly?");
+  EXPECT_EQ(refusal(with("\"rad\"", "\"grad\"")),
+            "m.toml:12:29: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg; "
+            "hint: did you mean 'rad'?");
+}
+
+TEST(Manifest, RefusesWhatIsMissing) {
+  EXPECT_EQ(refusal(""), "m.toml:1:1: key 'schema' is missing; hint: one of 'tribolog-dataset-1'");
+  EXPECT_EQ(refusal(with("dataset-1", "dataset-2")),
+            "m.toml:1:10: key 'schema': not known, found 'tribolog-dataset-2', expected one of "
+            "'tribolog-dataset-1'; hint: did you mean 'tribolog-dataset-1'?");
+  EXPECT_EQ(refusal(with("name = \"R\"", "name = \" \"")),
+            "m.toml:3:8: key 'robot.name': is empty, expected a name; hint: the report and the "
+            "archive go by the robot's name");
+  EXPECT_EQ(refusal(with("gear_ratio = 100\n", "")),
+            "m.toml:4:1: key 'joint.gear_ratio' is missing; hint: motor angle / joint angle; 1 for "
+            "a direct drive");
+  EXPECT_EQ(refusal(with("gear_ratio = 100", "gear_ratio = 0")),
+            "m.toml:6:14: key 'joint.gear_ratio': not usable, found 0, expected a number > 0");
+  EXPECT_EQ(
+      refusal(with("effort = {name = \"tau\", unit = \"Nm\"}\n", "")),
+      "m.toml:13:1: no column is stated for the effort, expected effort = {name = ..., unit = "
+      "...} in [columns]; hint: without torque or current nothing can be identified");
+  EXPECT_EQ(refusal(with(", unit = \"s\"", "")),
+            "m.toml:11:8: key 'columns.time.unit' is missing; hint: one of s, ms, us, ns");
+  EXPECT_EQ(
+      refusal(with("[[recording]]\nrole = \"oscillation\"\nfile = \"a.csv\"\n", "")),
+      "m.toml: no [[recording]] is stated, expected one or more; hint: each with role and file");
+}
+
+TEST(Manifest, RefusesUnknownKeysEverywhere) {
+  EXPECT_EQ(refusal(with("[joint]", "serail = \"S\"\n[joint]")),
+            "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
+  EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
+            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'name', 'unit'");
+  EXPECT_EQ(refusal(minimal + "form_s = 5\n"),
+            "m.toml:17:10: unknown key 'recording.form_s'; hint: did you mean 'from_s'?");
+  EXPECT_EQ(refusal(minimal + "[extras]\n").substr(0, 34), "m.toml:17:1: unknown key 'extras';");
+}
+
+TEST(Manifest, RefusesImpossibleValues) {
+  EXPECT_EQ(refusal(minimal + "from_s = 5\nto_s = 5\n"),
+            "m.toml:18:8: key 'recording.to_s': window is empty, found 5..5 s, expected from_s < "
+            "to_s");
+  EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\nsign = 2")),
+            "m.toml:10:8: key 'effort.sign': not usable, found 2, expected 1 or -1");
+  EXPECT_EQ(refusal(with("\"oscillation\"", "\"oscilation\"")),
+            "m.toml:15:8: key 'recording.role': not known, found 'oscilation', expected one of "
+            "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed'; hint: did you mean "
+            "'oscillation'?");
+  EXPECT_EQ(
+      refusal(minimal + "[reference.waiboer]\nasperity_torque_Nm = 1\n"
+                        "stribeck_speed_rad_s = 1\nstribeck_power = 1\n"
+                        "viscous_coefficient = 1\nviscous_power = 1\n"),
+      "m.toml:22:17: key 'reference.waiboer.viscous_power': viscous power 1 is not allowed; it "
+      "must be < 1");
+}
+
+TEST(Manifest, RefusesTextThatIsNotUtf8) {
+  EXPECT_EQ(refusal(with("\"R\"", "\"\xff\"")).substr(0, 9), "m.toml:3:");
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,38 @@
+// Logs of real robots, where they lie beside the checkout.
+
+#include "support/real_logs.h"
+
+#include <gtest/gtest.h>
+
+#include "ingest/dataset_file.h"
+
+namespace tribolog {
+namespace {
+
+Dataset manifest(const std::string& name) {
+  return read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
+}
+
+TEST(RealLogs, Ur10eJointsGiveTheirSine) {
+  TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
+  const Dataset two = manifest("ur10e_joint_2.toml");
+  ASSERT_EQ(two.recordings.size(), 1U);
+  const Recording& r = two.recordings[0];
+  EXPECT_EQ(r.rows_read, 6030U);
+  EXPECT_GE(r.t_s.front(), 5.0);
+  EXPECT_LE(r.t_s.back(), 62.3);
+  EXPECT_EQ(r.size() + r.skipped.at(0).count, r.rows_read);
+  EXPECT_TRUE(two.notes.empty());
+  EXPECT_EQ(manifest("ur10e_joint_3.toml").recordings.size(), 1U);
+}
+
+TEST(RealLogs, CiceseArmGivesOscillationsAndRuns) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  const Dataset d = manifest("cicese_joint1.toml");
+  EXPECT_EQ(d.with_role(Role::oscillation).size(), 3U);
+  EXPECT_EQ(d.with_role(Role::constant_speed).size(), 57U);
+  for (const Recording& r : d.recordings) EXPECT_EQ(r.dq_rad_s.size(), r.size()) << r.name;
+}
+
+}  // namespace
+}  // namespace tribolog

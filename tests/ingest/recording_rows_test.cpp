@@ -1,0 +1,206 @@
+#include "ingest/recording_rows.h"
+
+#include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+
+namespace tribolog {
+namespace {
+
+RecordingEntry entry() {
+  RecordingEntry e;
+  e.role = Role::rough_sweep;
+  e.file = "run.csv";
+  e.columns.time = ColumnEntry{"t", "s", Quantity::time, 1.0, Side::joint, {"m.toml", 1, 1}};
+  e.columns.angle = ColumnEntry{"q", "rad", Quantity::angle, 1.0, Side::joint, {"m.toml", 2, 1}};
+  e.columns.effort = ColumnEntry{"tau", "Nm", Quantity::torque, 1.0, Side::joint, {"m.toml", 3, 1}};
+  return e;
+}
+
+struct Outcome {
+  Recording recording;
+  std::vector<std::string> notes;
+};
+
+Outcome make(const RecordingEntry& e, const std::string& csv,
+             const Drive& drive = Drive(1.0, EffortKind::motor_torque, Side::motor),
+             double sign = 1.0) {
+  Outcome outcome;
+  const CsvTable table = read_columns_of(e, csv, "dir/run.csv");
+  outcome.recording = make_recording(e, table, drive, sign, outcome.notes);
+  return outcome;
+}
+
+std::string refusal(const RecordingEntry& e, const std::string& csv) {
+  return test::refusal_of<InputError>([&] { return make(e, csv); });
+}
+
+/// Rows t, q, tau at 100 Hz: q = i/1000, tau = i.
+std::string rows(int from, int to) {
+  std::string text;
+  for (int i = from; i < to; ++i) text += fmt::format("{},{},{}\n", i / 100.0, i / 1000.0, i);
+  return text;
+}
+
+const std::string header = "t,q,tau\n";
+
+void expect_sum_rule(const Recording& r) {
+  std::size_t sum = r.size();
+  for (const SkippedRows& skipped : r.skipped) sum += skipped.count;
+  EXPECT_EQ(r.rows_read, sum);
+}
+
+TEST(RecordingRows, KeepEveryNumberAsItIs) {
+  const auto [r, notes] = make(entry(), header + rows(0, 100));
+  ASSERT_EQ(r.size(), 100U);
+  EXPECT_EQ(r.t_s[7], 0.07);
+  EXPECT_EQ(r.q_rad[7], 0.007);
+  EXPECT_EQ(r.torque_Nm[7], 7.0);
+  EXPECT_TRUE(r.dq_rad_s.empty());
+  EXPECT_TRUE(r.skipped.empty());
+  EXPECT_TRUE(notes.empty());
+  EXPECT_EQ(r.name, "run.csv");
+}
+
+TEST(RecordingRows, BecomeSiOnTheirStatedSides) {
+  RecordingEntry e = entry();
+  e.columns.angle->side = Side::motor;
+  e.columns.angle->unit = "deg";
+  e.columns.angle->si_factor = std::numbers::pi / 180;
+  e.columns.effort->quantity = Quantity::current;
+  e.columns.bristle = ColumnEntry{"z", "mrad", Quantity::angle, 1e-3, Side::joint, {}};
+  std::string csv = "t,q,tau,z\n";
+  for (int i = 0; i < 30; ++i) csv += fmt::format("{},{},{},{}\n", i / 100.0, 18000, 2, 5);
+  // 18000 deg at the motor are 180 deg at the joint of a gear of 100; 2 A at 10 N·m/A at the joint
+  // are 20 N·m there, 0.2 N·m at the motor, and the sign turns them round.
+  const auto [r, notes] =
+      make(e, csv, Drive(100, EffortKind::motor_current, Side::joint, 10.0), -1.0);
+  EXPECT_NEAR(r.q_rad[0], std::numbers::pi, 1e-15);
+  EXPECT_NEAR(r.torque_Nm[0], -0.2, 1e-16);
+  EXPECT_EQ(r.z_rad[0], 5e-3) << "bristles are on the motor side already";
+}
+
+TEST(RecordingRows, OutsideTheWindowAreCounted) {
+  RecordingEntry e = entry();
+  e.from_s = 0.1;
+  e.to_s = 0.5;
+  const auto [r, notes] = make(e, header + rows(0, 100));
+  EXPECT_EQ(r.size(), 41U);
+  EXPECT_EQ(r.t_s.front(), 0.1);
+  EXPECT_EQ(r.t_s.back(), 0.5);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_EQ(r.skipped[0].reason, "outside the window 0.1..0.5 s");
+  EXPECT_EQ(r.skipped[0].count, 59U);
+  expect_sum_rule(r);
+}
+
+TEST(RecordingRows, WithGapsAreCountedByColumn) {
+  const auto [r, notes] = make(
+      entry(), header + rows(0, 30) + "0.3,nan,1\n0.31,,1\n0.32,1,nan\nnan,1,1\n" + rows(33, 50));
+  EXPECT_EQ(r.size(), 47U);
+  ASSERT_EQ(r.skipped.size(), 3U);
+  EXPECT_EQ(r.skipped[0].reason, "gap (nan) in column 't'");
+  EXPECT_EQ(r.skipped[1].reason, "gap (nan) in column 'q'");
+  EXPECT_EQ(r.skipped[1].count, 2U);
+  EXPECT_TRUE(notes.empty()) << "few gaps are no news";
+  expect_sum_rule(r);
+}
+
+TEST(RecordingRows, ManyGapsAreNotedAndNothingButGapsIsRefused) {
+  std::string csv = header;
+  for (int i = 0; i < 100; ++i) csv += fmt::format("{},{},{}\n", i, 0.1, i % 2 ? "nan" : "1");
+  EXPECT_EQ(make(entry(), csv).notes.at(0),
+            "run.csv: column 'tau': 50 % of the rows are gaps (nan)");
+  csv = header;
+  for (int i = 0; i < 100; ++i) csv += fmt::format("{},nan,1\n", i / 100.0);
+  EXPECT_EQ(refusal(entry(), csv),
+            "dir/run.csv: column 'q' holds no number, only gaps (empty or nan)");
+}
+
+TEST(RecordingRows, RepeatedTimeStampsKeepTheFirst) {
+  const auto [r, notes] = make(entry(), header + rows(0, 50) + "0.49,9,9\n" + rows(50, 80));
+  EXPECT_EQ(r.size(), 80U);
+  EXPECT_EQ(r.torque_Nm[49], 49.0);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_EQ(r.skipped[0].reason, "repeated time stamp");
+  expect_sum_rule(r);
+}
+
+TEST(RecordingRows, TooManyRepeatedTimeStampsAreRefused) {
+  std::string csv = header;
+  for (int i = 0; i < 100; ++i) csv += fmt::format("{},0,0\n", i / 2);
+  EXPECT_EQ(
+      refusal(entry(), csv),
+      "dir/run.csv: column 't': 50 of 100 time stamps repeat an earlier one, expected no more "
+      "than 5 %; hint: time column has too few digits?");
+}
+
+TEST(RecordingRows, SmallStepsBackArePutInOrder) {
+  const auto [r, notes] =
+      make(entry(), header + rows(0, 40) + "0.45,1,45\n" + rows(40, 45) + rows(46, 60));
+  EXPECT_EQ(r.size(), 60U);
+  for (std::size_t i = 0; i < r.size(); ++i) EXPECT_EQ(r.torque_Nm[i], static_cast<double>(i));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "run.csv: time runs back in 5 rows (first in line 43); put in order of time");
+}
+
+TEST(RecordingRows, LargeStepsBackAreRefusedEvenOutsideTheWindow) {
+  RecordingEntry e = entry();
+  e.to_s = 0.4;
+  EXPECT_EQ(refusal(e, header + rows(0, 200) + rows(0, 200)),
+            "dir/run.csv:202: time runs back by 1.99 s; hint: two logs concatenated? split the "
+            "file, or correct the unit of time");
+}
+
+TEST(RecordingRows, TooFewAreRefusedWithTheReasons) {
+  RecordingEntry e = entry();
+  e.from_s = 0.9;
+  EXPECT_EQ(refusal(e, header + rows(0, 100)),
+            "dir/run.csv: too few usable rows, found 10 of 100, expected at least 20; hint: left "
+            "out: outside the window 0.9.. s: 90");
+}
+
+TEST(RecordingRows, ARowThatIsCutOffIsCounted) {
+  const auto [r, notes] = make(entry(), header + rows(0, 30) + "0.3,0.0");
+  EXPECT_EQ(r.rows_read, 31U);
+  EXPECT_EQ(r.skipped.at(0).reason, "cut off at the end of the file");
+  EXPECT_EQ(notes.size(), 1U);
+  expect_sum_rule(r);
+}
+
+TEST(RecordingRows, ImplausibleUnitsAreNotedNeverConverted) {
+  std::string csv = header;
+  for (int i = 0; i < 50; ++i) csv += fmt::format("{},{},0\n", i, 2 * i - 90);
+  const auto [r, notes] = make(entry(), csv);
+  EXPECT_EQ(r.q_rad[0], -90.0);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0], "run.csv: the joint's angle reaches 90 rad, read as rad: degrees?");
+  EXPECT_EQ(notes[1], "run.csv: 1 samples a second, read in s: another unit of time?");
+}
+
+TEST(RecordingRows, AHeaderThatContradictsTheManifestIsRefused) {
+  EXPECT_EQ(refusal(entry(), "t [s],q [deg],tau [Nm]\n" + rows(0, 30)),
+            "m.toml:2:1: unit contradicts the header of the log, found 'rad', expected 'deg' as in "
+            "'q [deg]'");
+  EXPECT_EQ(make(entry(), "t [s],q [rad],tau [N m]\n" + rows(0, 30)).recording.size(), 30U);
+}
+
+TEST(RecordingRows, WithoutEffortNothingCanBeIdentified) {
+  EXPECT_EQ(refusal(entry(), "t,q,u_motor_V,tau_Nm\n0,0,0,0\n"),
+            "dir/run.csv:1: column 'tau' is missing, found 't', 'q', 'u_motor_V', 'tau_Nm'; hint: "
+            "did you mean 'tau_Nm'? without torque or current nothing can be identified");
+}
+
+TEST(RecordingRows, ANumberTooLargeInItsUnitIsRefused) {
+  RecordingEntry e = entry();
+  e.columns.effort->si_factor = 1e3;
+  e.columns.effort->unit = "kNm";
+  EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e307\n" + rows(31, 40)),
+            "dir/run.csv:32: column 'tau': number is too large in kNm");
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,58 @@
+#include "ingest/units.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+
+namespace tribolog {
+namespace {
+
+using std::numbers::pi;
+
+TEST(Units, HaveTheirFactors) {
+  EXPECT_EQ(find_si_factor(Quantity::angle, "rad"), 1.0);
+  EXPECT_EQ(find_si_factor(Quantity::angle, "mrad"), 1e-3);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "deg") * 180, pi);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "rpm") * 60, 2 * pi);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "°/s") * 180, pi);
+  EXPECT_EQ(find_si_factor(Quantity::torque, "kNm"), 1e3);
+  EXPECT_EQ(find_si_factor(Quantity::current, "mA"), 1e-3);
+  EXPECT_EQ(find_si_factor(Quantity::time, "ns"), 1e-9);
+}
+
+TEST(Units, MayBeSpeltInSeveralWays) {
+  for (const char* unit : {"Nm", "N·m", "N⋅m", "N*m", "N m", " N m "}) {
+    EXPECT_EQ(find_si_factor(Quantity::torque, unit), 1.0) << unit;
+  }
+  EXPECT_EQ(find_si_factor(Quantity::torque, "mN·m"), 1e-3);
+  for (const char* unit : {"us", "µs", "μs"}) {  // Latin u, micro sign, Greek mu
+    EXPECT_EQ(find_si_factor(Quantity::time, unit), 1e-6) << unit;
+  }
+}
+
+TEST(Units, AreNeverOfAnotherQuantityOrCase) {
+  EXPECT_EQ(find_si_factor(Quantity::torque, "A"), std::nullopt);
+  EXPECT_EQ(find_si_factor(Quantity::time, "rad"), std::nullopt);
+  EXPECT_EQ(find_si_factor(Quantity::torque, "MNm"), std::nullopt);
+  EXPECT_EQ(find_si_factor(Quantity::angle, ""), std::nullopt);
+}
+
+TEST(Units, AreListedWhereOneIsNotKnown) {
+  const auto refusal = [](Quantity quantity, const char* unit) {
+    return test::refusal_of<InputError>([&] {
+      return si_factor(quantity, unit, {"m.toml", 5, 9});
+    });
+  };
+  EXPECT_EQ(refusal(Quantity::angle, "degree"),
+            "m.toml:5:9: unknown unit of an angle, found 'degree', expected one of rad, mrad, deg; "
+            "hint: did you mean 'deg'?");
+  EXPECT_EQ(refusal(Quantity::torque, "lbf"),
+            "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm");
+  EXPECT_EQ(refusal(Quantity::time, "min"),
+            "m.toml:5:9: unknown unit of a time, found 'min', expected one of s, ms, us, ns");
+}
+
+}  // namespace
+}  // namespace tribolog

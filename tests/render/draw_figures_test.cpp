@@ -1,0 +1,141 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "error.h"
+#include "example_figures.h"
+#include "render/renderer.h"
+
+namespace tribolog::render {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Setting {
+ public:
+  Setting(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+  ~Setting() { unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+};
+
+std::vector<Figure> five() {
+  return {examples::plain(), examples::hysteresis(), examples::stacked(),
+          examples::many_curves(10), examples::noisy_sweep()};
+}
+
+std::vector<DrawnFigure> draw(const std::vector<Figure>& figures, int processes) {
+  DrawOptions options;
+  options.processes = processes;
+  return draw_figures(figures, options);
+}
+
+void expect_no_child_left() {
+  errno = 0;
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+TEST(DrawFigures, GivesTheSameBytesForAnyNumberOfProcessesAndOrder) {
+  const auto figures = five();
+  const auto one = draw(figures, 1);
+  const auto three = draw(figures, 3);
+  const auto backwards = draw({figures.rbegin(), figures.rend()}, 2);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    EXPECT_EQ(one[i].error, "");
+    EXPECT_EQ(one[i].id, figures[i].id);
+    EXPECT_EQ(one[i].png, three[i].png) << one[i].id;
+    EXPECT_EQ(one[i].png, backwards[figures.size() - 1 - i].png) << one[i].id;
+  }
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, ReportsProgressInTheCallersThread) {
+  std::vector<std::size_t> steps;
+  DrawOptions options;
+  options.progress = [&](std::size_t done, std::size_t all) {
+    EXPECT_EQ(all, 5U);
+    steps.push_back(done);
+  };
+  draw_figures(five(), options);
+  EXPECT_EQ(steps, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+}
+
+TEST(DrawFigures, DrawsNothingOfNothing) { EXPECT_TRUE(draw({}, 2).empty()); }
+
+TEST(DrawFigures, LosesOnlyTheFigureAtWhichAWorkerCrashes) {
+  for (const char* way : {"TRIBOLOG_TEST_CRASH_FIGURE", "TRIBOLOG_TEST_EXIT_FIGURE"}) {
+    const Setting setting(way, "stacked");
+    for (const int processes : {1, 2}) {
+      for (const DrawnFigure& one : draw(five(), processes)) {
+        if (one.id == "stacked") {
+          EXPECT_NE(one.error.find("the drawing process was lost"), std::string::npos) << one.error;
+          EXPECT_TRUE(one.png.empty());
+        } else {
+          EXPECT_EQ(one.error, "");
+        }
+      }
+    }
+  }
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, StopsAWorkerThatHangs) {
+  const Setting setting("TRIBOLOG_TEST_HANG_FIGURE", "plain");
+  DrawOptions options;
+  options.most_per_figure = 5000ms;
+  const auto all = draw_figures({examples::plain(), examples::hysteresis()}, options);
+  EXPECT_NE(all[0].error.find("took too long"), std::string::npos);
+  EXPECT_EQ(all[1].error, "");
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, LeavesNoChildWhenProgressThrows) {
+  DrawOptions options;
+  options.progress = [](std::size_t, std::size_t) { throw std::runtime_error("stop"); };
+  EXPECT_THROW(draw_figures(five(), options), std::runtime_error);
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, ReportsAMissingFontPerFigure) {
+  const Setting setting("TRIBOLOG_FONT_DIR", "/nonexistent");
+  for (const DrawnFigure& one : draw(five(), 2)) {
+    EXPECT_NE(one.error.find("fonts-dejavu-core"), std::string::npos);
+  }
+  EXPECT_THROW(renderer_info(), FigureError);
+}
+
+TEST(RendererInfo, NamesEverythingThatMakesAPicture) {
+  const RendererInfo info = renderer_info();
+  EXPECT_NE(info.gl_renderer.find("llvmpipe"), std::string::npos) << info.gl_renderer;
+  EXPECT_NE(info.gl_version.find("Mesa"), std::string::npos);
+  EXPECT_FALSE(info.vtk_version.empty());
+  EXPECT_FALSE(info.freetype_version.empty());
+  EXPECT_TRUE(std::filesystem::exists(info.font));
+}
+
+// With another OpenGL library ahead of OSMesa every picture would be white. The program under test
+// must be started anew for that, so this test runs another test of its own executable.
+TEST(RendererInfo, RefusesAForeignOpenGlLibrary) {
+  if (renderer_info().back_end != "OSMesa") GTEST_SKIP() << "only OSMesa can be shadowed";
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = "LD_PRELOAD=libGL.so.1 '" + self +
+                              "' --gtest_filter=RendererInfo.NamesEverythingThatMakesAPicture 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  ASSERT_NE(pipe, nullptr);
+  std::string said;
+  char buffer[512];
+  while (fgets(buffer, sizeof buffer, pipe) != nullptr) said += buffer;
+  const int status = pclose(pipe);
+  if (said.find("cannot be preloaded") != std::string::npos) GTEST_SKIP() << "no libGL here";
+  EXPECT_NE(status, 0);
+  EXPECT_NE(said.find("instead of libOSMesa"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace tribolog::render
