@@ -12,12 +12,17 @@ std::vector<double> dash_lengths(LineStyle style, double width) {
   const double dot = 1.3 * unit;
   const double gap = 2.4 * unit;
   switch (style) {
-    case LineStyle::dash: return {dash, gap};
-    case LineStyle::dot: return {dot, 1.6 * unit};
-    case LineStyle::dash_dot: return {1.4 * dash, gap, dot, gap};
-    case LineStyle::dash_dot_dot: return {1.4 * dash, gap, dot, gap, dot, gap};
+    case LineStyle::dash:
+      return {dash, gap};
+    case LineStyle::dot:
+      return {dot, 1.6 * unit};
+    case LineStyle::dash_dot:
+      return {1.4 * dash, gap, dot, gap};
+    case LineStyle::dash_dot_dot:
+      return {1.4 * dash, gap, dot, gap, dot, gap};
     case LineStyle::none:
-    case LineStyle::solid: break;
+    case LineStyle::solid:
+      break;
   }
   return {};
 }

@@ -15,9 +15,27 @@
 namespace tribolog::render {
 
 enum class Role {
-  grid, axis, tick_label, scale_note, axis_title, panel_title, figure_title,
-  band, series, series_marker, direction_arrow, error_bar, reference_line, reference_text,
-  label_marker, label_leader, label_text, text_backing, legend_box, legend_sample, legend_text,
+  grid,
+  axis,
+  tick_label,
+  scale_note,
+  axis_title,
+  panel_title,
+  figure_title,
+  band,
+  series,
+  series_marker,
+  direction_arrow,
+  error_bar,
+  reference_line,
+  reference_text,
+  label_marker,
+  label_leader,
+  label_text,
+  text_backing,
+  legend_box,
+  legend_sample,
+  legend_text,
   notice,
 };
 
@@ -68,9 +86,9 @@ struct TextRun {
   Owner owner;
   std::string text;  ///< Valid UTF-8; the font has every glyph.
   bool bold{false};
-  int size{26};          ///< Pixels per em.
-  PixelPoint baseline;   ///< Where the first glyph starts.
-  bool upright{true};    ///< Otherwise it reads from bottom to top.
+  int size{26};         ///< Pixels per em.
+  PixelPoint baseline;  ///< Where the first glyph starts.
+  bool upright{true};   ///< Otherwise it reads from bottom to top.
   Colour colour;
   PixelBox box;  ///< Advance times ink.
 };

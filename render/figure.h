@@ -87,7 +87,7 @@ struct ReferenceLine {
 };
 
 struct Axis {
-  std::string title;  ///< With the unit in brackets: "T [N·m]".
+  std::string title;              ///< With the unit in brackets: "T [N·m]".
   std::optional<double> minimum;  ///< Fixed end; absent: from the data with a margin.
   std::optional<double> maximum;
   bool logarithmic{false};  ///< Decades; all data must be positive.

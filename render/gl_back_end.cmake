@@ -22,9 +22,12 @@ if(gl_chosen STREQUAL "osmesa")
     # Shared, so that VTK's GLEW finds the symbol wherever it stands on the link line.
     add_library(tribolog_gl SHARED paint/glx_forwarder.cpp)
     target_include_directories(tribolog_gl SYSTEM PUBLIC ${TRIBOLOG_OSMESA_INCLUDE})
+    target_include_directories(tribolog_gl PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(tribolog_gl PUBLIC ${TRIBOLOG_OSMESA_LIBRARY} ${CMAKE_DL_LIBS}
                           PRIVATE tribolog_flags)
-    target_link_options(tribolog_gl INTERFACE LINKER:--no-as-needed)
+    # The program then needs INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/tribolog".
+    include(GNUInstallDirs)
+    install(TARGETS tribolog_gl LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tribolog)
   else()
     add_library(tribolog_gl INTERFACE)
     target_include_directories(tribolog_gl SYSTEM INTERFACE ${TRIBOLOG_OSMESA_INCLUDE})

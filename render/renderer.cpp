@@ -105,11 +105,13 @@ class DrawingCrew {
 
   void collect(Member& member) {
     switch (member.reader.read_some(member.process->socket())) {
-      case MessageReader::State::incomplete: return;
+      case MessageReader::State::incomplete:
+        return;
       case MessageReader::State::closed:
         lose(member, "the drawing process was lost: " + member.process->end_and_explain());
         return;
-      case MessageReader::State::complete: break;
+      case MessageReader::State::complete:
+        break;
     }
     try {
       Message answer = member.reader.take();

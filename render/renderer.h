@@ -12,18 +12,18 @@
 namespace tribolog::render {
 
 struct RendererInfo {
-  std::string vtk_version;       ///< "9.1.0"
-  std::string back_end;          ///< "OSMesa" or "EGL"
-  std::string gl_version;        ///< As the driver states it, with Mesa's version.
-  std::string gl_renderer;       ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string font;              ///< Font file in use.
+  std::string vtk_version;  ///< "9.1.0"
+  std::string back_end;     ///< "OSMesa" or "EGL"
+  std::string gl_version;   ///< As the driver states it, with Mesa's version.
+  std::string gl_renderer;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string font;         ///< Font file in use.
   std::string freetype_version;
 };
 
 /// One drawn figure, or why it could not be drawn.
 struct DrawnFigure {
   std::string id;
-  std::vector<std::byte> png;         ///< Empty if `error` is not.
+  std::vector<std::byte> png;  ///< Empty if `error` is not.
   int width_px{};
   int height_px{};
   std::vector<std::string> warnings;  ///< E.g. "dropped 3 samples that are not finite".

@@ -9,10 +9,10 @@
 namespace tribolog::render {
 namespace {
 
-constexpr int least_contrast = 16;      // of 255, in the strongest channel
-constexpr double least_tint = 0.4;      // of the way from the background to the colour
-constexpr double most_hue_error = 48;   // of 255
-constexpr double least_share = 0.5;     // of the pixels that must show a series
+constexpr int least_contrast = 16;     // of 255, in the strongest channel
+constexpr double least_tint = 0.4;     // of the way from the background to the colour
+constexpr double most_hue_error = 48;  // of 255
+constexpr double least_share = 0.5;    // of the pixels that must show a series
 constexpr double white = 255.0;
 
 struct Ink {

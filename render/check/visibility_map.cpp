@@ -24,7 +24,8 @@ PixelBox bounds(const std::vector<PixelPoint>& outline) {
 }  // namespace
 
 VisibilityMap::VisibilityMap(const DrawList& list)
-    : width_(list.width), height_(list.height),
+    : width_(list.width),
+      height_(list.height),
       pixels_(static_cast<std::size_t>(list.width) * static_cast<std::size_t>(list.height)) {
   for (const Primitive& primitive : list.primitives) paint(primitive);
 }
@@ -38,8 +39,7 @@ std::uint16_t VisibilityMap::number_of(const Primitive& primitive) {
   for (std::size_t i = 0; i < subjects_.size(); ++i) {
     if (subjects_[i].owner == owner) return static_cast<std::uint16_t>(i + 1);
   }
-  const Colour colour =
-      std::visit([](const auto& one) -> Colour { return one.colour; }, primitive);
+  const Colour colour = std::visit([](const auto& one) -> Colour { return one.colour; }, primitive);
   subjects_.push_back({owner, colour, 0});
   return static_cast<std::uint16_t>(subjects_.size());
 }
@@ -90,8 +90,7 @@ void VisibilityMap::bar(PixelPoint a, PixelPoint b, double half, double extra,
   const double uy = (b.y - a.y) / length;
   const double reach = half + std::max(0.0, extra);
   const int top = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - reach)));
-  const int bottom =
-      std::min(height_ - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + reach)));
+  const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + reach)));
   for (int y = top; y <= bottom; ++y) {
     const double dy = y + 0.5 - a.y;
     double from = -1e9;
@@ -150,7 +149,9 @@ void VisibilityMap::ribbon(const Ribbon& one, std::uint16_t number) {
     const double left = std::min(a0.x, a1.x);
     const double right = std::max(a0.x, a1.x);
     box(PixelBox{left, std::min({a0.y, a1.y, b0.y, b1.y}), right,
-                 std::max({a0.y, a1.y, b0.y, b1.y})}.grown(touch), 0);
+                 std::max({a0.y, a1.y, b0.y, b1.y})}
+            .grown(touch),
+        0);
     const double top = std::max(std::min(a0.y, b0.y), std::min(a1.y, b1.y));
     const double bottom = std::min(std::max(a0.y, b0.y), std::max(a1.y, b1.y));
     if (number > 0 && top + 2 * inside < bottom) {

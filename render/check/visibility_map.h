@@ -15,7 +15,7 @@ namespace tribolog::render {
 class VisibilityMap {
  public:
   struct Subject {
-    Owner owner;   ///< Role::series or Role::band.
+    Owner owner;  ///< Role::series or Role::band.
     Colour colour;
     std::size_t painted{};  ///< Pixels that it covered when it was painted.
   };

@@ -13,14 +13,14 @@ void draw_line(DrawList& list, Owner owner, PixelPoint a, PixelPoint b, double w
 
 double line_pitch(const TextLine& line) { return 1.28 * line.style.size_px; }
 
-void draw_ticks(DrawList& list, const PanelFrame& frame, const Font& font,
-                const FigureStyle& style, int panel) {
+void draw_ticks(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
+                int panel) {
   const Owner axis{Role::axis, panel, 0};
   TextFaults none;
   const auto mark_x = [&](double value, double length) {
     const double x = frame.x.pixel(value);
-    draw_line(list, axis, {x, frame.plot.bottom}, {x, frame.plot.bottom + length},
-              style.axis_width, ink::axis);
+    draw_line(list, axis, {x, frame.plot.bottom}, {x, frame.plot.bottom + length}, style.axis_width,
+              ink::axis);
   };
   const auto mark_y = [&](double value, double length) {
     const double y = frame.y.pixel(value);
@@ -61,8 +61,8 @@ void draw_scale_notes(DrawList& list, const PanelFrame& frame, const Font& font,
   }
   if (frame.shows_x && !frame.x_ticks.scale_note.empty()) {
     const TextLine note = shape_line(font, frame.x_ticks.scale_note, style.tick, none);
-    const double top = frame.plot.bottom + style.tick_mark + style.gap +
-                       1.28 * style.tick.size_px + style.gap;
+    const double top =
+        frame.plot.bottom + style.tick_mark + style.gap + 1.28 * style.tick.size_px + style.gap;
     place_line(list, note, {frame.plot.right - note.width, top + note.ascent}, true,
                {Role::scale_note, panel, 0});
   }
@@ -108,13 +108,15 @@ void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style
   }
 }
 
-void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font,
-               const FigureStyle& style, int panel) {
+void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
+               int panel) {
   const auto [left, top, right, bottom] = frame.plot;
   list.primitives.emplace_back(
       Polyline{{Role::axis, panel, 0},
                {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}},
-               style.axis_width, ink::axis, {}});
+               style.axis_width,
+               ink::axis,
+               {}});
   draw_ticks(list, frame, font, style, panel);
   draw_scale_notes(list, frame, font, style, panel);
   draw_titles(list, frame, style, panel);

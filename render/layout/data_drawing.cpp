@@ -61,8 +61,8 @@ void draw_series(DrawList& list, const PanelFrame& frame, const Series& series,
                  const FigureStyle& style, int panel, int index) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
   LineCollector collector(frame.plot);
-  Markers markers{{Role::series_marker, panel, index}, series.marker, {}, series.marker_size_px,
-                  series.colour};
+  Markers markers{
+      {Role::series_marker, panel, index}, series.marker, {}, series.marker_size_px, series.colour};
   MarkerSieve sieve(series.marker_size_px, count);
   const bool marked = series.marker != Marker::none;
   std::size_t drawn = 0;
@@ -165,7 +165,8 @@ void draw_reference_line(DrawList& list, const PanelFrame& frame, const Referenc
     return;
   }
   const double at = axis.pixel(line.at);
-  const PixelPoint a = vertical ? PixelPoint{at, frame.plot.bottom} : PixelPoint{frame.plot.left, at};
+  const PixelPoint a =
+      vertical ? PixelPoint{at, frame.plot.bottom} : PixelPoint{frame.plot.left, at};
   const PixelPoint b = vertical ? PixelPoint{at, frame.plot.top} : PixelPoint{frame.plot.right, at};
   const double width = 2.0 * style.unit;
   if (line.style == LineStyle::none || !clipped({a, b}, frame.plot)) return;

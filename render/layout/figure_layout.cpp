@@ -120,8 +120,9 @@ class Attempt {
 
   void report_faults() {
     if (faults_.malformed > 0) {
-      list_.warnings.push_back("text that is not valid UTF-8 or holds control characters is shown "
-                               "as '?'");
+      list_.warnings.push_back(
+          "text that is not valid UTF-8 or holds control characters is shown "
+          "as '?'");
     }
     if (!faults_.without_glyph.empty()) {
       list_.warnings.push_back("the font has no glyph for '" +

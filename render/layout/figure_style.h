@@ -27,8 +27,8 @@ struct FigureStyle {
   TextStyle label;      ///< Point labels.
   TextStyle reference;  ///< Texts of reference lines.
 
-  double margin{};    ///< Around everything.
-  double gap{};       ///< Between a text and what it belongs to.
+  double margin{};  ///< Around everything.
+  double gap{};     ///< Between a text and what it belongs to.
   double tick_mark{};
   double axis_width{};
   double grid_width{};

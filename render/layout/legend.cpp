@@ -15,8 +15,11 @@ constexpr double search_step_px = 8.0;
 
 Legend::Legend(const Panel& panel, int panel_index, const Font& font, const FigureStyle& style,
                double most_width, std::vector<std::string>& warnings, TextFaults& faults)
-    : style_(style), panel_(panel_index), row_height_(1.36 * style.legend.size_px),
-      sample_width_(96 * style.unit), padding_(12 * style.unit) {
+    : style_(style),
+      panel_(panel_index),
+      row_height_(1.36 * style.legend.size_px),
+      sample_width_(96 * style.unit),
+      padding_(12 * style.unit) {
   if (!panel.show_legend) return;
   const double text_width = most_width - sample_width_ - 3 * padding_;
   const auto add = [&](const std::string& text, const Series* series, const Band* band, int index) {
@@ -24,7 +27,9 @@ Legend::Legend(const Panel& panel, int panel_index, const Font& font, const Figu
     bool cut = false;
     auto lines = wrap_lines(font, text, style.legend, text_width, 1, faults, cut);
     if (cut) warnings.push_back("a legend text was too long and was cut: " + text.substr(0, 60));
-    entries_.push_back({series, band, {Role::legend_sample, panel_index, index},
+    entries_.push_back({series,
+                        band,
+                        {Role::legend_sample, panel_index, index},
                         {Role::legend_text, panel_index, static_cast<int>(entries_.size())},
                         std::move(lines.front())});
   };
@@ -127,8 +132,11 @@ void Legend::draw_block(DrawList& list, const Block& block, PixelPoint top_left,
     list.primitives.emplace_back(
         Polygon{owner, {{x, y}, {right, y}, {right, bottom}, {x, bottom}}, ink::white});
     list.primitives.emplace_back(
-        Polyline{owner, {{x, y}, {right, y}, {right, bottom}, {x, bottom}, {x, y}},
-                 std::max(1.0, 1.5 * style_.unit), ink::frame, {}});
+        Polyline{owner,
+                 {{x, y}, {right, y}, {right, bottom}, {x, bottom}, {x, y}},
+                 std::max(1.0, 1.5 * style_.unit),
+                 ink::frame,
+                 {}});
   }
   double left = x + padding_;
   for (std::size_t column = 0, i = 0; column < block.columns; ++column) {
@@ -151,20 +159,25 @@ void Legend::draw_sample(DrawList& list, const Entry& entry, PixelPoint left_mid
   if (entry.band != nullptr) {
     const double half = 0.3 * style_.legend.size_px;
     list.primitives.emplace_back(
-        Polygon{entry.sample, {{x, y - half}, {right, y - half}, {right, y + half}, {x, y + half}},
+        Polygon{entry.sample,
+                {{x, y - half}, {right, y - half}, {right, y + half}, {x, y + half}},
                 entry.band->colour});
     return;
   }
   const Series& series = *entry.series;
   if (series.style != LineStyle::none) {
-    list.primitives.emplace_back(Polyline{entry.sample, {{x, y}, {right, y}}, series.width_px,
+    list.primitives.emplace_back(Polyline{entry.sample,
+                                          {{x, y}, {right, y}},
+                                          series.width_px,
                                           series.colour,
                                           dash_lengths(series.style, series.width_px)});
   }
   if (series.marker != Marker::none) {
-    list.primitives.emplace_back(Markers{
-        entry.sample, series.marker, {{(x + right) / 2, y}},
-        std::min(series.marker_size_px, 0.9 * row_height_), series.colour});
+    list.primitives.emplace_back(Markers{entry.sample,
+                                         series.marker,
+                                         {{(x + right) / 2, y}},
+                                         std::min(series.marker_size_px, 0.9 * row_height_),
+                                         series.colour});
   }
 }
 

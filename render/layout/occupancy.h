@@ -26,9 +26,7 @@ class Occupancy {
  private:
   struct Cells {
     int left, top, right, bottom;  // half open
-    [[nodiscard]] long count() const {
-      return static_cast<long>(right - left) * (bottom - top);
-    }
+    [[nodiscard]] long count() const { return static_cast<long>(right - left) * (bottom - top); }
   };
   [[nodiscard]] Cells cells_of(const PixelBox& box) const;
   void sum_up() const;

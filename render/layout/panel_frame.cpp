@@ -17,7 +17,11 @@ class Framer {
  public:
   Framer(const Figure& figure, const Font& font, const FigureStyle& style,
          const std::vector<double>& strips, std::vector<std::string>& warnings, TextFaults& faults)
-      : figure_(figure), font_(font), style_(style), strips_(strips), warnings_(warnings),
+      : figure_(figure),
+        font_(font),
+        style_(style),
+        strips_(strips),
+        warnings_(warnings),
         faults_(faults) {}
 
   FigureFrame run() {
@@ -155,8 +159,8 @@ class Framer {
     for (PanelFrame& frame : out_.panels) {
       frame.plot.left = left;
       frame.plot.right = std::max(right, left + least_plot_height);
-      frame.y_title_left = left - style_.tick_mark - 2 * style_.gap - labels -
-                           height_of(frame.y_title);
+      frame.y_title_left =
+          left - style_.tick_mark - 2 * style_.gap - labels - height_of(frame.y_title);
     }
   }
 
@@ -177,8 +181,8 @@ class Framer {
       const bool logarithmic = x_logarithmic_[i];
       frame.x = AxisMap(ranges_x_[i], logarithmic, frame.plot.left, frame.plot.right);
       for (int most = 13; most >= 2; --most) {
-        frame.x_ticks = logarithmic ? logarithmic_ticks(ranges_x_[i], most)
-                                    : linear_ticks(ranges_x_[i], most);
+        frame.x_ticks =
+            logarithmic ? logarithmic_ticks(ranges_x_[i], most) : linear_ticks(ranges_x_[i], most);
         if (!crowded(frame)) break;
       }
       if (crowded(frame) && frame.x_ticks.major.size() > 2) frame.x_ticks.major.resize(2);

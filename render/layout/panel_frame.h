@@ -38,8 +38,8 @@ FigureFrame frame_figure(const Figure& figure, const Font& font, const FigureSty
 
 /// Draws grid, and (after the data) box, ticks and titles.
 void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style, int panel);
-void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font,
-               const FigureStyle& style, int panel);
+void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
+               int panel);
 void draw_figure_title(DrawList& list, const FigureFrame& frame, const FigureStyle& style);
 
 }  // namespace tribolog::render

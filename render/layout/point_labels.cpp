@@ -77,8 +77,10 @@ class Placer {
     const double half_width = label.line.width / 2;
     const double half_height = label.line.height() / 2;
     // From the point to the centre of the box: `distance` plus the box's own reach that way.
-    const double x = label.point.x + cosine * distance + std::clamp(cosine * 1.5, -1.0, 1.0) * half_width;
-    const double y = label.point.y - sine * distance - std::clamp(sine * 1.5, -1.0, 1.0) * half_height;
+    const double x =
+        label.point.x + cosine * distance + std::clamp(cosine * 1.5, -1.0, 1.0) * half_width;
+    const double y =
+        label.point.y - sine * distance - std::clamp(sine * 1.5, -1.0, 1.0) * half_height;
     const double left = std::clamp(x - half_width, room_.left,
                                    std::max(room_.left, room_.right - label.line.width));
     const double top = std::clamp(y - half_height, room_.top,
@@ -128,8 +130,8 @@ void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& pan
       continue;
     }
     bool cut = false;
-    label.line = wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults,
-                            cut).front();
+    label.line =
+        wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults, cut).front();
     label.line.style.colour = point.colour;
     labels.push_back(std::move(label));
   }
@@ -142,15 +144,20 @@ void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& pan
       list.primitives.emplace_back(
           Polyline{{Role::label_leader, index, label.index},
                    {label.point, nearest_in(label.box.grown(2 * style.unit), label.point)},
-                   std::max(1.0, 1.8 * style.unit), point.colour, {}});
+                   std::max(1.0, 1.8 * style.unit),
+                   point.colour,
+                   {}});
       taken.mark(list.primitives.back());
     }
   }
   for (const Label& label : labels) {
     const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
     if (point.marker != Marker::none) {
-      list.primitives.emplace_back(Markers{{Role::label_marker, index, label.index}, point.marker,
-                                           {label.point}, marker_size, point.colour});
+      list.primitives.emplace_back(Markers{{Role::label_marker, index, label.index},
+                                           point.marker,
+                                           {label.point},
+                                           marker_size,
+                                           point.colour});
       taken.mark(list.primitives.back());
     }
     if (label.line.empty()) continue;

@@ -1,14 +1,22 @@
 #include "render/layout/polyline_simplifier.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace tribolog::render {
 namespace {
 
-// Both stages together stay within the promised tolerance.
-constexpr double column_width = 0.25;
-constexpr double sector_tolerance = simplification_tolerance_px - column_width / 2;
+constexpr double column_width = simplification_tolerance_px;
+constexpr double noise_travel = 2.0;  // times the reach; a line that just passes travels it once
+constexpr double sector_tolerance = 0.1;  // finer than promised: bends of smooth curves show
+
+/// Up and down added up.
+double travel(const std::vector<PixelPoint>& points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += std::abs(points[i].y - points[i - 1].y);
+  return sum;
+}
 
 double cross(PixelPoint a, PixelPoint b) { return a.x * b.y - a.y * b.x; }
 double dot(PixelPoint a, PixelPoint b) { return a.x * b.x + a.y * b.y; }
@@ -17,33 +25,34 @@ double dot(PixelPoint a, PixelPoint b) { return a.x * b.x + a.y * b.y; }
 
 void PolylineSimplifier::add(PixelPoint point) {
   const double column = std::floor(point.x / column_width);
-  if (!in_column_ || column != column_) {
-    flush_column(false);
-    in_column_ = true;
-    column_ = column;
-    first_ = last_ = lowest_ = highest_ = point;
-    return;
-  }
-  last_ = point;
-  if (point.y < lowest_.y) lowest_ = point;
-  if (point.y > highest_.y) highest_ = point;
+  if (column != column_) flush_column(false);
+  column_ = column;
+  in_this_column_.push_back(point);
 }
 
 void PolylineSimplifier::flush_column(bool line_ends) {
-  if (!in_column_) return;
-  in_column_ = false;
+  if (in_this_column_.empty()) return;
+  const std::vector<PixelPoint>& points = in_this_column_;
   const auto move_to = [this](PixelPoint to) {
     if (has_pen_ && to == pen_) return;
     add_to_sector(to);
     pen_ = to;
     has_pen_ = true;
   };
-  // Entering at the nearer end lets each column be drawn in a single stroke.
-  if (!has_pen_) move_to(first_);
-  const bool down = std::abs(lowest_.y - pen_.y) <= std::abs(highest_.y - pen_.y);
-  move_to(down ? lowest_ : highest_);
-  move_to(down ? highest_ : lowest_);
-  if (line_ends) move_to(last_);
+  const auto [lowest, highest] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const PixelPoint& a, const PixelPoint& b) { return a.y < b.y; });
+  if (travel(points) <= noise_travel * (highest->y - lowest->y)) {
+    for (const PixelPoint& point : points) move_to(point);
+  } else {
+    // Entering at the nearer end lets each column be drawn in a single stroke.
+    if (!has_pen_) move_to(points.front());
+    const bool down = std::abs(lowest->y - pen_.y) <= std::abs(highest->y - pen_.y);
+    move_to(down ? *lowest : *highest);
+    move_to(down ? *highest : *lowest);
+    if (line_ends) move_to(points.back());
+  }
+  in_this_column_.clear();
 }
 
 void PolylineSimplifier::restart_sector(PixelPoint anchor) {

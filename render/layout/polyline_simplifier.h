@@ -7,13 +7,14 @@
 
 namespace tribolog::render {
 
-/// Nothing in a simplified line is farther than this from the original, nor the other way round.
+/// Nothing in a simplified line is farther than this from the original, nor the other way round;
+/// twice as much where a noisy signal goes up and down within a quarter of a pixel column.
 inline constexpr double simplification_tolerance_px = 0.25;
 
 /// Takes the points of one unbroken line in turn and keeps those that matter, in one pass: first,
-/// runs of points within a quarter of a pixel column shrink to one stroke over their vertical reach
-/// (a noisy signal consists of little else); then points near the straight line between their
-/// neighbours go.
+/// points that go up and down within a quarter of a pixel column shrink to one stroke over their
+/// vertical reach (a noisy signal consists of little else); then points near the straight line
+/// between their neighbours go.
 class PolylineSimplifier {
  public:
   void add(PixelPoint point);
@@ -27,9 +28,8 @@ class PolylineSimplifier {
 
   std::vector<PixelPoint> kept_;
 
-  bool in_column_{false};
   double column_{};
-  PixelPoint first_, last_, lowest_, highest_;
+  std::vector<PixelPoint> in_this_column_;
   PixelPoint pen_;  ///< Where the previous column was left.
   bool has_pen_{false};
 

@@ -7,12 +7,10 @@
 namespace tribolog::render {
 
 inline void draw_backing(DrawList& list, const PixelBox& box, int panel, int index) {
-  list.primitives.emplace_back(Polygon{{Role::text_backing, panel, index},
-                                       {{box.left, box.top},
-                                        {box.right, box.top},
-                                        {box.right, box.bottom},
-                                        {box.left, box.bottom}},
-                                       ink::backing});
+  list.primitives.emplace_back(Polygon{
+      {Role::text_backing, panel, index},
+      {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}},
+      ink::backing});
 }
 
 }  // namespace tribolog::render

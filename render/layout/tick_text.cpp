@@ -9,10 +9,12 @@ namespace tribolog::render {
 namespace {
 
 constexpr const char* minus = "\u2212";
-constexpr int largest_plain = 5;   // digits before the point
-constexpr int most_decimals = 4;   // digits behind it
+constexpr int largest_plain = 5;  // digits before the point
+constexpr int most_decimals = 4;  // digits behind it
 
-int digits_of(long long value) { return static_cast<int>(std::to_string(std::llabs(value)).size()); }
+int digits_of(long long value) {
+  return static_cast<int>(std::to_string(std::llabs(value)).size());
+}
 
 }  // namespace
 
@@ -26,8 +28,9 @@ std::string decimal_text(long long multiple, int exponent) {
     if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
     digits.insert(digits.size() - decimals, ".");
   }
-  if (multiple < 0) digits.insert(0, minus);
-  return digits;
+  std::string signed_text;
+  if (multiple < 0) signed_text += minus;
+  return signed_text += digits;
 }
 
 std::string integer_text(int value) { return decimal_text(value, 0); }
@@ -38,8 +41,8 @@ std::string magnitude_text(double value) {
   if (plain.ec == std::errc() && plain.ptr - buffer <= 7 && value >= 1e-3) {
     return {buffer, plain.ptr};
   }
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value,
-                                 std::chars_format::scientific);
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
   const std::string text(buffer, end.ptr);
   const std::size_t split = text.find('e');
   const int power = std::atoi(text.c_str() + split + 1);

@@ -1,9 +1,8 @@
 #include "render/layout/ticks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 #include "render/layout/tick_text.h"
 
@@ -28,11 +27,19 @@ double ticks_within(const AxisRange& range, double step) {
          std::ceil(range.low / step - rounding_slack) + 1.0;
 }
 
-Step choose_step(const AxisRange& range, int most) {
+/// `resolution`: neighbouring ticks must be farther apart than numbers can tell.
+Step choose_step(const AxisRange& range, int most, double resolution) {
   const double span = range.high - range.low;
   Step step{1, static_cast<int>(std::floor(std::log10(span / most))) - 1};
-  while (ticks_within(range, step.size()) > most) step = step.larger();
+  while (ticks_within(range, step.size()) > most || step.size() < resolution) {
+    step = step.larger();
+  }
   return step;
+}
+
+double resolution_of(const AxisRange& range) {
+  const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
+  return 2.0 * (std::nextafter(magnitude, std::numeric_limits<double>::max()) - magnitude);
 }
 
 /// A range far from zero is labelled by its distance from a round number near by.
@@ -53,7 +60,7 @@ TickSet linear_ticks(const AxisRange& range, int most) {
   TickSet out;
   const double offset = choose_offset(range);
   const AxisRange shifted{range.low - offset, range.high - offset};
-  const Step step = choose_step(shifted, std::max(most, 2));
+  const Step step = choose_step(shifted, std::max(most, 2), resolution_of(range));
   const double size = step.size();
   const auto first = static_cast<long long>(std::ceil(shifted.low / size - rounding_slack));
   const auto last = static_cast<long long>(std::floor(shifted.high / size + rounding_slack));
@@ -89,8 +96,8 @@ TickSet logarithmic_ticks(const AxisRange& range, int most) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double value = power_of_ten_multiple(digit, exponent);
       if (!inside(value)) continue;
-      const bool labelled = (digit == 1 && exponent % stride == 0) ||
-                            (with_halves && (digit == 2 || digit == 5));
+      const bool labelled =
+          (digit == 1 && exponent % stride == 0) || (with_halves && (digit == 2 || digit == 5));
       if (labelled) {
         out.major.push_back({value, logarithmic_text(digit, exponent)});
       } else {

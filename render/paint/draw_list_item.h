@@ -1,7 +1,6 @@
 #pragma once
 // The one VTK item of the scene: draws a whole draw list.
 
-
 #include <vtkContextItem.h>
 #include <vtkNew.h>
 #include <vtkTextProperty.h>
@@ -17,8 +16,8 @@ class DrawListItem : public vtkContextItem {
   static DrawListItem* New();
   vtkTypeMacro(DrawListItem, vtkContextItem)
 
-  /// Both must live while the item paints.
-  void show(const DrawList* list, const Font* font);
+      /// Both must live while the item paints.
+      void show(const DrawList* list, const Font* font);
 
   bool Paint(vtkContext2D* context) override;
 

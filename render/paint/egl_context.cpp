@@ -25,20 +25,35 @@ class EglContext final : public GlContext {
       fail("EGL has no surfaceless platform");
     }
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL has no OpenGL");
-    const std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                                        EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                        EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8,
-                                        EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8,
-                                        EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8,
+    const std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE,
+                                        EGL_PBUFFER_BIT,
+                                        EGL_RENDERABLE_TYPE,
+                                        EGL_OPENGL_BIT,
+                                        EGL_RED_SIZE,
+                                        8,
+                                        EGL_GREEN_SIZE,
+                                        8,
+                                        EGL_BLUE_SIZE,
+                                        8,
+                                        EGL_ALPHA_SIZE,
+                                        8,
+                                        EGL_DEPTH_SIZE,
+                                        24,
+                                        EGL_STENCIL_SIZE,
+                                        8,
                                         EGL_NONE};
     EGLConfig config{};
     EGLint found = 0;
     if (eglChooseConfig(display_, wanted.data(), &config, 1, &found) == EGL_FALSE || found < 1) {
       fail("EGL has no fitting configuration");
     }
-    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     2,
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, core.data());
     const std::array<EGLint, 5> small{EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
     surface_ = eglCreatePbufferSurface(display_, config, small.data());

@@ -63,9 +63,7 @@ void HeadlessWindow::OpenGLInitContext() {
   }
   GlewInitValid = true;
   Initialized = true;
-  GLfloat widths[2] = {1, 1};
-  glGetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, widths);
-  if (glGetError() == GL_NO_ERROR) MaximumHardwareLineWidth = widths[1];
+  MaximumHardwareLineWidth = 1;  // lines are drawn as areas
 #else
   Superclass::OpenGLInitContext();
 #endif

@@ -12,8 +12,8 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
   static HeadlessWindow* New();
   vtkTypeMacro(HeadlessWindow, vtkGenericOpenGLRenderWindow)
 
-  /// The context must outlive the window. To be called before anything is drawn.
-  void attach(GlContext* context);
+      /// The context must outlive the window. To be called before anything is drawn.
+      void attach(GlContext* context);
 
   void MakeCurrent() override;
   bool IsCurrent() override;

@@ -6,6 +6,8 @@
 
 #include "error.h"
 #include "render/paint/gl_context.h"
+#include "render/paint/glx_forwarder.h"
+#include "render/paint/vtk_generation.h"
 
 namespace tribolog::render {
 namespace {
@@ -37,14 +39,27 @@ class OsmesaContext final : public GlContext {
  public:
   OsmesaContext() {
     check_no_other_opengl();
-    const std::array<int, 15> wanted{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24,
-                                     OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                     OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION,
-                                     2, 0, 0, 0};
+    if (function("glClear") == nullptr) throw FigureError("OSMesa knows no OpenGL functions");
+    const std::array<int, 15> wanted{OSMESA_FORMAT,
+                                     OSMESA_RGBA,
+                                     OSMESA_DEPTH_BITS,
+                                     24,
+                                     OSMESA_STENCIL_BITS,
+                                     8,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     2,
+                                     0,
+                                     0,
+                                     0};
     context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
     if (context_ == nullptr || !make_current()) {
-      throw FigureError("OSMesa gives no OpenGL 3.2 context; install the packages libosmesa6 and "
-                        "libgl1-mesa-dri");
+      throw FigureError(
+          "OSMesa gives no OpenGL 3.2 context; install the packages libosmesa6 and "
+          "libgl1-mesa-dri");
     }
   }
   ~OsmesaContext() override {
@@ -58,7 +73,11 @@ class OsmesaContext final : public GlContext {
   }
   bool is_current() override { return OSMesaGetCurrentContext() == context_; }
   void* function(const char* name) override {
+#if TRIBOLOG_VTK_HAS_GLEW
+    return tribolog_osmesa_function(name);
+#else
     return reinterpret_cast<void*>(OSMesaGetProcAddress(name));
+#endif
   }
   [[nodiscard]] std::string back_end() const override { return "OSMesa"; }
   [[nodiscard]] std::string gl_version() const override { return gl_text(GL_VERSION); }

@@ -75,8 +75,8 @@ Picture Painter::paint(const DrawList& list) {
 }
 
 RendererInfo Painter::info() const {
-  return {vtkVersion::GetVTKVersion(),      parts_->context->back_end(),
-          parts_->context->gl_version(),    parts_->context->gl_renderer(),
+  return {vtkVersion::GetVTKVersion(),        parts_->context->back_end(),
+          parts_->context->gl_version(),      parts_->context->gl_renderer(),
           parts_->font.file(Weight::regular), Font::freetype_version()};
 }
 

@@ -16,8 +16,8 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 
   [[nodiscard]] Colour at(int x, int y) const {
-    const std::size_t i =
-        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x));
     return {rgb[i], rgb[i + 1], rgb[i + 2]};
   }
 };

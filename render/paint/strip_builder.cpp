@@ -29,10 +29,14 @@ std::vector<PixelPoint> regular_polygon(PixelPoint c, double radius, int corners
 std::vector<PixelPoint> marker_outline(Marker shape, PixelPoint c, double radius) {
   constexpr double quarter = std::numbers::pi / 4;
   switch (shape) {
-    case Marker::square: return regular_polygon(c, 1.25 * radius, 4, quarter);
-    case Marker::diamond: return regular_polygon(c, 1.3 * radius, 4, 0.0);
-    case Marker::triangle: return regular_polygon(c, 1.45 * radius, 3, -2 * quarter);
-    default: return regular_polygon(c, radius, 20, 0.0);
+    case Marker::square:
+      return regular_polygon(c, 1.25 * radius, 4, quarter);
+    case Marker::diamond:
+      return regular_polygon(c, 1.3 * radius, 4, 0.0);
+    case Marker::triangle:
+      return regular_polygon(c, 1.45 * radius, 3, -2 * quarter);
+    default:
+      return regular_polygon(c, radius, 20, 0.0);
   }
 }
 

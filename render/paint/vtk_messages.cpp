@@ -12,8 +12,9 @@ vtkStandardNewMacro(VtkMessages);
 void VtkMessages::DisplayErrorText(const char* text) {
   if (!first_error_.empty() || text == nullptr) return;
   first_error_ = text;
-  std::replace_if(first_error_.begin(), first_error_.end(),
-                  [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace_if(
+      first_error_.begin(), first_error_.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   first_error_ = first_error_.substr(0, 300);
 }
 

@@ -12,7 +12,7 @@ class VtkMessages : public vtkOutputWindow {
   static VtkMessages* New();
   vtkTypeMacro(VtkMessages, vtkOutputWindow)
 
-  void DisplayText(const char* text) override;
+      void DisplayText(const char* text) override;
   void DisplayErrorText(const char* text) override;
   void DisplayWarningText(const char* text) override;
   void DisplayGenericWarningText(const char* text) override;

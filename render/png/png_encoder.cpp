@@ -92,8 +92,8 @@ Bytes filtered(const Bytes& pixels, std::size_t row, std::uint8_t filter) {
       std::memcpy(to, from, row);
     } else {
       for (std::size_t i = 0; i < row; ++i) {
-        to[i] = static_cast<std::uint8_t>(from[i] - from[static_cast<std::ptrdiff_t>(i) -
-                                                         static_cast<std::ptrdiff_t>(row)]);
+        to[i] = static_cast<std::uint8_t>(
+            from[i] - from[static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(row)]);
       }
     }
   }
@@ -105,8 +105,8 @@ Bytes compressed(const Bytes& raw) {
       libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
   if (!compressor) throw FigureError("no memory for compressing a picture");
   Bytes out(libdeflate_zlib_compress_bound(compressor.get(), raw.size()));
-  out.resize(libdeflate_zlib_compress(compressor.get(), raw.data(), raw.size(), out.data(),
-                                      out.size()));
+  out.resize(
+      libdeflate_zlib_compress(compressor.get(), raw.data(), raw.size(), out.data(), out.size()));
   if (out.empty()) throw FigureError("a picture could not be compressed");
   return out;
 }

@@ -19,8 +19,7 @@ MarkupText parse_markup(std::string_view utf8) {
   out.replaced = decoded.replaced;
   std::u32string_view rest = decoded.text;
   while (!rest.empty()) {
-    const bool opens =
-        rest.size() > 2 && (rest[0] == U'_' || rest[0] == U'^') && rest[1] == U'{';
+    const bool opens = rest.size() > 2 && (rest[0] == U'_' || rest[0] == U'^') && rest[1] == U'{';
     const std::size_t closing = opens ? rest.find(U'}', 2) : std::u32string_view::npos;
     if (closing == std::u32string_view::npos) {
       append(out.runs, rest.substr(0, 1), Shift::none);

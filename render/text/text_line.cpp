@@ -150,8 +150,14 @@ PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool
   const double x = std::round(start.x);
   const double y = std::round(start.y);
   for (const TextPiece& piece : line.pieces) {
-    TextRun run{owner, piece.text, line.style.weight == Weight::bold, piece.size_px, {}, upright,
-                line.style.colour, {}};
+    TextRun run{owner,
+                piece.text,
+                line.style.weight == Weight::bold,
+                piece.size_px,
+                {},
+                upright,
+                line.style.colour,
+                {}};
     const double along = std::round(piece.offset);
     if (upright) {
       run.baseline = {x + along, y - piece.raise};

@@ -15,6 +15,7 @@
 #include "render/paint/painter.h"
 #include "render/png/png_encoder.h"
 #include "render/text/font.h"
+#include "render/text/utf8.h"
 
 namespace tribolog::render {
 namespace {
@@ -46,6 +47,8 @@ void obey_test_hooks(const std::string& id) {
   if (names_it("TRIBOLOG_TEST_HANG_FIGURE")) pause();
 }
 
+std::string printable_text(const std::string& text) { return encode_utf8(decode_utf8(text).text); }
+
 class Worker {
  public:
   DrawnFigure draw(const Figure& figure) {
@@ -71,6 +74,9 @@ class Worker {
     } catch (const std::exception& problem) {
       drawn.error = problem.what();
     }
+    // They quote titles and labels, and end up on a terminal.
+    drawn.error = printable_text(drawn.error);
+    for (std::string& warning : drawn.warnings) warning = printable_text(warning);
     return drawn;
   }
 
@@ -147,8 +153,8 @@ RendererInfo read_info(Message& message) {
   const std::string problem = message.take_text();
   if (!problem.empty()) throw FigureError(problem);
   RendererInfo info;
-  for (std::string* text : {&info.vtk_version, &info.back_end, &info.gl_version,
-                            &info.gl_renderer, &info.font, &info.freetype_version}) {
+  for (std::string* text : {&info.vtk_version, &info.back_end, &info.gl_version, &info.gl_renderer,
+                            &info.font, &info.freetype_version}) {
     *text = message.take_text();
   }
   return info;

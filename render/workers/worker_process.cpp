@@ -37,8 +37,7 @@ void redirect_output(int errors) {
   dup2(errors >= 0 ? errors : nowhere, STDERR_FILENO);
 }
 
-[[noreturn]] void run(const std::function<void(int)>& work, int socket, int errors,
-                      pid_t parent) {
+[[noreturn]] void run(const std::function<void(int)>& work, int socket, int errors, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
   take_default_signals();
@@ -60,8 +59,9 @@ std::string last_line(int file) {
   std::string text(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(0, got)));
   while (!text.empty() && text.back() == '\n') text.pop_back();
   text = text.substr(text.rfind('\n') + 1);
-  std::replace_if(text.begin(), text.end(),
-                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
   return text;
 }
 

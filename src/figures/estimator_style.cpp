@@ -32,7 +32,7 @@ const std::array<NamedStyle, styled_names.size()> styles{{
     {"EF",
      "mean of E and F",
      {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 11.0}},
-    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 4.5, 18.0}},
+    {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 6.0, 20.0}},
     {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}},
     {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, 2.0, 6.0}},
 }};

@@ -12,7 +12,8 @@ namespace tribolog::figures {
 namespace {
 
 constexpr double marker_share = 0.012;  // half a marker, of the axis: shorter bars hide in it
-constexpr int line_points = 60;         // a straight law is bent on a logarithmic axis
+constexpr double under_px = 6.0;  // the reference lies under the fitted laws and shows beside them
+constexpr int line_points = 60;   // a straight law is bent on a logarithmic axis
 
 /// A curve folded: size over size of speed, one direction.
 render::Series folded(const ViscousCurvesResult& viscous, const std::vector<double>& friction_Nm,
@@ -50,7 +51,7 @@ void add_folded_curve(render::Panel& panel, const Calibration& calibration,
     // Small on large: where the directions agree, both are seen.
     if (recommended) {
       series.marker = forward ? render::Marker::circle : render::Marker::diamond;
-      series.marker_size_px = forward ? 20.0 : 12.0;
+      series.marker_size_px = forward ? 20.0 : 11.0;
     } else {
       series.marker = forward ? render::Marker::plus : render::Marker::cross;
       series.marker_size_px = 12.0;
@@ -87,6 +88,7 @@ void add_folded_reference(render::Panel& panel, const Calibration& calibration,
     series = folded(calibration.viscous, calibration.quality.reference_Nm, true, scale);
   }
   apply(estimator_style("reference"), series);
+  series.width_px = under_px;
   if (calibration.viscous.from_sweep) {
     series.style = render::LineStyle::none;
     series.marker = render::Marker::plus;

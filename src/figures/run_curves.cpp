@@ -13,6 +13,7 @@
 namespace tribolog::figures {
 namespace {
 
+constexpr double bin_px = 14.0;  // a bin's marker, on which the reference's still leaves a ring
 constexpr int reference_points = 200;
 
 std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
@@ -45,7 +46,8 @@ void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
     if (viscous.from_sweep) {
       series.style = render::LineStyle::none;
 
-      if (series.marker == render::Marker::none) series.marker = render::Marker::circle;
+      series.marker = render::Marker::circle;
+      if (estimator != "reference") series.marker_size_px = bin_px;
     }
 
     labelled = add_visible(panel, std::move(series)) || labelled;
@@ -82,7 +84,8 @@ std::string reference_label(const Calibration& calibration) {
   if (calibration.quality.reference != "direction_difference") {
     return "reference: " + reference_words(calibration.quality.reference);
   }
-  return "reference: (T(+φ\u0307) − T(−φ\u0307)) / 2";
+  const std::string speed = speed_symbol(calibration.manifest);
+  return "reference: (T(+" + speed + ") − T(−" + speed + ")) / 2";
 }
 
 std::string reference_words(const std::string& reference) {

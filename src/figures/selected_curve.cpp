@@ -87,16 +87,14 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
                             fit_words(calibration));
   out.how_to_read =
       calibration.viscous.from_sweep
-          ? "Each marker is the friction at one angle of the sweep, at the speed that the joint "
-            "had "
-            "there. Forward and backward should coincide within their bars; two branches at the "
+          ? "Each marker is the friction at one angle of the sweep, at the joint's speed there. "
+            "Forward and backward should coincide within their bars; two branches at the "
             "same speed mean that friction also depends on load or angle, and then no law of "
             "speed alone fits."
           : "Forward and backward runs are folded onto each other. With the right mass they "
             "coincide within their bars (drawn where longer than a marker) and lie on the "
-            "reference; a constant gap between them is "
-            "twice the error in gravity torque. The fitted laws should pass through the points "
-            "without a pattern.";
+            "reference; a constant gap between them is twice the error in gravity torque. The "
+            "fitted laws should pass through the points without a pattern.";
   out.alt =
       fmt::format("Friction torque against speed from {} to {}; {}.{}{}",
                   significant(speeds.low, 3), with_unit(speeds.high, AxisScale{1.0, "rad/s"}, 3),

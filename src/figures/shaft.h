@@ -11,6 +11,9 @@ namespace tribolog::figures {
 /// "motor", or "joint" where the gear ratio is 1.
 std::string shaft(const Manifest& manifest);
 
+/// "φ̇", or "q̇" where the gear ratio is 1.
+std::string speed_symbol(const Manifest& manifest);
+
 /// "motor speed φ̇", or "joint speed q̇" where the gear ratio is 1.
 std::string speed_quantity(const Manifest& manifest);
 

@@ -20,7 +20,9 @@ class Walk {
       if (text_[i_] == '#') {
         skip_comment();
       } else if (text_[i_] == '"' || text_[i_] == '\'') {
+        if (!may_start_text_) refuse("quote in the middle of a key or value");
         skip_text();
+        may_start_text_ = false;
       } else {
         check_plain(text_[i_]);
         step();
@@ -58,7 +60,7 @@ class Walk {
       if (!is_multiline && text_[i_] == '\n') return;
       if (quote == '"' && text_[i_] == '\\') {
         step();
-        if (!at_end() && is_multiline) check_continued_line();
+        check_after_backslash();
         if (at_end()) return;
       }
       step();
@@ -66,17 +68,20 @@ class Walk {
     for (int n = is_multiline ? 3 : 1; n > 0 && !at_end(); --n) step();
   }
 
-  /// After a backslash: blanks and line ends up to the next character are left out of the text.
-  void check_continued_line() const {
+  /// A backslash may continue a line: then blanks and line ends up to the next character follow.
+  void check_after_backslash() const {
     const std::size_t next = text_.find_first_not_of(" \t\r\n", i_);
-    if (next == i_ || next == std::string_view::npos || is_ascii(text_[next])) return;
-    refuse("a line continued with a backslash before a character beyond ASCII");
+    if (next == std::string_view::npos || is_ascii(text_[next])) return;
+    refuse("backslash before a character beyond ASCII");
   }
 
   void check_plain(char c) {
     if (!is_ascii(c)) refuse("character beyond ASCII outside of quotes and comments");
     if (c == '.' && ++dots_ > most_dots) refuse("key with too many dots");
     if (std::string_view("\n=[]{},").find(c) != std::string_view::npos) dots_ = 0;
+    if (c != ' ' && c != '\t') {
+      may_start_text_ = std::string_view("\n\r=[{,.").find(c) != std::string_view::npos;
+    }
   }
 
   static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
@@ -91,6 +96,7 @@ class Walk {
   std::size_t line_start_{0};
   long line_{1};
   int dots_{0};
+  bool may_start_text_{true};
 };
 
 void refuse_broken_utf8(std::string_view text, const std::string& file) {
@@ -103,10 +109,10 @@ void refuse_broken_utf8(std::string_view text, const std::string& file) {
     ++line;
     line_start = i + 1;
   }
-  throw InputError({file, line, static_cast<long>(*broken - line_start + 1)},
-                   {"text is not UTF-8",
-                    fmt::format("byte 0x{:02X}", static_cast<unsigned char>(text[*broken])), "",
-                    "save the file as UTF-8"});
+  throw InputError(
+      {file, line, static_cast<long>(*broken - line_start + 1)},
+      {"text is not UTF-8", fmt::format("byte 0x{:02X}", static_cast<unsigned char>(text[*broken])),
+       "", "save the file as UTF-8"});
 }
 
 }  // namespace

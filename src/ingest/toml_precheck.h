@@ -2,8 +2,8 @@
 // What must not reach the TOML parser.
 //
 // Some released versions of toml++ answer certain malformed texts with undefined behaviour (its
-// issues 190 and 295: characters beyond ASCII where no text is) or with a recursion as deep as a key
-// has dots. Those texts are no valid or no sensible TOML; they are refused before the parser.
+// issues 190 and 295: characters beyond ASCII where no text is) or with a recursion as deep as a
+// key has dots. Those texts are no valid or no sensible TOML; they are refused before the parser.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,8 @@
 namespace tribolog {
 
 /// @throw InputError for broken UTF-8, a character beyond ASCII outside of quotes and comments, a
-///        line continued with a backslash before such a character, or a key with over 50 dots.
+///        backslash before such a character, a quote in the middle of a key or value, or a key with
+///        over 50 dots.
 void precheck_toml(std::string_view text, const std::string& file);
 
 }  // namespace tribolog

@@ -27,6 +27,7 @@ Eigen::VectorXd first_guess(const Recording& r, double motor_amplitude, double b
   p(Model::damping) = 0.01 * stiffness / angular_frequency;
   p(Model::viscous) = 0;
   p(Model::gravity) = (*high + *low) / 2;
+  p(Model::inertia) = 0;
   p(Model::start_deflection) = 0;
   return p;
 }
@@ -71,8 +72,9 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   model.evaluate(p, residuals, &jacobian);
   const BlockRegression around =
       block_regression(jacobian, -residuals, half_cycle_blocks(oscillation, motion.frequency_Hz));
-  fit.residual_Nm = std::sqrt(residuals.squaredNorm() /
-                              std::max<double>(1, static_cast<double>(residuals.size()) - 6));
+  fit.residual_Nm =
+      std::sqrt(residuals.squaredNorm() /
+                std::max<double>(1, static_cast<double>(residuals.size()) - Model::parameters));
   const auto half_width = [&](Eigen::Index k) {
     return around.t_factor * std::sqrt(std::max(0.0, around.covariance(k, k)));
   };
@@ -86,6 +88,7 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   fit.bristle_damping_Nms_rad =
       symmetric_estimate(p(Model::damping), half_width(Model::damping), method);
   fit.viscous_Nms_rad = symmetric_estimate(p(Model::viscous), half_width(Model::viscous), method);
+  fit.inertia_kgm2 = symmetric_estimate(p(Model::inertia), half_width(Model::inertia), method);
   fit.gravity_Nm = symmetric_estimate(p(Model::gravity), half_width(Model::gravity), method);
   // The loop shows the deflection at its start within an interval; where that holds zero, the arm
   // started from rest and z = 0 is the simpler truth.

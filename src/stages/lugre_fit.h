@@ -20,9 +20,10 @@ struct LuGreFit {
   Estimate bristle_stiffness_Nm_rad;
   Estimate bristle_damping_Nms_rad;
   Estimate viscous_Nms_rad;
-  Estimate static_Nm;    ///< Level s0 g at the loop's speeds, break-away torque.
-  Estimate gravity_Nm;   ///< Motor side, at the gravity peak.
-  double residual_Nm{};  ///< Standard deviation of T - model.
+  Estimate static_Nm;     ///< Level s0 g at the loop's speeds, break-away torque.
+  Estimate inertia_kgm2;  ///< Motor, gear and arm, at the motor; slow loops hardly show it.
+  Estimate gravity_Nm;    ///< Motor side, at the gravity peak.
+  double residual_Nm{};   ///< Standard deviation of T - model.
   int iterations{};
   std::string reason;         ///< Why not converged, or what the loop cannot show.
   std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.

@@ -35,10 +35,12 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, const OscillationMoti
   const HarmonicMotion motor = motion.motor_motion(gear_ratio);
   const std::size_t n = recording.size();
   speed_.resize(n);
+  acceleration_.resize(n);
   cosine_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double t = recording.t_s[i] - motion.start_s;
     speed_[i] = motor.speed(t);
+    acceleration_[i] = motor.acceleration(t);
     cosine_[i] = std::cos(motor.angle(t) / gear_ratio - q_peak_rad);
   }
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_sample) {
@@ -89,7 +91,7 @@ void LuGreLoopModel::evaluate(const Vector& p, Eigen::VectorXd& residuals,
   residuals.resize(samples());
   const auto torque = [&](std::size_t i, double z, double dz) {
     return p(gravity) * cosine_[i] + std::exp(p(log_stiffness)) * z + p(damping) * dz +
-           p(viscous) * speed_[i];
+           p(viscous) * speed_[i] + p(inertia) * acceleration_[i];
   };
   if (jacobian == nullptr) {
     run<double>(std::exp(p(log_stiffness)), std::exp(p(log_static)), p(start_deflection),
@@ -115,6 +117,7 @@ void LuGreLoopModel::evaluate(const Vector& p, Eigen::VectorXd& residuals,
     (*jacobian)(row, damping) = dz.value();
     (*jacobian)(row, viscous) = speed_[i];
     (*jacobian)(row, gravity) = cosine_[i];
+    (*jacobian)(row, inertia) = acceleration_[i];
   });
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 // The model behind the loop fit: LuGre at micro-speed under a known motion, with its derivatives.
 //
-//   T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w,   dz/dt = w - |w| z s0 / Ts
+//   T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w + J dw/dt,   dz/dt = w - |w| z s0 / Ts
 //
-// Unknown: log s0, log Ts (positive by construction), s1, s2, G and the deflection z at the start.
+// Unknown: log s0, log Ts (positive by construction), s1, s2, G, the inertia J of motor, gear and
+// arm at the motor, and the deflection z at the start.
 
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace tribolog {
 
 class LuGreLoopModel {
  public:
-  static constexpr int parameters = 6;
-  enum Index { log_stiffness, log_static, damping, viscous, gravity, start_deflection };
+  static constexpr int parameters = 7;
+  enum Index { log_stiffness, log_static, damping, viscous, gravity, inertia, start_deflection };
   using Vector = Eigen::Matrix<double, parameters, 1>;
 
   /// The recording must outlive the model.
@@ -44,6 +45,7 @@ class LuGreLoopModel {
   const Recording& recording_;
   std::vector<Piece> pieces_;
   std::vector<double> speed_;
+  std::vector<double> acceleration_;
   std::vector<double> cosine_;
 };
 

@@ -51,6 +51,20 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
   return 1.4826 * median(std::move(differences)) / std::sqrt(6.0);
 }
 
+/// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the
+/// middle half, within its noise.
+std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, std::size_t first,
+                                                std::size_t last, double noise) {
+  constexpr double tight = 1e-3;
+  const std::size_t quarter = (last - first) / 4;
+  const auto at = [&](std::size_t i) { return v.begin() + static_cast<std::ptrdiff_t>(i); };
+  const double speed = median({at(first + quarter), at(last - quarter)});
+  const double tolerance = std::max(tight * std::abs(speed), 4 * noise);
+  while (first < last && std::abs(v[first] - speed) > tolerance) ++first;
+  while (last > first && std::abs(v[last - 1] - speed) > tolerance) --last;
+  return {first, last};
+}
+
 }  // namespace
 
 double MotionSegments::plateau_share() const {
@@ -105,19 +119,20 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
       sum += v[end];
       ++end;
     }
-    const std::size_t length = end - i;
+    const auto [steady_first, steady_last] = steady_part(v, i, end, noise);
+    const std::size_t length = steady_last - steady_first;
     const std::size_t settling = std::max(2 * h, length / 20);
     if (length < shortest + 2 * settling) {
-      const std::size_t skip = std::max<std::size_t>(1, length / 8);
+      const std::size_t skip = std::max<std::size_t>(1, (end - i) / 8);
       out.samples_accelerating += skip;
       i += skip;
       continue;
     }
-    Plateau plateau{i + settling, end - settling, 0.0};
+    Plateau plateau{steady_first + settling, steady_last - settling, 0.0};
     plateau.speed_rad_s = (recording.q_rad[plateau.last - 1] - recording.q_rad[plateau.first]) /
                           (recording.t_s[plateau.last - 1] - recording.t_s[plateau.first]);
     out.samples_on_plateaus += plateau.size();
-    out.samples_trimmed += 2 * settling;
+    out.samples_trimmed += end - i - plateau.size();
     out.plateaus.push_back(plateau);
     i = end;
   }

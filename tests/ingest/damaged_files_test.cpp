@@ -45,7 +45,7 @@ file = "a.csv"
 from_s = 5
 )";
 
-/// The number of refusals; anything but an Error with one line fails the test.
+/// False for a refusal of more than one line; an exception of another kind ends the test.
 template <class Read>
 bool is_read_or_refused(const Read& read, const std::string& bytes) {
   try {
@@ -71,9 +71,9 @@ void expect_every_prefix_answered(const Read& read, const std::string& text) {
 }
 
 template <class Read>
-void expect_every_byte_change_answered(const Read& read, const std::string& text, int step) {
+void expect_every_byte_change_answered(const Read& read, const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
-    for (int byte = 0; byte < 256; byte += step) {
+    for (int byte = 0; byte < 256; ++byte) {
       std::string changed = text;
       changed[i] = static_cast<char>(byte);
       ASSERT_TRUE(is_read_or_refused(read, changed)) << "byte " << byte << " at " << i;
@@ -84,7 +84,7 @@ void expect_every_byte_change_answered(const Read& read, const std::string& text
 TEST(DamagedLog, EveryPrefixIsAnswered) { expect_every_prefix_answered(read_log, log_text); }
 
 TEST(DamagedLog, EveryChangedByteIsAnswered) {
-  expect_every_byte_change_answered(read_log, log_text, 1);
+  expect_every_byte_change_answered(read_log, log_text);
 }
 
 TEST(DamagedManifest, EveryPrefixIsAnswered) {
@@ -92,8 +92,7 @@ TEST(DamagedManifest, EveryPrefixIsAnswered) {
 }
 
 TEST(DamagedManifest, EveryChangedByteIsAnswered) {
-  constexpr int step = 7;  // 37 bytes of 256, to stay within seconds under sanitizers
-  expect_every_byte_change_answered(read_manifest, manifest_text, step);
+  expect_every_byte_change_answered(read_manifest, manifest_text);
 }
 
 TEST(DamagedLog, RandomPiecesAreAnswered) {

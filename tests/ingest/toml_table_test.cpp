@@ -115,7 +115,11 @@ TEST(TomlTable, RefusesStrayCharactersBeyondAscii) {
   EXPECT_EQ(refusal([] { return parse("\xcc\xaa"); }),
             "m.toml:1:1: character beyond ASCII outside of quotes and comments");
   EXPECT_EQ(refusal([] { return parse("s = \"\"\"\\\n§\"\"\"\n"); }),
-            "m.toml:1:9: a line continued with a backslash before a character beyond ASCII");
+            "m.toml:1:9: backslash before a character beyond ASCII");
+  EXPECT_EQ(refusal([] { return parse("s = \"\"\"\\°\"\"\"\n"); }),
+            "m.toml:1:9: backslash before a character beyond ASCII");
+  EXPECT_EQ(refusal([] { return parse("s = 1\"°\"\n"); }),
+            "m.toml:1:6: quote in the middle of a key or value");
   EXPECT_NE(refusal([] { return parse("[&"); }), "");
 }
 
@@ -133,7 +137,8 @@ TEST(TomlTable, TakesCharactersBeyondAsciiWhereTextIs) {
 TEST(TomlTable, BoundsNesting) {
   std::string dots = "a";
   for (int i = 0; i < 100'000; ++i) dots += ".a";
-  EXPECT_EQ(refusal([&] { return parse(dots + " = 1\n"); }), "m.toml:1:102: key with too many dots");
+  EXPECT_EQ(refusal([&] { return parse(dots + " = 1\n"); }),
+            "m.toml:1:102: key with too many dots");
   const std::string brackets(100'000, '[');
   EXPECT_NE(refusal([&] { return parse("a = " + brackets); }), "");
   std::string inline_tables = "a = ";

@@ -35,7 +35,8 @@ double area(const std::vector<PixelPoint>& p) {
   double sum = 0;
   for (std::size_t i = 2; i < p.size(); ++i) {
     sum += std::abs((p[i - 1].x - p[i - 2].x) * (p[i].y - p[i - 2].y) -
-                    (p[i].x - p[i - 2].x) * (p[i - 1].y - p[i - 2].y)) / 2;
+                    (p[i].x - p[i - 2].x) * (p[i - 1].y - p[i - 2].y)) /
+           2;
   }
   return sum;
 }

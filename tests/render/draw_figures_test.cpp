@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "error.h"
 #include "example_figures.h"
+
+#include "error.h"
 #include "render/renderer.h"
 
 namespace tribolog::render {
@@ -25,8 +26,8 @@ class Setting {
 };
 
 std::vector<Figure> five() {
-  return {examples::plain(), examples::hysteresis(), examples::stacked(),
-          examples::many_curves(10), examples::noisy_sweep()};
+  return {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
+          examples::noisy_sweep()};
 }
 
 std::vector<DrawnFigure> draw(const std::vector<Figure>& figures, int processes) {

@@ -67,8 +67,8 @@ Figure hysteresis() {
   middle.style = LineStyle::dash;
   middle.colour = palette::black;
   panel.series = {loop, middle};
-  panel.point_labels = {{0, 4, "A"},        {0, 3.5, "B"},      {1.95, 4.60, "C"},
-                        {1.93, 4.58, "D"},  {1.90, 4.62, "E"},  {-1.95, 3.3, "F"}};
+  panel.point_labels = {{0, 4, "A"},       {0, 3.5, "B"},     {1.95, 4.60, "C"},
+                        {1.93, 4.58, "D"}, {1.90, 4.62, "E"}, {-1.95, 3.3, "F"}};
   return with_panel("hysteresis", panel);
 }
 
@@ -94,11 +94,11 @@ Figure stacked() {
 
 Figure many_curves(int count) {
   constexpr Colour colours[] = {palette::sky_blue, palette::vermilion, palette::green,
-                                palette::purple, palette::orange, palette::blue};
+                                palette::purple,   palette::orange,    palette::blue};
   constexpr LineStyle styles[] = {LineStyle::solid, LineStyle::dash, LineStyle::dot,
                                   LineStyle::dash_dot, LineStyle::dash_dot_dot};
-  constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle,
-                                Marker::diamond, Marker::cross, Marker::plus};
+  constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
+                                Marker::diamond, Marker::cross,  Marker::plus};
   Panel panel;
   panel.x.title = "motor speed φ\u0307 [rad/s]";
   panel.y.title = "error e_{Tf} [%]";
@@ -174,7 +174,8 @@ std::vector<Figure> nasty() {
 
   Figure hostile = plain();
   hostile.id = "hostile";
-  hostile.title = "\xFF\xC0\xAF <b>&amp;\x1b[31m \xED\xA0\x80 \xF4\x90\x80\x80 _{} ^{ _{x \u4E2D\U0001F600";
+  hostile.title =
+      "\xFF\xC0\xAF <b>&amp;\x1b[31m \xED\xA0\x80 \xF4\x90\x80\x80 _{} ^{ _{x \u4E2D\U0001F600";
   hostile.panels[0].series[0].label = "\u202Eright to left\u0000";
   hostile.panels[0].y.title = "σ_{0} θ\u0302^{2} q\u0307_{c} \u0307";
   hostile.panels[0].point_labels = {{1, 1, "\xC3"}, {2, 0.5, ""}};

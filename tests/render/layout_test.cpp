@@ -1,5 +1,3 @@
-#include "render/layout/figure_layout.h"
-
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -7,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
 #include "example_figures.h"
+
+#include "error.h"
+#include "render/layout/figure_layout.h"
 
 namespace tribolog::render {
 namespace {
@@ -55,8 +55,9 @@ void expect_nothing_is_clipped(const DrawList& list, const std::string& id) {
 
 /// No primitive of the data lies under the legend.
 void expect_legend_hides_nothing(const DrawList& list, const std::string& id) {
-  const std::set<Role> data{Role::series, Role::series_marker, Role::band, Role::error_bar,
-                            Role::reference_line, Role::label_marker, Role::label_leader};
+  const std::set<Role> data{Role::series,      Role::series_marker,  Role::band,
+                            Role::error_bar,   Role::reference_line, Role::label_marker,
+                            Role::label_leader};
   for (const Primitive& one : list.primitives) {
     const auto* legend = std::get_if<Polygon>(&one);
     if (legend == nullptr || legend->owner.role != Role::legend_box) continue;
@@ -67,8 +68,9 @@ void expect_legend_hides_nothing(const DrawList& list, const std::string& id) {
       if (const auto* line = std::get_if<Polyline>(&other)) {
         for (std::size_t i = 1; i < line->points.size(); ++i) {
           for (double t = 0; t <= 1; t += 0.01) {
-            const PixelPoint p{line->points[i - 1].x + t * (line->points[i].x - line->points[i - 1].x),
-                               line->points[i - 1].y + t * (line->points[i].y - line->points[i - 1].y)};
+            const PixelPoint p{
+                line->points[i - 1].x + t * (line->points[i].x - line->points[i - 1].x),
+                line->points[i - 1].y + t * (line->points[i].y - line->points[i - 1].y)};
             ASSERT_FALSE(box.contains(p)) << id;
           }
         }

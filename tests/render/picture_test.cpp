@@ -4,6 +4,7 @@
 
 #include "example_figures.h"
 #include "png_reading.h"
+
 #include "render/layout/figure_layout.h"
 #include "render/renderer.h"
 
@@ -20,8 +21,9 @@ DrawnFigure drawn(const Figure& figure) {
 PixelPoint pixel_of(const DrawList& list, const Axis& x_axis, const Axis& y_axis, double x,
                     double y) {
   const PixelBox plot = list.plots.at(0);
-  return {plot.left + (x - *x_axis.minimum) / (*x_axis.maximum - *x_axis.minimum) * plot.width(),
-          plot.bottom - (y - *y_axis.minimum) / (*y_axis.maximum - *y_axis.minimum) * plot.height()};
+  return {
+      plot.left + (x - *x_axis.minimum) / (*x_axis.maximum - *x_axis.minimum) * plot.width(),
+      plot.bottom - (y - *y_axis.minimum) / (*y_axis.maximum - *y_axis.minimum) * plot.height()};
 }
 
 Figure with_fixed_axes() {

@@ -1,8 +1,8 @@
-#include "render/png/png_encoder.h"
-
 #include <gtest/gtest.h>
 
 #include "png_reading.h"
+
+#include "render/png/png_encoder.h"
 
 namespace tribolog::render {
 namespace {
@@ -20,7 +20,7 @@ Picture pattern(int width, int height, int colours) {
 
 TEST(Png, DecodesToTheSamePixels) {
   for (const int colours : {1, 2, 200, 256, 257, 5000}) {
-    for (const auto [width, height] : {std::pair{1, 1}, {7, 3}, {163, 98}}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {163, 98}}) {
       const Picture picture = pattern(width, height, colours);
       EXPECT_EQ(read_png(encode_png(picture)).rgb, picture.rgb) << colours << " colours";
     }

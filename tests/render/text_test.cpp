@@ -1,5 +1,3 @@
-#include "render/text/text_line.h"
-
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -7,13 +5,17 @@
 #include "error.h"
 #include "render/text/accents.h"
 #include "render/text/markup.h"
+#include "render/text/text_line.h"
 #include "render/text/utf8.h"
 
 namespace tribolog::render {
 namespace {
 
 TEST(Utf8, ReplacesWhatIsNotText) {
-  EXPECT_EQ(decode_utf8("a\xFF" "b").text, U"a?b");
+  EXPECT_EQ(decode_utf8("a\xFF"
+                        "b")
+                .text,
+            U"a?b");
   EXPECT_EQ(decode_utf8("\xC0\xAF").replaced, 1U) << "overlong";
   EXPECT_EQ(decode_utf8("\xED\xA0\x80").replaced, 1U) << "surrogate";
   EXPECT_EQ(decode_utf8("\xF4\x90\x80\x80").replaced, 1U) << "beyond Unicode";
@@ -47,7 +49,8 @@ TEST(TextLine, LowersSubscriptsAndRaisesSuperscripts) {
   EXPECT_GT(line.pieces[3].raise, 0);
   EXPECT_EQ(line.pieces[1].size_px, 28);
   for (std::size_t i = 1; i < 4; ++i) {
-    EXPECT_NEAR(line.pieces[i].offset, line.pieces[i - 1].offset + line.pieces[i - 1].advance, 1e-9);
+    EXPECT_NEAR(line.pieces[i].offset, line.pieces[i - 1].offset + line.pieces[i - 1].advance,
+                1e-9);
   }
 }
 

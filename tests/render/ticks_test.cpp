@@ -44,6 +44,9 @@ TEST(LinearTicks, SubtractALargeOffset) {
   EXPECT_EQ(labels(time), (std::vector<std::string>{"0", "2", "4", "6", "8", "10"}));
   const TickSet fine = linear_ticks({1e9, 1e9 + 1e-6}, 6);
   EXPECT_EQ(fine.scale_note, "×10^{−9}  + 1·10^{9}");
+  for (std::size_t i = 1; i < fine.major.size(); ++i) {
+    EXPECT_GT(fine.major[i].value, fine.major[i - 1].value) << "no finer than a double can tell";
+  }
 }
 
 // Over many ranges: enough ticks, not too many, inside, increasing, labels distinct.

@@ -1,8 +1,7 @@
-#include "render/check/visibility_map.h"
-
 #include <gtest/gtest.h>
 
 #include "render/check/picture_check.h"
+#include "render/check/visibility_map.h"
 
 namespace tribolog::render {
 namespace {

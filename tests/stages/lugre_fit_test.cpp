@@ -28,7 +28,7 @@ TEST(LuGreLoopModel, DerivativesAgreeWithDifferences) {
   const auto motion = fit_oscillation_motion(r);
   const LuGreLoopModel model(r, *motion, 100, test::true_q_peak_rad());
   LuGreLoopModel::Vector p;
-  p << std::log(400), std::log(0.8), 0.6, 0.05, 3.8, 2e-4;
+  p << std::log(400), std::log(0.8), 0.6, 0.05, 3.8, 1e-3, 2e-4;
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;
   model.evaluate(p, residuals, &jacobian);
@@ -50,8 +50,6 @@ TEST(LuGreLoopModel, DerivativesAgreeWithDifferences) {
 
 TEST(LuGreFit, RecoversTheJointFromItsTorqueAlone) {
   Scenario s = test::paper_joint();
-  s.motor_inertia_kgm2 = 0;  // what the fit does not model
-  s.arm_inertia_kgm2 = 0;
   s.presliding = LuGreFriction({465.42, 0.77080, 0.05, 0.88437633, 0.88437633, 5.0});
   const LuGreFit f = fit(oscillation_of(s));
   ASSERT_TRUE(f.converged) << f.reason;
@@ -60,6 +58,7 @@ TEST(LuGreFit, RecoversTheJointFromItsTorqueAlone) {
   EXPECT_NEAR(f.bristle_damping_Nms_rad.value, 0.7708, 1e-3);
   EXPECT_NEAR(f.viscous_Nms_rad.value, 0.05, 1e-3);
   EXPECT_NEAR(f.gravity_Nm.value, test::true_gravity_Nm, 1e-6);
+  EXPECT_NEAR(f.inertia_kgm2.value, s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / 1e4, 1e-5);
   EXPECT_LT(f.residual_Nm, 1e-5);
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+// Which rows of a log become samples, in which order, and why the others do not.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "error.h"
+#include "ingest/csv_reader.h"
+#include "ingest/manifest_file.h"
+#include "joint/recording.h"
+
+namespace tribolog {
+
+/// Notes of one recording, each as "<file>: <note>".
+class RecordingNotes {
+ public:
+  RecordingNotes(const std::string& file, std::vector<std::string>& notes)
+      : file_(file), notes_(notes) {}
+  void add(const std::string& note) { notes_.push_back(printable(file_) + ": " + note); }
+
+ private:
+  const std::string& file_;
+  std::vector<std::string>& notes_;
+};
+
+struct RowChoice {
+  std::vector<std::size_t> rows;     ///< Of the table; their times rise strictly.
+  std::vector<SkippedRows> skipped;  ///< table.rows + table.cut_rows = rows.size() + their sum.
+};
+
+/// @param table its first column is the time; a gap in any column leaves the row out.
+/// @throw InputError if time runs back by more than a second, more than 5 % of the time stamps
+/// stand
+///        twice, or fewer than 20 rows are left.
+RowChoice choose_rows(const RecordingEntry& entry, const CsvTable& table, RecordingNotes& notes);
+
+}  // namespace tribolog
