@@ -26,7 +26,7 @@ std::string decimal_text(long long multiple, int exponent) {
   } else {
     const auto decimals = static_cast<std::size_t>(-exponent);
     if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-    digits.insert(digits.size() - decimals, ".");
+    digits.insert(digits.size() - decimals, 1, '.');
   }
   std::string signed_text;
   if (multiple < 0) signed_text += minus;

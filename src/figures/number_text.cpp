@@ -16,7 +16,8 @@ std::string with_minus(std::string text) {
   if (first != 0) return text;
   // "-0.00" is zero.
   if (text.find_first_of("123456789") == std::string::npos) return text.substr(1);
-  return "−" + text.substr(1);
+  std::string minus = "−";
+  return minus.append(text, 1, std::string::npos);
 }
 
 std::string fixed(double value, int decimals) {

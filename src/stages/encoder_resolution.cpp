@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/plateaus.h"
+
 namespace tribolog {
 namespace {
 
@@ -14,10 +16,13 @@ double median(std::vector<double> values) {
 
 /// Travels of one recording, one per reversal.
 void add_travels(const Recording& r, const std::vector<bool>& steady, const CogSweepResult& sweep,
-                 std::vector<double>& travels) {
+                 double gear_ratio, std::vector<double>& travels) {
   const double coulomb = sweep.coulomb_Nm->value;
+  // At a reversal acceleration is largest: without inertia friction would seem to turn over early.
+  const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
+  const std::vector<double> acceleration = find_plateaus(r).acceleration_rad_s2;
   const auto friction = [&](std::size_t i) {
-    return r.torque_Nm[i] - sweep.offset_Nm -
+    return r.torque_Nm[i] - sweep.offset_Nm - inertia * acceleration[i] -
            sweep.gravity_Nm.value * std::cos(r.q_rad[i] - sweep.q_peak_rad.value);
   };
   // A reversal is the unsteady stretch between two steady ones of opposite direction.
@@ -69,11 +74,11 @@ double encoder_step_rad(const std::vector<double>& q_rad) {
                                                                                         : 0.0;
 }
 
-std::optional<double> presliding_travel_rad(const CogSweepResult& sweep) {
+std::optional<double> presliding_travel_rad(const CogSweepResult& sweep, double gear_ratio) {
   if (!sweep.found || !sweep.coulomb_Nm || !(sweep.coulomb_Nm->low > 0)) return std::nullopt;
   std::vector<double> travels;
   for (std::size_t k = 0; k < sweep.recordings.size(); ++k) {
-    add_travels(*sweep.recordings[k], sweep.used[k], sweep, travels);
+    add_travels(*sweep.recordings[k], sweep.used[k], sweep, gear_ratio, travels);
   }
   if (travels.empty()) return std::nullopt;
   return median(std::move(travels));

@@ -15,7 +15,7 @@ double encoder_step_rad(const std::vector<double>& q_rad);
 /// Joint travel after a reversal of the sweep within which friction turns over to 70 % of the
 /// Coulomb torque of the other direction [rad], median over the reversals. Absent if the sweep
 /// shows no reversal, no gravity or no Coulomb torque.
-std::optional<double> presliding_travel_rad(const CogSweepResult& sweep);
+std::optional<double> presliding_travel_rad(const CogSweepResult& sweep, double gear_ratio);
 
 /// A loop needs this many encoder steps across its pre-sliding range to be read.
 inline constexpr double fewest_steps_in_presliding = 50;

@@ -15,14 +15,15 @@ namespace tribolog {
 namespace {
 
 /// Says, from the reversals of the sweep, whether an oscillation would have been resolved.
-void explain_without_oscillation(const CogSweepResult& rough, HysteresisResult& out) {
+void explain_without_oscillation(const CogSweepResult& rough, double gear_ratio,
+                                 HysteresisResult& out) {
   out.stage.state = StageState::skipped;
   out.stage.reason =
       "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
       "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
   if (!rough.found || rough.recordings.empty()) return;
   const double step = encoder_step_rad(rough.recordings.front()->q_rad);
-  const std::optional<double> travel = presliding_travel_rad(rough);
+  const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
   if (step <= 0 || !travel) return;
   out.encoder_step_rad = step;
   out.presliding_travel_rad = travel;
@@ -123,7 +124,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   HysteresisResult out;
   out.stage.name = "hysteresis";
   if (oscillations.empty()) {
-    explain_without_oscillation(rough, out);
+    explain_without_oscillation(rough, gear_ratio, out);
     return out;
   }
   std::vector<LoopResult> loops;
