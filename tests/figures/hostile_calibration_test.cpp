@@ -2,6 +2,7 @@
 // lengths.
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,9 +43,9 @@ class HostileCalibration : public ::testing::Test {
 TEST_F(HostileCalibration, FoundButEmpty) {
   Calibration empty;
   empty.rough.found = empty.precise.found = empty.hysteresis.found = true;
-  empty.selection.recommended = "midline";
-  empty.selection.paper_rule = "B";
-  empty.quality.reference = "analytic";
+  empty.selection.recommended = std::string("midline");
+  empty.selection.paper_rule = std::string("B");
+  empty.quality.reference = std::string("analytic");
   expect_drawable(figure_set(Dataset{}, empty));
   expect_drawable(figure_set(dataset_, empty));
 }
@@ -134,11 +135,11 @@ TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
 }
 
 TEST_F(HostileCalibration, NamesThatNobodyKnows) {
-  calibration_.selection.recommended = "_{<b>";
-  calibration_.selection.paper_rule = "";
-  calibration_.quality.reference = "archived";
+  calibration_.selection.recommended = std::string("_{<b>");
+  calibration_.selection.paper_rule.clear();
+  calibration_.quality.reference = std::string("archived");
   for (LoopPoint& point : calibration_.hysteresis.points) point.name = '_';
-  calibration_.viscous.curves.front().estimator = "";
+  calibration_.viscous.curves.front().estimator.clear();
   expect_figures_survive();
 }
 
