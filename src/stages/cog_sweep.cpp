@@ -225,6 +225,32 @@ void read_friction(const Design& d, const SweepSamples& samples, const GravityFi
   }
 }
 
+/// Variance of the white noise from third differences of neighbouring samples, in which everything
+/// slower than a few samples drops out.
+double white_variance(const std::vector<const Recording*>& recordings,
+                      const SweepSamples& samples) {
+  double squares = 0;
+  double count = 0;
+  for (std::size_t i = 3; i < samples.size(); ++i) {
+    const bool neighbours = samples.recording[i - 3] == samples.recording[i] &&
+                            samples.index[i - 3] + 3 == samples.index[i];
+    if (!neighbours) continue;
+    const double* t = &recordings[samples.recording[i]]->torque_Nm[samples.index[i] - 3];
+    const double third = t[3] - 3 * t[2] + 3 * t[1] - t[0];
+    squares += third * third;
+    count += 1;
+  }
+  constexpr double gain = 20;  // 1 + 9 + 9 + 1
+  return count > 0 ? squares / (gain * count) : 0.0;
+}
+
+/// What the residual holds beyond white noise; 0 below what sampling of the two variances explains.
+double ripple_of(double residual_sd, double white) {
+  constexpr double least_share = 0.05;
+  const double rest = residual_sd * residual_sd - white;
+  return rest > least_share * white ? std::sqrt(rest) : 0.0;
+}
+
 CogSweepResult skipped(const std::string& name, std::string reason, StageState state) {
   CogSweepResult out;
   out.stage = {name, state, std::move(reason)};
@@ -290,6 +316,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
   out.residual_Nm = fit.regression.residual_sd;
+  out.ripple_Nm = ripple_of(out.residual_Nm, white_variance(recordings, samples));
   out.method = samples.constant_speed
                    ? "T = offset of each direction + G cos(q - q_peak)"
                    : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";

@@ -39,6 +39,10 @@ struct CogSweepResult {
   std::optional<Estimate> inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.
   double offset_Nm{};    ///< Mean of both directions that is not gravity, motor side.
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.
+  /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
+  /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
+  /// out.
+  double ripple_Nm{};
 
   double lowest_rad{};  ///< Range of the samples used.
   double highest_rad{};

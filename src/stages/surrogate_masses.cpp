@@ -35,6 +35,15 @@ SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, do
   return m;
 }
 
+/// A torque read at one position, with the ripple that the sweep shows laid on its interval: over a
+/// micro-oscillation ripple is a constant, which no repetition averages out.
+Estimate with_ripple(Estimate torque, double ripple_Nm) {
+  if (!(ripple_Nm > 0)) return torque;
+  constexpr double normal_975 = 1.96;
+  return symmetric_estimate(torque.value, std::hypot(torque.half_width(), normal_975 * ripple_Nm),
+                            torque.method + ", widened by the ripple that the sweep shows");
+}
+
 const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
   const auto it = std::find_if(points.begin(), points.end(),
                                [name](const LoopPoint& p) { return p.name == name; });
@@ -66,12 +75,14 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     return context.q_peak_rad ? std::cos(q - *context.q_peak_rad) : 1.0;
   };
 
+  // From three positions on, the scatter between them carries the ripple.
+  const double ripple = hysteresis.oscillations.size() < 3 ? rough.ripple_Nm : 0.0;
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
     const Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, "one reading"};
-    out.masses.push_back(
-        make_mass(std::string(1, name), torque, p->q_rad, cosine_at(p->q_rad), context));
+    out.masses.push_back(make_mass(std::string(1, name), with_ripple(torque, ripple), p->q_rad,
+                                   cosine_at(p->q_rad), context));
   }
   for (const auto& [first, second] : {std::pair{'A', 'B'}, {'C', 'D'}, {'E', 'F'}}) {
     const LoopPoint* p = find_point(hysteresis.steady_points, first);
@@ -83,11 +94,12 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     const double cosine = (cosine_at(p->q_rad) + cosine_at(q->q_rad)) / 2;
     const Estimate torque =
         symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
-    out.masses.push_back(make_mass({first, second}, torque, angle, cosine, context));
+    out.masses.push_back(
+        make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    out.masses.push_back(make_mass("midline", *hysteresis.midline_Nm, hysteresis.midline_q_rad,
-                                   hysteresis.midline_mean_cos, context));
+    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, ripple),
+                                   hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
   }
   if (rough.found) {
     Context at_peak = context;

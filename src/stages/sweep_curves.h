@@ -12,7 +12,8 @@
 namespace tribolog {
 
 /// Fills fit_q_rad, fit_rising_Nm and fit_falling_Nm: measured torque less residual, the median
-/// of equal bins of the angle. An empty bin takes no part: it is NaN in the direction that lacks it.
+/// of equal bins of the angle. An empty bin takes no part: it is NaN in the direction that lacks
+/// it.
 void add_fit_curves(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
                     const Eigen::VectorXd& residuals, CogSweepResult& result);
 

@@ -104,6 +104,29 @@ TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
   EXPECT_GT(h.samples_at_rest, 600U);
 }
 
+TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
+  const auto midline_of = [](const Scenario& s) {
+    const Dataset d = test::simulated_dataset(s);
+    const CogSweepResult rough =
+        identify_cog_sweep("cog_rough", d.with_role(Role::rough_sweep), 100);
+    const HysteresisResult h =
+        identify_hysteresis(d.with_role(Role::oscillation), rough, 100, rough.q_peak_rad);
+    return identify_surrogate_masses(rough, h, rough.q_peak_rad, 100, 0.5, 9.81)
+        .find("midline")
+        ->gravity_Nm;
+  };
+  Scenario s = test::noisy_paper_joint(3);
+  EXPECT_LT(midline_of(s).half_width(), 0.002);
+  for (const double phase : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+    s.noise.ripple = {{0.02, 1, phase}, {0.02, 6, 2 * phase}};
+    const Estimate midline = midline_of(s);
+    // Two sines of 0.02 N·m: standard deviation 0.02, at most 0.04.
+    EXPECT_NEAR(midline.half_width(), 1.96 * 0.02, 0.005);
+    EXPECT_LE(midline.low, test::true_gravity_Nm) << phase;
+    EXPECT_GE(midline.high, test::true_gravity_Nm) << phase;
+  }
+}
+
 TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
   Scenario s = test::noisy_paper_joint(1);
   s.noise.encoder_counts_per_turn = 4096;  // 1.5e-5 rad at the joint: 13 steps in the loop
