@@ -24,9 +24,11 @@ bool has_area(Marker shape) { return shape != Marker::cross && shape != Marker::
 
 vtkStandardNewMacro(DrawListItem);
 
-void DrawListItem::show(const DrawList* list, const Font* font) {
+void DrawListItem::show(const DrawList* list, const Font* font, int top, int window_height) {
   list_ = list;
   font_ = font;
+  top_ = top;
+  window_height_ = window_height;
   Modified();
 }
 
@@ -35,7 +37,8 @@ float DrawListItem::vtk_x(double x) const {
   return static_cast<float>(0.5 + x * (list_->width - 1.0) / list_->width);
 }
 float DrawListItem::vtk_y(double y) const {
-  return static_cast<float>(0.5 + (list_->height - y) * (list_->height - 1.0) / list_->height);
+  const double above_bottom = window_height_ - (y - top_);
+  return static_cast<float>(0.5 + above_bottom * (window_height_ - 1.0) / window_height_);
 }
 
 bool DrawListItem::Paint(vtkContext2D* context) {

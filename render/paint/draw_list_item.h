@@ -16,8 +16,9 @@ class DrawListItem : public vtkContextItem {
   static DrawListItem* New();
   vtkTypeMacro(DrawListItem, vtkContextItem)
 
-      /// Both must live while the item paints.
-      void show(const DrawList* list, const Font* font);
+      /// Shows the part of the picture from row `top` on, as high as the window. Both must live
+      /// while the item paints.
+      void show(const DrawList* list, const Font* font, int top, int window_height);
 
   bool Paint(vtkContext2D* context) override;
 
@@ -36,6 +37,8 @@ class DrawListItem : public vtkContextItem {
 
   const DrawList* list_{};
   const Font* font_{};
+  int top_{};
+  int window_height_{};
   StripBuilder strip_;
   vtkNew<vtkTextProperty> property_;
 };

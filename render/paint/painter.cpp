@@ -20,6 +20,9 @@ namespace tribolog::render {
 namespace {
 
 constexpr int samples_per_pixel = 4;  // llvmpipe has no more
+// A picture is drawn in strips of this height: the multisampled buffers of a whole one would take a
+// few hundred megabytes, and clearing their pages a quarter of the time.
+constexpr int strip_rows = 512;
 
 }  // namespace
 
@@ -52,26 +55,31 @@ Painter::Painter(const Font& font) : parts_(std::make_unique<Parts>(font)) {
 Painter::~Painter() = default;
 
 Picture Painter::paint(const DrawList& list) {
-  parts_->item->show(&list, &parts_->font);
-  parts_->window->SetSize(list.width, list.height);
-  parts_->window->Render();
   Picture picture{list.width, list.height, {}};
-  vtkNew<vtkUnsignedCharArray> pixels;
-  parts_->window->GetPixelData(0, 0, list.width - 1, list.height - 1, 0, pixels, 0);
+  picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
+                     static_cast<std::size_t>(list.height));
+  parts_->window->SetSize(list.width, strip_rows);
+  for (int top = 0; top < list.height; top += strip_rows) paint_strip(list, top, picture);
   const std::string error = parts_->messages->take_error();
   if (!error.empty()) throw FigureError("VTK: " + error);
+  return picture;
+}
+
+void Painter::paint_strip(const DrawList& list, int top, Picture& picture) {
+  parts_->item->show(&list, &parts_->font, top, strip_rows);
+  parts_->window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  parts_->window->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
   const std::size_t row = 3 * static_cast<std::size_t>(list.width);
-  const auto height = static_cast<std::size_t>(list.height);
-  if (static_cast<std::size_t>(pixels->GetNumberOfValues()) != row * height) {
+  if (static_cast<std::size_t>(pixels->GetNumberOfValues()) != row * strip_rows) {
     throw FigureError("VTK gave a picture of the wrong size");
   }
-  picture.rgb.resize(row * height);
   const unsigned char* bottom_up = pixels->GetPointer(0);
-  for (std::size_t y = 0; y < height; ++y) {
-    std::copy_n(bottom_up + (height - 1 - y) * row, row,
-                picture.rgb.begin() + static_cast<std::ptrdiff_t>(y * row));
+  const int rows = std::min(strip_rows, list.height - top);
+  for (int y = 0; y < rows; ++y) {
+    std::copy_n(bottom_up + static_cast<std::size_t>(strip_rows - 1 - y) * row, row,
+                picture.rgb.begin() + static_cast<std::ptrdiff_t>(row) * (top + y));
   }
-  return picture;
 }
 
 RendererInfo Painter::info() const {

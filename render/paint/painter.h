@@ -27,6 +27,8 @@ class Painter {
   [[nodiscard]] RendererInfo info() const;
 
  private:
+  void paint_strip(const DrawList& list, int top, Picture& picture);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

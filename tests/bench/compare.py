@@ -40,7 +40,7 @@ def integrator(build):
     rows = {}
     for b in json.loads(out.stdout)["benchmarks"]:
         if b.get("aggregate_name") == "median":
-            rows[b["run_name"].split("/repeats")[0]] = (b["ns_per_sample"] * 1e9, b["error"])
+            rows[b["run_name"].split("/repeats")[0]] = (b["ns_per_sample"], b["error"])
     scipy = subprocess.run([sys.executable, f"{HERE}/peer/time_bristle.py"], check=True,
                            capture_output=True, text=True)
     for line in scipy.stdout.splitlines():
