@@ -41,6 +41,11 @@ float DrawListItem::vtk_y(double y) const {
   return static_cast<float>(0.5 + above_bottom * (window_height_ - 1.0) / window_height_);
 }
 
+bool DrawListItem::is_in_window(const PixelBox& box) const {
+  constexpr double reach = 8;  // ink may lie a little outside of a text's box
+  return box.bottom + reach > top_ && box.top - reach < top_ + window_height_;
+}
+
 bool DrawListItem::Paint(vtkContext2D* context) {
   context->GetPen()->SetLineType(vtkPen::NO_PEN);
   Colour pending{};
@@ -50,6 +55,7 @@ bool DrawListItem::Paint(vtkContext2D* context) {
   };
   for (const Primitive& primitive : list_->primitives) {
     if (const auto* run = std::get_if<TextRun>(&primitive)) {
+      if (!is_in_window(run->box)) continue;
       fill(context, pending);
       draw_text(context, *run);
     } else if (const auto* line = std::get_if<Polyline>(&primitive)) {

@@ -32,6 +32,7 @@ class DrawListItem : public vtkContextItem {
  private:
   void fill(vtkContext2D* context, Colour colour);
   void draw_text(vtkContext2D* context, const TextRun& run);
+  [[nodiscard]] bool is_in_window(const PixelBox& box) const;
   [[nodiscard]] float vtk_x(double x) const;
   [[nodiscard]] float vtk_y(double y) const;
 
