@@ -118,6 +118,7 @@ class DrawingCrew {
       DrawnFigure received = read_drawn_figure(answer);
       drawn_[member.figure].png = std::move(received.png);
       drawn_[member.figure].warnings = std::move(received.warnings);
+      drawn_[member.figure].drawn_by = std::move(received.drawn_by);
       finish(member.figure, received.error);
     } catch (const std::runtime_error& problem) {
       lose(member, problem.what());

@@ -28,6 +28,7 @@ struct DrawnFigure {
   int height_px{};
   std::vector<std::string> warnings;  ///< E.g. "dropped 3 samples that are not finite".
   std::string error;                  ///< One sentence; empty if drawn and found whole.
+  RendererInfo drawn_by;              ///< Empty texts if the graphics stack could not be started.
 };
 
 struct DrawOptions {

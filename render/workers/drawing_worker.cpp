@@ -1,5 +1,6 @@
 #include "render/workers/drawing_worker.h"
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -47,6 +48,22 @@ void obey_test_hooks(const std::string& id) {
   if (names_it("TRIBOLOG_TEST_HANG_FIGURE")) pause();
 }
 
+template <class Info>
+auto texts_of(Info& info) {
+  return std::array{&info.vtk_version, &info.back_end, &info.gl_version,
+                    &info.gl_renderer, &info.font,     &info.freetype_version};
+}
+
+void put_info(Message& message, const RendererInfo& info) {
+  for (const std::string* text : texts_of(info)) message.put(*text);
+}
+
+RendererInfo take_info(Message& message) {
+  RendererInfo info;
+  for (std::string* text : texts_of(info)) *text = message.take_text();
+  return info;
+}
+
 std::string printable_text(const std::string& text) { return encode_utf8(decode_utf8(text).text); }
 
 class Worker {
@@ -59,6 +76,7 @@ class Worker {
     obey_test_hooks(figure.id);
     try {
       start();
+      drawn.drawn_by = painter_->info();
       const DrawList list = lay_out(figure, *font_);
       drawn.warnings = list.warnings;
       const Picture picture = painter_->paint(list);
@@ -117,6 +135,7 @@ void serve_figures(int socket, const std::vector<Figure>& figures, bool alone,
     answer.put(drawn.error);
     answer.put(static_cast<std::uint32_t>(drawn.warnings.size()));
     for (const std::string& warning : drawn.warnings) answer.put(warning);
+    put_info(answer, drawn.drawn_by);
     if (!send_message(socket, answer)) return;
   }
 }
@@ -127,6 +146,7 @@ DrawnFigure read_drawn_figure(Message& message) {
   drawn.error = message.take_text();
   const std::uint32_t count = message.take_number();
   for (std::uint32_t i = 0; i < count; ++i) drawn.warnings.push_back(message.take_text());
+  drawn.drawn_by = take_info(message);
   return drawn;
 }
 
@@ -138,10 +158,7 @@ void serve_info(int socket) {
     Painter painter(font);
     const RendererInfo info = painter.info();
     answer.put(std::string());
-    for (const std::string* text : {&info.vtk_version, &info.back_end, &info.gl_version,
-                                    &info.gl_renderer, &info.font, &info.freetype_version}) {
-      answer.put(*text);
-    }
+    put_info(answer, info);
   } catch (const std::exception& problem) {
     answer = Message();
     answer.put(std::string(problem.what()));
@@ -152,12 +169,7 @@ void serve_info(int socket) {
 RendererInfo read_info(Message& message) {
   const std::string problem = message.take_text();
   if (!problem.empty()) throw FigureError(problem);
-  RendererInfo info;
-  for (std::string* text : {&info.vtk_version, &info.back_end, &info.gl_version, &info.gl_renderer,
-                            &info.font, &info.freetype_version}) {
-    *text = message.take_text();
-  }
-  return info;
+  return take_info(message);
 }
 
 }  // namespace tribolog::render

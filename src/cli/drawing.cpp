@@ -32,10 +32,10 @@ std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, 
 }
 
 std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn) {
-  const bool any = std::any_of(drawn.begin(), drawn.end(),
-                               [](const render::DrawnFigure& f) { return f.error.empty(); });
-  if (!any) return std::nullopt;
-  return drawing_software(render::renderer_info());
+  const auto first = std::find_if(drawn.begin(), drawn.end(),
+                                  [](const render::DrawnFigure& f) { return f.error.empty(); });
+  if (first == drawn.end()) return std::nullopt;
+  return drawing_software(first->drawn_by);
 }
 
 std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console) {
