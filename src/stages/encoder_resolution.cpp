@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/median.h"
 #include "stages/plateaus.h"
 
 namespace tribolog {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Travels of one recording, one per reversal.
 void add_travels(const Recording& r, const std::vector<bool>& steady, const CogSweepResult& sweep,

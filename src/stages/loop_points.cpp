@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
+
+#include "stages/median.h"
 
 namespace tribolog {
 namespace {
@@ -15,9 +18,7 @@ double noise_of(const std::vector<double>& y) {
     third.push_back(std::abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3]));
   }
   if (third.empty()) return 0;
-  const auto middle = third.begin() + static_cast<std::ptrdiff_t>(third.size() / 2);
-  std::nth_element(third.begin(), middle, third.end());
-  return 1.4826 * *middle / std::sqrt(20.0);
+  return 1.4826 * median(std::move(third)) / std::sqrt(20.0);
 }
 
 /// Time in [i, i+1] at which a signal crosses zero, by the chord.

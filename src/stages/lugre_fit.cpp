@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   LuGreFit fit;
   const Model model(oscillation, motion, gear_ratio, q_peak_rad);
   const double motor_amplitude = gear_ratio * motion.amplitude_rad;
-  const double omega = 2 * 3.141592653589793 * motion.frequency_Hz;
+  const double omega = 2 * std::numbers::pi * motion.frequency_Hz;
   const LeastSquaresProblem problem{
       model.samples(), [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
         model.evaluate(p, r, j);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/median.h"
+
 namespace tribolog {
 namespace {
 
@@ -33,13 +35,6 @@ std::vector<double> local_slope(const std::vector<double>& t, const std::vector<
   return slope;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Noise of the local slope, from second differences over windows that share no sample: a steady
 /// speed, a ramp and a slow sine all drop out.
 double slope_noise(const std::vector<double>& v, std::size_t window, double rest) {
@@ -48,6 +43,7 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
     if (std::abs(v[i]) < rest) continue;
     differences.push_back(std::abs(v[i + window] - 2 * v[i] + v[i - window]));
   }
+  if (differences.empty()) return 0;
   return 1.4826 * median(std::move(differences)) / std::sqrt(6.0);
 }
 

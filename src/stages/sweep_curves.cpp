@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "stages/median.h"
 
 namespace tribolog {
 
@@ -21,16 +22,10 @@ void add_fit_curves(const std::vector<const Recording*>& recordings, const Sweep
     (samples.direction[i] > 0 ? rising : falling)[bin].push_back(
         r.torque_Nm[samples.index[i]] - residuals(static_cast<Eigen::Index>(i)));
   }
-  const auto middle_of = [](std::vector<double>& values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   for (std::size_t bin = 0; bin < bins; ++bin) {
     result.fit_q_rad.push_back(result.lowest_rad + (static_cast<double>(bin) + 0.5) * width);
-    result.fit_rising_Nm.push_back(middle_of(rising[bin]));
-    result.fit_falling_Nm.push_back(middle_of(falling[bin]));
+    result.fit_rising_Nm.push_back(median(rising[bin]));
+    result.fit_falling_Nm.push_back(median(falling[bin]));
   }
   if (!result.both_directions) {
     const bool up = std::any_of(samples.direction.begin(), samples.direction.end(),
