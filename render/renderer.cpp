@@ -9,7 +9,9 @@
 #include <poll.h>
 
 #include "error.h"
+#include "render/workers/drawing_server.h"
 #include "render/workers/drawing_worker.h"
+#include "render/workers/figure_message.h"
 #include "render/workers/message_channel.h"
 #include "render/workers/worker_process.h"
 
@@ -21,14 +23,15 @@ using Clock = std::chrono::steady_clock;
 /// Hands figures out to workers one by one, and replaces a worker that is lost.
 class DrawingCrew {
  public:
-  DrawingCrew(const std::vector<Figure>& figures, const DrawOptions& options)
-      : figures_(figures), options_(options), drawn_(figures.size()) {
+  DrawingCrew(DrawingServer& server, int processes, const std::vector<Figure>& figures,
+              const DrawOptions& options)
+      : server_(server), figures_(figures), options_(options), drawn_(figures.size()) {
     for (std::size_t i = 0; i < figures.size(); ++i) {
       drawn_[i].id = figures[i].id;
       drawn_[i].width_px = figures[i].width_px;
       drawn_[i].height_px = figures[i].height_px;
     }
-    const auto wanted = static_cast<std::size_t>(std::max(1, options.processes));
+    const auto wanted = static_cast<std::size_t>(std::max(1, processes));
     members_.resize(std::min(wanted, figures.size()));
   }
 
@@ -40,7 +43,7 @@ class DrawingCrew {
 
  private:
   struct Member {
-    std::unique_ptr<WorkerProcess> process;
+    std::unique_ptr<ForkServer::Worker> worker;
     MessageReader reader;
     std::size_t figure{};
     Clock::time_point deadline;
@@ -53,30 +56,21 @@ class DrawingCrew {
     while (next_ < figures_.size() && !member.busy) {
       member.figure = next_++;
       try {
-        if (!member.process) start(member);
+        if (!member.worker) {
+          member.reader = MessageReader();
+          member.worker = server_.start_worker(options_.most_per_figure);
+        }
         Message request;
-        request.put(static_cast<std::uint32_t>(member.figure));
+        put_figure(request, figures_[member.figure]);
         member.deadline = Clock::now() + options_.most_per_figure;
         member.busy = true;
         // A worker that has gone is noticed when its answer is awaited.
-        send_message(member.process->socket(), request);
+        send_message(member.worker->socket(), request);
       } catch (const std::exception& problem) {
         finish(member.figure, problem.what());
       }
     }
-    if (!member.busy) member.process.reset();
-  }
-
-  void start(Member& member) {
-    // The new process must not hold the other workers' sockets open; they are close-on-exec only.
-    std::vector<int> foreign;
-    for (const Member& other : members_) {
-      if (other.process) foreign.push_back(other.process->socket());
-    }
-    const bool alone = members_.size() == 1;
-    member.reader = MessageReader();
-    member.process = std::make_unique<WorkerProcess>(
-        [&, foreign, alone](int socket) { serve_figures(socket, figures_, alone, foreign); });
+    if (!member.busy) member.worker.reset();
   }
 
   void wait_and_collect() {
@@ -85,7 +79,7 @@ class DrawingCrew {
     Clock::time_point first = Clock::time_point::max();
     for (Member& member : members_) {
       if (!member.busy) continue;
-      sockets.push_back({member.process->socket(), POLLIN, 0});
+      sockets.push_back({member.worker->socket(), POLLIN, 0});
       owners.push_back(&member);
       first = std::min(first, member.deadline);
     }
@@ -98,17 +92,18 @@ class DrawingCrew {
       if (sockets[i].revents != 0) {
         collect(*owners[i]);
       } else if (Clock::now() >= owners[i]->deadline) {
+        owners[i]->worker->end_and_explain();
         lose(*owners[i], "drawing took too long and was stopped");
       }
     }
   }
 
   void collect(Member& member) {
-    switch (member.reader.read_some(member.process->socket())) {
+    switch (member.reader.read_some(member.worker->socket())) {
       case MessageReader::State::incomplete:
         return;
       case MessageReader::State::closed:
-        lose(member, "the drawing process was lost: " + member.process->end_and_explain());
+        lose(member, "the drawing process was lost: " + member.worker->end_and_explain());
         return;
       case MessageReader::State::complete:
         break;
@@ -128,7 +123,7 @@ class DrawingCrew {
   }
 
   void lose(Member& member, const std::string& why) {
-    member.process.reset();
+    member.worker.reset();
     finish(member.figure, why);
     give_next(member);
   }
@@ -140,6 +135,7 @@ class DrawingCrew {
     if (options_.progress) options_.progress(done_, figures_.size());
   }
 
+  DrawingServer& server_;
   const std::vector<Figure>& figures_;
   const DrawOptions& options_;
   std::vector<DrawnFigure> drawn_;
@@ -150,9 +146,19 @@ class DrawingCrew {
 
 }  // namespace
 
-std::vector<DrawnFigure> draw_figures(const std::vector<Figure>& figures,
-                                      const DrawOptions& options) {
-  return DrawingCrew(figures, options).run();
+struct FigureRenderer::Parts {
+  DrawingServer server;
+  int processes;
+};
+
+FigureRenderer::FigureRenderer(int processes)
+    : parts_(std::make_unique<Parts>(DrawingServer(), processes)) {}
+
+FigureRenderer::~FigureRenderer() = default;
+
+std::vector<DrawnFigure> FigureRenderer::draw(const std::vector<Figure>& figures,
+                                              const DrawOptions& options) {
+  return DrawingCrew(parts_->server, parts_->processes, figures, options).run();
 }
 
 RendererInfo renderer_info() {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,17 +33,33 @@ struct DrawnFigure {
 };
 
 struct DrawOptions {
-  int processes{2};  ///< Worker processes; 1 draws in one worker. At least 1.
   /// Called in the caller's thread after each figure with (done, all).
   std::function<void(std::size_t, std::size_t)> progress;
   std::chrono::milliseconds most_per_figure{60'000};  ///< A worker that takes longer is stopped.
 };
 
-/// Draws every figure, in the order given. A figure that cannot be drawn, that comes out blank, or
-/// in which a series is not visible has `error` set; the others are unaffected. A crash of the
-/// graphics stack is confined to the worker and reported the same way.
-std::vector<DrawnFigure> draw_figures(const std::vector<Figure>& figures,
-                                      const DrawOptions& options);
+/// Draws figures in processes of its own, which end with it.
+class FigureRenderer {
+ public:
+  /// The graphics stack starts at once, in a process beside what the caller does next: make this
+  /// before computing what is to be drawn.
+  /// @param processes that draw at the same time, at least 1
+  explicit FigureRenderer(int processes = 2);
+  ~FigureRenderer();
+  FigureRenderer(const FigureRenderer&) = delete;
+  FigureRenderer& operator=(const FigureRenderer&) = delete;
+
+  /// Draws every figure, in the order given. A figure that cannot be drawn, that comes out blank,
+  /// or in which a series is not visible has `error` set; the others are unaffected. A crash of
+  /// the graphics stack is confined to the worker and reported the same way, and so is a stack that
+  /// does not start.
+  std::vector<DrawnFigure> draw(const std::vector<Figure>& figures,
+                                const DrawOptions& options = {});
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// Starts the graphics stack in a worker and asks it what it is.
 /// @throw tribolog::FigureError if no off-screen context can be made (one sentence, names the

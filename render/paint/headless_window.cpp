@@ -1,6 +1,7 @@
 #include "render/paint/headless_window.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkVersion.h>
 
 #include "error.h"
@@ -44,6 +45,11 @@ void HeadlessWindow::MakeCurrent() {
 }
 
 bool HeadlessWindow::IsCurrent() { return context_ != nullptr && context_->is_current(); }
+
+void HeadlessWindow::Start() {
+  Superclass::Start();
+  RenderFramebuffer->RemoveDepthAttachment();
+}
 
 void HeadlessWindow::OpenGLInitContext() {
 #if TRIBOLOG_VTK_HAS_GLEW

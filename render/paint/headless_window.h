@@ -20,6 +20,9 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
   int SupportsOpenGL() override { return 1; }
   void OpenGLInitContext() override;
   void DestroyWindow() override {}
+  /// Takes the depth buffer away that VTK adds: flat drawings need none, and clearing its samples
+  /// takes a tenth of the time.
+  void Start() override;
 
   HeadlessWindow(const HeadlessWindow&) = delete;
   HeadlessWindow& operator=(const HeadlessWindow&) = delete;

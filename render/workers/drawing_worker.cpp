@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include <malloc.h>
 #include <unistd.h>
@@ -17,17 +17,20 @@
 #include "render/png/png_encoder.h"
 #include "render/text/font.h"
 #include "render/text/utf8.h"
+#include "render/workers/figure_message.h"
 
 namespace tribolog::render {
 namespace {
 
-void prepare_driver(bool alone) {
+void prepare_driver() {
   constexpr int keep_what_the_user_set = 0;
   // Otherwise Mesa writes to the user's home, and some versions print shaders.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", keep_what_the_user_set);
   setenv("LIBGL_ALWAYS_SOFTWARE", "true", keep_what_the_user_set);
   setenv("GALLIUM_DRIVER", "llvmpipe", keep_what_the_user_set);
-  if (!alone) setenv("LP_NUM_THREADS", "0", keep_what_the_user_set);
+  // Processes instead of threads: they use the cores better, and can be forked.
+  setenv("LP_NUM_THREADS", "0", keep_what_the_user_set);
+  setenv("mesa_glthread", "false", keep_what_the_user_set);
 }
 
 /// Pictures come and go in blocks of megabytes; keeping the pages saves the kernel clearing them.
@@ -66,77 +69,116 @@ RendererInfo take_info(Message& message) {
 
 std::string printable_text(const std::string& text) { return encode_utf8(decode_utf8(text).text); }
 
-class Worker {
- public:
-  DrawnFigure draw(const Figure& figure) {
-    DrawnFigure drawn;
-    drawn.id = figure.id;
-    drawn.width_px = figure.width_px;
-    drawn.height_px = figure.height_px;
-    obey_test_hooks(figure.id);
-    try {
-      start();
-      drawn.drawn_by = painter_->info();
-      const DrawList list = lay_out(figure, *font_);
-      drawn.warnings = list.warnings;
-      const Picture picture = painter_->paint(list);
-      PictureFindings findings = check_picture(list, figure, picture);
-      drawn.warnings.insert(drawn.warnings.end(), findings.warnings.begin(),
-                            findings.warnings.end());
-      if (warn_of_renderer_) {
-        drawn.warnings.push_back("drawn by '" + painter_->info().gl_renderer +
-                                 "' instead of llvmpipe; pictures may differ between machines");
-      }
-      drawn.error = std::move(findings.error);
-      if (drawn.error.empty()) drawn.png = encode_png(picture);
-    } catch (const std::exception& problem) {
-      drawn.error = problem.what();
-    }
-    // They quote titles and labels, and end up on a terminal.
-    drawn.error = printable_text(drawn.error);
-    for (std::string& warning : drawn.warnings) warning = printable_text(warning);
-    return drawn;
-  }
+/// One of each kind of thing that figures are made of.
+Figure every_kind() {
+  Figure figure;
+  figure.id = "warm-up";
+  figure.title = "Every kind, T_{f}";
+  figure.height_px = 480;  // a single strip
+  Panel panel;
+  panel.x.title = "q [rad]";
+  panel.y.title = "T [N·m]";
+  Series line;
+  line.label = "line";
+  line.x = {0, 1, 2, 3};
+  line.y = {0, 1, 0, 1};
+  line.style = LineStyle::dash;
+  line.direction_arrows_at = {0.5};
+  Series markers = line;
+  markers.label = "markers";
+  markers.style = LineStyle::none;
+  markers.marker = Marker::circle;
+  panel.bands.push_back({"band", {0, 3}, {0.2, 0.2}, {0.4, 0.4}});
+  panel.error_bars.push_back({1.5, 0.2, 0.8});
+  panel.point_labels.push_back({1, 1, "A"});
+  panel.reference_lines.push_back({ReferenceLine::Direction::vertical, 2.5, "q_{c}"});
+  panel.series = {std::move(line), std::move(markers)};
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
 
- private:
-  void start() {
-    if (!start_error_.empty()) throw FigureError(start_error_);
-    try {
-      if (!font_) font_ = std::make_unique<Font>();
-      if (!painter_) {
-        painter_ = std::make_unique<Painter>(*font_);
-        warn_of_renderer_ = painter_->info().gl_renderer.find("llvmpipe") == std::string::npos;
-      }
-    } catch (const std::exception& problem) {
-      start_error_ = problem.what();
-      throw;
-    }
-  }
-
-  std::unique_ptr<Font> font_;
-  std::unique_ptr<Painter> painter_;
-  bool warn_of_renderer_{false};
-  std::string start_error_;
-};
+Message drawn_figure_message(const DrawnFigure& drawn) {
+  Message message;
+  message.put(drawn.png);
+  message.put(drawn.error);
+  message.put(static_cast<std::uint32_t>(drawn.warnings.size()));
+  for (const std::string& warning : drawn.warnings) message.put(warning);
+  put_info(message, drawn.drawn_by);
+  return message;
+}
 
 }  // namespace
 
-void serve_figures(int socket, const std::vector<Figure>& figures, bool alone,
-                   const std::vector<int>& foreign_sockets) {
-  for (const int foreign : foreign_sockets) close(foreign);
-  prepare_driver(alone);
+struct DrawingWorker::Stack {
+  std::unique_ptr<Font> font;
+  std::unique_ptr<Painter> painter;
+  std::string start_error;
+};
+
+DrawingWorker::DrawingWorker() : stack_(std::make_unique<Stack>()) {
+  prepare_driver();
   keep_freed_memory();
-  // Never destroyed: the process ends with _exit, and tearing a graphics stack down takes time.
-  auto* worker = new Worker;
+}
+
+DrawingWorker::~DrawingWorker() = default;
+
+void DrawingWorker::start() {
+  if (!stack_->start_error.empty()) throw FigureError(stack_->start_error);
+  try {
+    if (!stack_->font) stack_->font = std::make_unique<Font>();
+    if (!stack_->painter) stack_->painter = std::make_unique<Painter>(*stack_->font);
+  } catch (const std::exception& problem) {
+    stack_->start_error = problem.what();
+    throw;
+  }
+}
+
+void DrawingWorker::warm_up() {
+  try {
+    start();
+    const Figure figure = every_kind();
+    obey_test_hooks(figure.id);
+    const Picture picture = stack_->painter->paint(lay_out(figure, *stack_->font));
+    static_cast<void>(encode_png(picture));
+  } catch (const std::exception&) {
+    // The first figure meets the same problem and reports it.
+  }
+}
+
+DrawnFigure DrawingWorker::draw(const Figure& figure) {
+  DrawnFigure drawn;
+  drawn.id = figure.id;
+  drawn.width_px = figure.width_px;
+  drawn.height_px = figure.height_px;
+  obey_test_hooks(figure.id);
+  try {
+    start();
+    Painter& painter = *stack_->painter;
+    drawn.drawn_by = painter.info();
+    const DrawList list = lay_out(figure, *stack_->font);
+    drawn.warnings = list.warnings;
+    const Picture picture = painter.paint(list);
+    PictureFindings findings = check_picture(list, figure, picture);
+    drawn.warnings.insert(drawn.warnings.end(), findings.warnings.begin(), findings.warnings.end());
+    if (drawn.drawn_by.gl_renderer.find("llvmpipe") == std::string::npos) {
+      drawn.warnings.push_back("drawn by '" + drawn.drawn_by.gl_renderer +
+                               "' instead of llvmpipe; pictures may differ between machines");
+    }
+    drawn.error = std::move(findings.error);
+    if (drawn.error.empty()) drawn.png = encode_png(picture);
+  } catch (const std::exception& problem) {
+    drawn.error = problem.what();
+  }
+  // They quote titles and labels, and end up on a terminal.
+  drawn.error = printable_text(drawn.error);
+  for (std::string& warning : drawn.warnings) warning = printable_text(warning);
+  return drawn;
+}
+
+void DrawingWorker::serve(int socket) {
   while (auto request = receive_message(socket)) {
-    const DrawnFigure drawn = worker->draw(figures.at(request->take_number()));
-    Message answer;
-    answer.put(drawn.png);
-    answer.put(drawn.error);
-    answer.put(static_cast<std::uint32_t>(drawn.warnings.size()));
-    for (const std::string& warning : drawn.warnings) answer.put(warning);
-    put_info(answer, drawn.drawn_by);
-    if (!send_message(socket, answer)) return;
+    const DrawnFigure drawn = draw(take_figure(*request));
+    if (!send_message(socket, drawn_figure_message(drawn))) return;
   }
 }
 
@@ -151,7 +193,7 @@ DrawnFigure read_drawn_figure(Message& message) {
 }
 
 void serve_info(int socket) {
-  prepare_driver(true);
+  prepare_driver();
   Message answer;
   try {
     const Font font;

@@ -1,7 +1,7 @@
 #pragma once
-// What a drawing process does: numbers of figures in, drawn figures out.
+// What a drawing process does: descriptions of figures in, drawn figures out.
 
-#include <vector>
+#include <memory>
 
 #include "render/figure.h"
 #include "render/renderer.h"
@@ -9,17 +9,37 @@
 
 namespace tribolog::render {
 
-/// Serves figure numbers from the socket until the other side closes it. The graphics stack starts
-/// with the first one. `alone`: no other worker draws at the same time, so the driver may use
-/// threads. `foreign_sockets` are those of other workers, inherited by the fork, to be closed.
-void serve_figures(int socket, const std::vector<Figure>& figures, bool alone,
-                   const std::vector<int>& foreign_sockets);
+/// The graphics stack of one process, and what it draws with it.
+class DrawingWorker {
+ public:
+  /// Sets the driver up in the environment, where the user has not; starts nothing yet.
+  DrawingWorker();
+  ~DrawingWorker();
+  DrawingWorker(const DrawingWorker&) = delete;
+  DrawingWorker& operator=(const DrawingWorker&) = delete;
+
+  /// Starts the graphics stack and draws once what every figure consists of, so that the driver has
+  /// compiled its shaders. A stack that does not start says so again at each figure.
+  void warm_up();
+
+  /// A figure that cannot be drawn has its `error` set.
+  DrawnFigure draw(const Figure& figure);
+
+  /// Draws what arrives on the socket until the other side closes it.
+  void serve(int socket);
+
+ private:
+  struct Stack;
+  void start();
+
+  std::unique_ptr<Stack> stack_;
+};
+
+/// The answer to one figure, as DrawingWorker::serve sends it.
+DrawnFigure read_drawn_figure(Message& message);
 
 /// Starts the graphics stack and sends what it is, or why it does not start.
 void serve_info(int socket);
-
-/// The answer to one figure number, as serve_figures sends it.
-DrawnFigure read_drawn_figure(Message& message);
 
 /// The answer of serve_info. @throw tribolog::FigureError with the worker's reason.
 RendererInfo read_info(Message& message);

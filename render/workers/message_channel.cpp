@@ -46,20 +46,21 @@ bool receive_all(int socket, std::byte* data, std::size_t count) {
 
 }  // namespace
 
-void Message::put(std::uint32_t value) {
-  const auto* from = reinterpret_cast<const std::byte*>(&value);
-  bytes_.insert(bytes_.end(), from, from + sizeof value);
+void Message::put_raw(const void* from, std::size_t count) {
+  const auto* bytes = static_cast<const std::byte*>(from);
+  bytes_.insert(bytes_.end(), bytes, bytes + count);
 }
+
+void Message::put(std::uint32_t value) { put_raw(&value, sizeof value); }
 
 void Message::put(const std::string& text) {
   put(static_cast<std::uint32_t>(text.size()));
-  const auto* from = reinterpret_cast<const std::byte*>(text.data());
-  bytes_.insert(bytes_.end(), from, from + text.size());
+  put_raw(text.data(), text.size());
 }
 
 void Message::put(const std::vector<std::byte>& bytes) {
   put(static_cast<std::uint32_t>(bytes.size()));
-  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  put_raw(bytes.data(), bytes.size());
 }
 
 const std::byte* Message::next(std::size_t count) {
@@ -69,9 +70,14 @@ const std::byte* Message::next(std::size_t count) {
   return at;
 }
 
+void Message::take_raw(void* to, std::size_t count) {
+  const std::byte* from = next(count);
+  if (count > 0) std::memcpy(to, from, count);
+}
+
 std::uint32_t Message::take_number() {
   std::uint32_t value = 0;
-  std::memcpy(&value, next(sizeof value), sizeof value);
+  take_raw(&value, sizeof value);
   return value;
 }
 

@@ -15,11 +15,13 @@ class Message {
   void put(std::uint32_t value);
   void put(const std::string& text);
   void put(const std::vector<std::byte>& bytes);
+  void put_raw(const void* from, std::size_t count);
 
   /// @throw std::runtime_error if the message ends before the value does.
   std::uint32_t take_number();
   std::string take_text();
   std::vector<std::byte> take_bytes();
+  void take_raw(void* to, std::size_t count);
 
   [[nodiscard]] std::vector<std::byte>& bytes() { return bytes_; }
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }

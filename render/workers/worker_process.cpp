@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -91,8 +92,27 @@ WorkerProcess::WorkerProcess(const std::function<void(int socket)>& work) {
 
 WorkerProcess::~WorkerProcess() {
   end();
-  close(socket_);
+  close_socket();
   if (errors_ >= 0) close(errors_);
+}
+
+void WorkerProcess::close_socket() {
+  if (socket_ >= 0) close(std::exchange(socket_, -1));
+}
+
+void WorkerProcess::end_gently(std::chrono::milliseconds most) {
+  close_socket();
+  wait_for_end(most);
+  end();
+}
+
+void WorkerProcess::wait_for_end(std::chrono::milliseconds most) {
+  const auto deadline = std::chrono::steady_clock::now() + most;
+  while (process_ >= 0) {
+    if (waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
+    if (process_ < 0 || std::chrono::steady_clock::now() >= deadline) return;
+    usleep(1'000);
+  }
 }
 
 void WorkerProcess::end() {
@@ -105,10 +125,7 @@ void WorkerProcess::end() {
 
 std::string WorkerProcess::end_and_explain() {
   // One that is ending by itself gets the time to, so that its own status is seen.
-  for (int i = 0; i < 20 && process_ >= 0; ++i) {
-    if (waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
-    if (process_ >= 0) usleep(10'000);
-  }
+  wait_for_end(std::chrono::milliseconds(200));
   end();
   std::string text = WIFSIGNALED(status_)
                          ? "it was stopped by signal " + std::to_string(WTERMSIG(status_)) + " (" +

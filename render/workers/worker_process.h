@@ -1,6 +1,7 @@
 #pragma once
 // A forked process on the other end of a socket.
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -21,6 +22,11 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   [[nodiscard]] int socket() const { return socket_; }
+  /// The process sees its other end closed.
+  void close_socket();
+
+  /// Closes the socket and gives the process this long to end by itself.
+  void end_gently(std::chrono::milliseconds most);
 
   /// Ends it at once and says how it had ended: "it was stopped by signal 11 (Segmentation fault)"
   /// with the last line that it wrote to standard error, if any.
@@ -28,6 +34,7 @@ class WorkerProcess {
 
  private:
   void end();
+  void wait_for_end(std::chrono::milliseconds most);
 
   pid_t process_{-1};
   int socket_{-1};

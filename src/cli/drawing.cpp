@@ -9,26 +9,16 @@
 
 namespace tribolog {
 
-std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, int processes,
-                                      Console& console) {
+std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
+                                      const std::vector<ReportFigure>& figures, Console& console) {
   std::vector<render::Figure> descriptions;
   descriptions.reserve(figures.size());
   for (const ReportFigure& figure : figures) descriptions.push_back(figure.figure);
   render::DrawOptions options;
-  options.processes = processes;
   options.progress = [&](std::size_t done, std::size_t all) {
     console.progress("drawing figures", done, all);
   };
-  try {
-    return render::draw_figures(descriptions, options);
-  } catch (const FigureError& error) {
-    std::vector<render::DrawnFigure> none(figures.size());
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-      none[i].id = figures[i].id;
-      none[i].error = error.what();
-    }
-    return none;
-  }
+  return renderer.draw(descriptions, options);
 }
 
 std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn) {

@@ -15,8 +15,8 @@ namespace tribolog {
 
 /// Pictures in the order of the figures. A graphics stack that cannot start at all leaves every
 /// picture with its error.
-std::vector<render::DrawnFigure> draw(const std::vector<ReportFigure>& figures, int processes,
-                                      Console& console);
+std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
+                                      const std::vector<ReportFigure>& figures, Console& console);
 
 /// The graphics stack, for the provenance; absent if nothing was drawn.
 std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn);

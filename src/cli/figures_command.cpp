@@ -11,19 +11,22 @@
 namespace tribolog {
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
+  render::FigureRenderer renderer(options.processes);  // starts while the numbers are computed
   const Dataset dataset = load_dataset(options.dataset, console);
   create_directory(options.directory);
   const Calibration calibration = run_identification(dataset, console);
   const std::vector<ReportFigure> figures = figure_set(dataset, calibration);
-  const std::vector<render::DrawnFigure> drawn = draw(figures, options.processes, console);
+  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
+  AtomicFiles files;
   std::size_t written = 0;
   for (const render::DrawnFigure& figure : drawn) {
     if (!figure.error.empty()) continue;
     const std::string_view bytes(reinterpret_cast<const char*>(figure.png.data()),
                                  figure.png.size());
-    write_file_atomically(options.directory + "/" + figure.id + ".png", bytes);
+    files.add(options.directory + "/" + figure.id + ".png", bytes);
     ++written;
   }
+  files.commit();
   console.say(fmt::format("{}: {} figures", options.directory, written));
   for (const StageReport& stage : calibration.stages()) {
     if (stage.state != StageState::done) {

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "calibration_json.h"
@@ -30,6 +32,8 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   check_output_can_be_written(numbers, {options.dataset});
   Provenance provenance = make_provenance(arguments);
 
+  std::optional<render::FigureRenderer> renderer;  // starts while the numbers are computed
+  if (options.figures) renderer.emplace(options.processes);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
@@ -38,9 +42,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
 
   std::vector<ReportFigure> figures;
   std::vector<render::DrawnFigure> drawn;
-  if (options.figures) {
+  if (renderer) {
     figures = figure_set(dataset, calibration);
-    drawn = draw(figures, options.processes, console);
+    drawn = draw(*renderer, figures, console);
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);

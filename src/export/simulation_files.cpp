@@ -21,11 +21,13 @@ void write_simulation(const Scenario& scenario, const std::vector<Recording>& re
   create_directory(directory);
   const std::string manifest = (folder / "dataset.toml").string();
   check_output_can_be_written(manifest);
+  AtomicFiles files;
   for (const Recording& recording : recordings) {
-    write_file_atomically((folder / recording.name).string(), recording_csv(recording));
+    files.add((folder / recording.name).string(), recording_csv(recording));
   }
-  write_file_atomically((folder / "truth.json").string(), truth_json(scenario));
-  write_file_atomically(manifest, dataset_toml(scenario, recordings));
+  files.add((folder / "truth.json").string(), truth_json(scenario));
+  files.add(manifest, dataset_toml(scenario, recordings));
+  files.commit();
 }
 
 }  // namespace tribolog

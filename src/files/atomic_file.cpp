@@ -2,7 +2,10 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -88,18 +91,45 @@ void check_output_can_be_written(const std::string& path, const std::vector<std:
   if (::access(directory.c_str(), W_OK | X_OK) != 0) refuse(path, errno);
 }
 
-void write_file_atomically(const std::string& path, std::string_view bytes) {
+struct AtomicFiles::Pending {
+  std::string path;
+  fs::path target;
+  std::unique_ptr<TemporaryFile> temporary;
+};
+
+AtomicFiles::AtomicFiles() = default;
+AtomicFiles::~AtomicFiles() = default;
+
+void AtomicFiles::add(const std::string& path, std::string_view bytes) {
   const fs::path target = resolved(path);
   refuse_what_is_no_file(path, target);
   remove_stale_temporary_files(target);
-  TemporaryFile temporary(target);
-  if (!temporary.file().is_open()) refuse(path, errno);
-  write_all(path, temporary.file(), bytes);
-  if (::fchmod(temporary.file().get(), file_mode()) != 0) refuse(path, errno);
-  if (::fsync(temporary.file().get()) != 0) refuse(path, errno);
-  if (!temporary.file().close()) refuse(path, errno);
-  if (!temporary.rename_to(target)) refuse(path, errno);
-  flush_directory(path, directory_of(target));
+  auto temporary = std::make_unique<TemporaryFile>(target);
+  if (!temporary->file().is_open()) refuse(path, errno);
+  write_all(path, temporary->file(), bytes);
+  if (::fchmod(temporary->file().get(), file_mode()) != 0) refuse(path, errno);
+  // Any number of files may be pending: none is kept open until all are flushed.
+  if (!temporary->file().close()) refuse(path, errno);
+  pending_.push_back({path, target, std::move(temporary)});
+}
+
+void AtomicFiles::commit() {
+  for (const Pending& file : pending_) {
+    if (!file.temporary->flush()) refuse(file.path, errno);
+  }
+  std::map<fs::path, std::string> directories;
+  for (const Pending& file : pending_) {
+    if (!file.temporary->rename_to(file.target)) refuse(file.path, errno);
+    directories.emplace(directory_of(file.target), file.path);
+  }
+  for (const auto& [directory, path] : directories) flush_directory(path, directory);
+  pending_.clear();
+}
+
+void write_file_atomically(const std::string& path, std::string_view bytes) {
+  AtomicFiles one;
+  one.add(path, bytes);
+  one.commit();
 }
 
 void create_directory(const std::string& path) {

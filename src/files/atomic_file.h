@@ -26,6 +26,27 @@ void check_output_can_be_written(const std::string& path,
 ///        temporary file is gone.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
+/// Files that belong together: none takes its place before all of them are on the disk, so that a
+/// full disk leaves every old file. Flushed together, they cost little more than one.
+class AtomicFiles {
+ public:
+  AtomicFiles();
+  /// Removes what was not committed.
+  ~AtomicFiles();
+  AtomicFiles(const AtomicFiles&) = delete;
+  AtomicFiles& operator=(const AtomicFiles&) = delete;
+
+  /// Writes the bytes to the temporary file. @throw OutputError as write_file_atomically.
+  void add(const std::string& path, std::string_view bytes);
+
+  /// Each file takes its place, in the order of add(). @throw OutputError with the system's reason.
+  void commit();
+
+ private:
+  struct Pending;
+  std::vector<Pending> pending_;
+};
+
 /// Makes a directory and those above it; one that exists is fine.
 /// @throw OutputError with the system's reason, also where a file is in the way.
 void create_directory(const std::string& path);

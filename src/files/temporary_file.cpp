@@ -45,6 +45,11 @@ TemporaryFile::~TemporaryFile() {
   if (!path_.empty()) ::unlink(path_.c_str());
 }
 
+bool TemporaryFile::flush() const {
+  const FileDescriptor handle(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+  return handle.is_open() && ::fsync(handle.get()) == 0;
+}
+
 bool TemporaryFile::rename_to(const std::filesystem::path& target) {
   if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
   path_.clear();

@@ -19,6 +19,8 @@ class TemporaryFile {
   ~TemporaryFile();
 
   [[nodiscard]] FileDescriptor& file() { return file_; }
+  /// Its bytes are on the disk. Works whether it is open or not. @return false: errno tells why.
+  [[nodiscard]] bool flush() const;
   /// Takes the target's place. @return false: errno tells why, and nothing has changed.
   [[nodiscard]] bool rename_to(const std::filesystem::path& target);
 

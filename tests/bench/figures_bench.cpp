@@ -10,6 +10,7 @@
 
 int main() {
   using namespace tribolog;
+  render::FigureRenderer renderer;
   const Dataset dataset = test::simulated_dataset(test::paper_joint());
   const Calibration calibration = identify(dataset);
   std::vector<render::Figure> figures;
@@ -20,7 +21,7 @@ int main() {
     }
   }
   std::size_t bytes = 0;
-  for (const render::DrawnFigure& drawn : render::draw_figures(figures, {})) {
+  for (const render::DrawnFigure& drawn : renderer.draw(figures)) {
     if (!drawn.error.empty()) {
       std::fprintf(stderr, "%s: %s\n", drawn.id.c_str(), drawn.error.c_str());
       return 1;

@@ -127,6 +127,25 @@ TEST(WriteFileAtomically, RemovesItsOwnTemporaryFilesOnceTheyAreOld) {
   EXPECT_TRUE(fs::exists(other));
 }
 
+TEST(AtomicFiles, TakeTheirPlacesTogether) {
+  const TemporaryDirectory directory;
+  write_file_atomically(directory.path("a"), "old a");
+  {
+    AtomicFiles files;
+    files.add(directory.path("a"), "new a");
+    files.add(directory.path("b"), "new b");
+    EXPECT_EQ(directory.contents("a"), "old a");
+    EXPECT_FALSE(fs::exists(directory.path("b")));
+    files.commit();
+  }
+  EXPECT_EQ(directory.contents("a"), "new a");
+  EXPECT_EQ(directory.contents("b"), "new b");
+  EXPECT_EQ(directory.entries(), 2U);
+  { AtomicFiles().add(directory.path("a"), "never committed"); }
+  EXPECT_EQ(directory.contents("a"), "new a");
+  EXPECT_EQ(directory.entries(), 2U);
+}
+
 TEST(CheckOutput, RefusesToOverwriteAnInput) {
   const TemporaryDirectory directory;
   const std::string input = directory.file("run.csv", "t");

@@ -49,6 +49,20 @@ TEST_F(SmallDisk, FullKeepsTheOldFileAndLeavesNoTemporaryOne) {
   EXPECT_EQ(disk_.contents("report.html"), "it fits again");
 }
 
+TEST_F(SmallDisk, FullKeepsEveryOldFileOfASet) {
+  write_file_atomically(disk_.path("a.csv"), "old a");
+  const std::string said = refusal_of<OutputError>([&] {
+    AtomicFiles files;
+    files.add(disk_.path("a.csv"), "new a");
+    files.add(disk_.path("b.csv"), std::string(1 << 20, 'x'));
+    files.commit();
+    return 0;
+  });
+  EXPECT_EQ(said, disk_.path("b.csv") + ": cannot write: No space left on device");
+  EXPECT_EQ(disk_.contents("a.csv"), "old a");
+  EXPECT_EQ(disk_.entries(), 1U);
+}
+
 TEST_F(SmallDisk, ReadOnlyIsFoundBeforeTheComputation) {
   const std::string path = disk_.path("report.html");
   write_file_atomically(path, "old");

@@ -31,9 +31,7 @@ std::vector<Figure> five() {
 }
 
 std::vector<DrawnFigure> draw(const std::vector<Figure>& figures, int processes) {
-  DrawOptions options;
-  options.processes = processes;
-  return draw_figures(figures, options);
+  return FigureRenderer(processes).draw(figures);
 }
 
 void expect_no_child_left() {
@@ -63,8 +61,51 @@ TEST(DrawFigures, ReportsProgressInTheCallersThread) {
     EXPECT_EQ(all, 5U);
     steps.push_back(done);
   };
-  draw_figures(five(), options);
+  FigureRenderer().draw(five(), options);
   EXPECT_EQ(steps, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+}
+
+TEST(DrawFigures, DrawsAgainWithTheSameProcesses) {
+  FigureRenderer renderer;
+  const auto first = renderer.draw(five());
+  const auto second = renderer.draw(five());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].error, "");
+    EXPECT_EQ(first[i].png, second[i].png);
+  }
+}
+
+// A driver with threads cannot be forked once it is started: each worker then starts its own.
+TEST(DrawFigures, GivesTheSameBytesWithADriverThatHasThreads) {
+  const auto usual = draw(five(), 2);
+  const Setting setting("LP_NUM_THREADS", "2");
+  const auto threaded = draw(five(), 2);
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    EXPECT_EQ(threaded[i].error, "");
+    EXPECT_EQ(threaded[i].png, usual[i].png) << usual[i].id;
+  }
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, SaysSoAtEachFigureWhereTheGraphicsStackIsLostAtItsStart) {
+  const Setting setting("TRIBOLOG_TEST_CRASH_FIGURE", "warm-up");
+  for (const DrawnFigure& one : draw(five(), 2)) {
+    EXPECT_NE(one.error.find("the drawing process was lost: it was stopped by signal 11"),
+              std::string::npos)
+        << one.error;
+  }
+  expect_no_child_left();
+}
+
+TEST(DrawFigures, GivesUpOnAGraphicsStackThatHangsAtItsStart) {
+  const Setting setting("TRIBOLOG_TEST_HANG_FIGURE", "warm-up");
+  DrawOptions options;
+  options.most_per_figure = 200ms;
+  const auto all = FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
+  for (const DrawnFigure& one : all) {
+    EXPECT_NE(one.error.find("took too long to start"), std::string::npos) << one.error;
+  }
+  expect_no_child_left();
 }
 
 TEST(DrawFigures, DrawsNothingOfNothing) { EXPECT_TRUE(draw({}, 2).empty()); }
@@ -90,7 +131,7 @@ TEST(DrawFigures, StopsAWorkerThatHangs) {
   const Setting setting("TRIBOLOG_TEST_HANG_FIGURE", "plain");
   DrawOptions options;
   options.most_per_figure = 5000ms;
-  const auto all = draw_figures({examples::plain(), examples::hysteresis()}, options);
+  const auto all = FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
   EXPECT_NE(all[0].error.find("took too long"), std::string::npos);
   EXPECT_EQ(all[1].error, "");
   expect_no_child_left();
@@ -99,7 +140,7 @@ TEST(DrawFigures, StopsAWorkerThatHangs) {
 TEST(DrawFigures, LeavesNoChildWhenProgressThrows) {
   DrawOptions options;
   options.progress = [](std::size_t, std::size_t) { throw std::runtime_error("stop"); };
-  EXPECT_THROW(draw_figures(five(), options), std::runtime_error);
+  EXPECT_THROW(FigureRenderer().draw(five(), options), std::runtime_error);
   expect_no_child_left();
 }
 

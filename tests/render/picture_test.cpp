@@ -11,11 +11,7 @@
 namespace tribolog::render {
 namespace {
 
-DrawnFigure drawn(const Figure& figure) {
-  DrawOptions options;
-  options.processes = 1;
-  return draw_figures({figure}, options).at(0);
-}
+DrawnFigure drawn(const Figure& figure) { return FigureRenderer(1).draw({figure}).at(0); }
 
 /// Where a data point lies in the picture.
 PixelPoint pixel_of(const DrawList& list, const Axis& x_axis, const Axis& y_axis, double x,
@@ -90,7 +86,7 @@ TEST(Picture, HasInkOfEveryTextInsideItsBoxAndNoneBeside) {
 
 TEST(Picture, DrawsEveryNastyFigure) {
   const std::vector<Figure> all = examples::nasty();
-  const auto results = draw_figures(all, {});
+  const auto results = FigureRenderer().draw(all);
   ASSERT_EQ(results.size(), all.size());
   for (const DrawnFigure& one : results) {
     EXPECT_EQ(one.error, "") << one.id;

@@ -1,0 +1,157 @@
+#include "render/workers/figure_message.h"
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace tribolog::render {
+namespace {
+
+template <class Item, class Type>
+concept Is = std::same_as<std::remove_const_t<Item>, Type>;
+
+// One list of fields for both directions: `Visitor` is Writer or Reader.
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Colour> auto& item) {
+  visit(item.red, item.green, item.blue, item.alpha);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Series> auto& item) {
+  visit(item.label, item.x, item.y, item.colour, item.width_px, item.style, item.marker,
+        item.marker_size_px, item.direction_arrows_at);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Band> auto& item) {
+  visit(item.label, item.x, item.low, item.high, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<ErrorBar> auto& item) {
+  visit(item.x, item.low, item.high, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<PointLabel> auto& item) {
+  visit(item.x, item.y, item.text, item.colour, item.marker);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<ReferenceLine> auto& item) {
+  visit(item.direction, item.at, item.text, item.colour, item.style);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Axis> auto& item) {
+  visit(item.title, item.minimum, item.maximum, item.logarithmic);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Panel> auto& item) {
+  visit(item.title, item.x, item.y, item.bands, item.series, item.error_bars, item.point_labels,
+        item.reference_lines, item.show_legend);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Figure> auto& item) {
+  visit(item.id, item.title, item.panels, item.width_px, item.height_px, item.panels_share_x);
+}
+
+template <class Value>
+constexpr bool is_plain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+class Writer {
+ public:
+  explicit Writer(Message& message) : message_(message) {}
+
+  template <class... Values>
+  void operator()(const Values&... values) {
+    (put(values), ...);
+  }
+
+ private:
+  void put(const std::string& text) { message_.put(text); }
+  template <class Value>
+  void put(const std::optional<Value>& value) {
+    put(value.has_value());
+    if (value) put(*value);
+  }
+  template <class Value>
+  void put(const std::vector<Value>& values) {
+    message_.put(static_cast<std::uint32_t>(values.size()));
+    if constexpr (is_plain<Value>) {
+      message_.put_raw(values.data(), values.size() * sizeof(Value));
+    } else {
+      for (const Value& value : values) put(value);
+    }
+  }
+  template <class Value>
+  void put(const Value& value) {
+    if constexpr (is_plain<Value>) {
+      message_.put_raw(&value, sizeof value);
+    } else {
+      visit_fields(*this, value);
+    }
+  }
+
+  Message& message_;
+};
+
+class Reader {
+ public:
+  explicit Reader(Message& message) : message_(message) {}
+
+  template <class... Values>
+  void operator()(Values&... values) {
+    (take(values), ...);
+  }
+
+ private:
+  void take(std::string& text) { text = message_.take_text(); }
+  template <class Value>
+  void take(std::optional<Value>& value) {
+    bool present = false;
+    take(present);
+    if (present) take(value.emplace());
+  }
+  template <class Value>
+  void take(std::vector<Value>& values) {
+    values.resize(message_.take_number());
+    if constexpr (is_plain<Value>) {
+      message_.take_raw(values.data(), values.size() * sizeof(Value));
+    } else {
+      for (Value& value : values) take(value);
+    }
+  }
+  template <class Value>
+  void take(Value& value) {
+    if constexpr (is_plain<Value>) {
+      message_.take_raw(&value, sizeof value);
+    } else {
+      visit_fields(*this, value);
+    }
+  }
+
+  Message& message_;
+};
+
+}  // namespace
+
+void put_figure(Message& message, const Figure& figure) {
+  Writer write(message);
+  write(figure);
+}
+
+Figure take_figure(Message& message) {
+  Figure figure;
+  Reader read(message);
+  read(figure);
+  return figure;
+}
+
+}  // namespace tribolog::render
