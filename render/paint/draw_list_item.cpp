@@ -18,7 +18,12 @@ constexpr int dots_per_inch = 72;
 constexpr double rim_px = 1.5;
 constexpr Colour rim_colour{255, 255, 255};
 
-bool has_area(Marker shape) { return shape != Marker::cross && shape != Marker::plus; }
+/// Dots are too small for one: in a cloud of them it would only eat their neighbours.
+bool has_rim(const Markers& markers) {
+  constexpr double largest_dot_px = 8.0;
+  return markers.shape != Marker::cross && markers.shape != Marker::plus &&
+         markers.size > largest_dot_px;
+}
 
 }  // namespace
 
@@ -29,6 +34,7 @@ void DrawListItem::show(const DrawList* list, const Font* font, int top, int win
   font_ = font;
   top_ = top;
   window_height_ = window_height;
+  strip_.show_rows(top, top + window_height);
   Modified();
 }
 
@@ -68,7 +74,7 @@ bool DrawListItem::Paint(vtkContext2D* context) {
       use(polygon->colour);
       strip_.add(*polygon);
     } else if (const auto* markers = std::get_if<Markers>(&primitive)) {
-      if (has_area(markers->shape)) {
+      if (has_rim(*markers)) {
         use(rim_colour);
         strip_.add(*markers, rim_px);
       }

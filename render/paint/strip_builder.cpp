@@ -16,6 +16,14 @@ PixelPoint direction(PixelPoint from, PixelPoint to) {
   return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
 
+/// As many as a circle needs to be round within the flatness.
+int circle_corners(double radius) {
+  constexpr int fewest = 8;
+  if (radius <= flatness) return fewest;
+  return std::max(
+      fewest, static_cast<int>(std::ceil(std::numbers::pi / std::acos(1.0 - flatness / radius))));
+}
+
 std::vector<PixelPoint> regular_polygon(PixelPoint c, double radius, int corners, double turn) {
   std::vector<PixelPoint> out;
   for (int i = 0; i < corners; ++i) {
@@ -36,7 +44,7 @@ std::vector<PixelPoint> marker_outline(Marker shape, PixelPoint c, double radius
     case Marker::triangle:
       return regular_polygon(c, 1.45 * radius, 3, -2 * quarter);
     default:
-      return regular_polygon(c, radius, 20, 0.0);
+      return regular_polygon(c, radius, circle_corners(radius), 0.0);
   }
 }
 
@@ -113,7 +121,9 @@ void StripBuilder::add(const Polygon& polygon) { convex(polygon.outline); }
 void StripBuilder::add(const Markers& markers, double grow) {
   const double radius = markers.size / 2 + grow;
   const double thickness = std::max(2.0, 0.22 * markers.size) + 2 * grow;
+  const double reach_of_any_shape = 1.5 * radius + thickness;
   for (const PixelPoint& c : markers.centres) {
+    if (c.y + reach_of_any_shape < top_ || c.y - reach_of_any_shape > bottom_) continue;
     if (markers.shape == Marker::cross || markers.shape == Marker::plus) {
       const double reach = markers.shape == Marker::cross ? 0.8 * radius : 1.1 * radius;
       const double tilt = markers.shape == Marker::cross ? reach : 0.0;

@@ -4,6 +4,7 @@
 // VTK joins thick segments with notches and repeats its dash pattern per segment; strips made here
 // have round joins, and any number of separate parts can share one draw call.
 
+#include <limits>
 #include <vector>
 
 #include "render/draw_list.h"
@@ -13,6 +14,11 @@ namespace tribolog::render {
 /// Collects pairs of points (left edge, right edge). Parts are tied by quads without area.
 class StripBuilder {
  public:
+  /// Markers outside of these rows of pixels are left out from now on.
+  void show_rows(double top, double bottom) {
+    top_ = top;
+    bottom_ = bottom;
+  }
   void add(const Polyline& line);  ///< Cut into its dashes.
   void add(const Ribbon& ribbon);
   void add(const Polygon& polygon);
@@ -31,6 +37,8 @@ class StripBuilder {
   void convex(const std::vector<PixelPoint>& outline);
 
   std::vector<PixelPoint> points_;
+  double top_{-std::numeric_limits<double>::infinity()};
+  double bottom_{std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace tribolog::render

@@ -1,17 +1,16 @@
 #include "render/png/png_encoder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <optional>
 #include <string_view>
 
 #include <libdeflate.h>
 
 #include "error.h"
+#include "render/png/palette.h"
 
 namespace tribolog::render {
 namespace {
@@ -37,46 +36,6 @@ void put_chunk(Bytes& out, std::string_view name, const Bytes& data) {
   out.insert(out.end(), name.begin(), name.end());
   out.insert(out.end(), data.begin(), data.end());
   put_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
-}
-
-struct IndexedPicture {
-  Bytes palette;  ///< Three bytes a colour, in order of appearance.
-  Bytes indices;
-};
-
-/// Nothing if there are more than 256 colours.
-std::optional<IndexedPicture> indexed(const Picture& picture) {
-  constexpr std::uint32_t free_slot = 0xFFFFFFFF;
-  constexpr std::size_t slots = 1024;
-  std::array<std::uint32_t, slots> keys{};
-  keys.fill(free_slot);
-  std::array<std::uint8_t, slots> values{};
-  IndexedPicture out;
-  out.indices.resize(picture.rgb.size() / 3);
-  std::uint32_t last_key = free_slot;
-  std::uint8_t last_value = 0;
-  const std::uint8_t* rgb = picture.rgb.data();
-  for (std::uint8_t& index : out.indices) {
-    const std::uint32_t key = rgb[0] | (rgb[1] << 8U) | (rgb[2] << 16U);
-    rgb += 3;
-    if (key != last_key) {
-      std::size_t slot = (key * 2654435761U) >> 22U;
-      while (keys[slot] != key && keys[slot] != free_slot) slot = (slot + 1) % slots;
-      if (keys[slot] == free_slot) {
-        const std::size_t count = out.palette.size() / 3;
-        if (count == 256) return std::nullopt;
-        keys[slot] = key;
-        values[slot] = static_cast<std::uint8_t>(count);
-        for (const unsigned shift : {0U, 8U, 16U}) {
-          out.palette.push_back(static_cast<std::uint8_t>(key >> shift));
-        }
-      }
-      last_key = key;
-      last_value = values[slot];
-    }
-    index = last_value;
-  }
-  return out;
 }
 
 /// Rows with their filter byte in front.

@@ -1,7 +1,10 @@
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "png_reading.h"
 
+#include "render/png/palette.h"
 #include "render/png/png_encoder.h"
 
 namespace tribolog::render {
@@ -19,7 +22,7 @@ Picture pattern(int width, int height, int colours) {
 }
 
 TEST(Png, DecodesToTheSamePixels) {
-  for (const int colours : {1, 2, 200, 256, 257, 5000}) {
+  for (const int colours : {1, 2, 200, 256, 5000}) {
     for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {163, 98}}) {
       const Picture picture = pattern(width, height, colours);
       EXPECT_EQ(read_png(encode_png(picture)).rgb, picture.rgb) << colours << " colours";
@@ -27,10 +30,41 @@ TEST(Png, DecodesToTheSamePixels) {
   }
 }
 
+constexpr std::size_t colour_type = 25;
+
 TEST(Png, UsesAPaletteUpTo256Colours) {
-  constexpr std::size_t colour_type = 25;
   EXPECT_EQ(encode_png(pattern(100, 100, 256))[colour_type], std::byte{3});
-  EXPECT_EQ(encode_png(pattern(100, 100, 257))[colour_type], std::byte{2});
+  EXPECT_EQ(encode_png(pattern(100, 100, 5000))[colour_type], std::byte{2});
+}
+
+// 256 colours near to one another or not, and half as many that stand alone.
+TEST(Png, GivesColoursTooManyTheNearestOfThePalette) {
+  for (const bool near : {true, false}) {
+    Picture picture{96, 100, {}};
+    const auto put = [&](int red, int green, int blue) {
+      for (const int c : {red, green, blue}) picture.rgb.push_back(static_cast<std::uint8_t>(c));
+    };
+    for (int i = 0; i < picture.width * picture.height; ++i) {
+      const int k = i % 384;
+      if (k >= 256) {
+        put(255, (k % 16) * 16, (k - 256) / 16 * 32);
+      } else if (near) {
+        put(k, 0, 0);
+      } else {
+        put((k % 16) * 16, k / 16 * 16, 0);
+      }
+    }
+    const auto bytes = encode_png(picture);
+    const Picture back = read_png(bytes);
+    EXPECT_EQ(bytes[colour_type], near ? std::byte{3} : std::byte{2});
+    for (std::size_t i = 0; i < back.rgb.size(); ++i) {
+      EXPECT_LE(std::abs(back.rgb[i] - picture.rgb[i]), near ? largest_colour_error : 0);
+    }
+    for (std::size_t i = 0; i < back.rgb.size(); i += 3) {
+      if (picture.rgb[i] != 255 || picture.rgb[i + 2] == 0) continue;
+      EXPECT_EQ(back.rgb[i + 1], picture.rgb[i + 1]) << "has no near colour and stays";
+    }
+  }
 }
 
 TEST(Png, StatesItsPrintedSize) {

@@ -1,0 +1,171 @@
+#include "render/png/palette.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+
+namespace tribolog::render {
+namespace {
+
+using Key = std::uint32_t;
+
+struct Occurrence {
+  Key key{};
+  std::uint32_t count{};
+};
+
+/// Colours numbered in the order in which they appear.
+class ColourTable {
+ public:
+  /// Nothing if the table is full.
+  std::optional<std::uint16_t> number(Key key) {
+    std::size_t slot = (key * 2654435761U) >> (32U - slot_bits);
+    while (slots_[slot] != free_slot && colours_[slots_[slot]].key != key) {
+      slot = (slot + 1) % slots_.size();
+    }
+    if (slots_[slot] == free_slot) {
+      if (colours_.size() == most_colours) return std::nullopt;
+      slots_[slot] = static_cast<std::uint16_t>(colours_.size());
+      colours_.push_back({key, 0});
+    }
+    return slots_[slot];
+  }
+  [[nodiscard]] std::vector<Occurrence>& colours() { return colours_; }
+
+ private:
+  static constexpr unsigned slot_bits = 12;
+  static constexpr std::size_t most_colours = 1024;
+  static constexpr std::uint16_t free_slot = 0xFFFF;
+  std::vector<std::uint16_t> slots_ = std::vector<std::uint16_t>(1U << slot_bits, free_slot);
+  std::vector<Occurrence> colours_;
+};
+
+int channel(Key key, unsigned which) { return static_cast<int>((key >> (8 * which)) & 0xFFU); }
+
+int distance(Key a, Key b) {
+  int largest = 0;
+  for (const unsigned which : {0U, 1U, 2U}) {
+    largest = std::max(largest, std::abs(channel(a, which) - channel(b, which)));
+  }
+  return largest;
+}
+
+/// Takes colours away until 256 are left, each time the one that has the nearest other; of equal
+/// ones the rarest.
+class PaletteChoice {
+ public:
+  explicit PaletteChoice(const std::vector<Occurrence>& colours)
+      : colours_(colours), kept_(colours.size(), true), nearest_(colours.size()) {
+    if (colours.size() <= most) return;
+    for (std::size_t i = 0; i < colours.size(); ++i) find_nearest(i);
+    for (std::size_t left = colours.size(); left > most; --left) remove_one();
+  }
+
+  /// Three bytes a colour, in order of appearance.
+  [[nodiscard]] std::vector<std::uint8_t> palette() const {
+    std::vector<std::uint8_t> out;
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (!kept_[i]) continue;
+      for (const unsigned which : {0U, 1U, 2U}) {
+        out.push_back(static_cast<std::uint8_t>(channel(colours_[i].key, which)));
+      }
+    }
+    return out;
+  }
+
+  /// For each colour its place in the palette.
+  [[nodiscard]] std::vector<std::uint8_t> places() const {
+    std::vector<std::uint8_t> out(colours_.size());
+    std::uint8_t next = 0;
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (kept_[i]) out[i] = next++;
+    }
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (!kept_[i]) out[i] = out[nearest_[i].other];
+    }
+    return out;
+  }
+
+  [[nodiscard]] int largest_error() const {
+    int largest = 0;
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (!kept_[i]) largest = std::max(largest, nearest_[i].distance);
+    }
+    return largest;
+  }
+
+ private:
+  static constexpr std::size_t most = 256;
+  struct Neighbour {
+    std::size_t other{};
+    int distance{};
+  };
+
+  void find_nearest(std::size_t i) {
+    nearest_[i].distance = std::numeric_limits<int>::max();
+    for (std::size_t k = 0; k < colours_.size(); ++k) {
+      if (k == i || !kept_[k]) continue;
+      const int d = distance(colours_[i].key, colours_[k].key);
+      if (d < nearest_[i].distance) nearest_[i] = {k, d};
+    }
+  }
+
+  void remove_one() {
+    std::size_t gone = colours_.size();
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (!kept_[i]) continue;
+      if (gone == colours_.size() || nearest_[i].distance < nearest_[gone].distance ||
+          (nearest_[i].distance == nearest_[gone].distance &&
+           colours_[i].count < colours_[gone].count)) {
+        gone = i;
+      }
+    }
+    kept_[gone] = false;
+    for (std::size_t i = 0; i < colours_.size(); ++i) {
+      if (nearest_[i].other == gone) find_nearest(i);
+    }
+  }
+
+  const std::vector<Occurrence>& colours_;
+  std::vector<bool> kept_;
+  std::vector<Neighbour> nearest_;
+};
+
+}  // namespace
+
+std::optional<IndexedPicture> indexed(const Picture& picture) {
+  ColourTable table;
+  std::vector<std::uint16_t> numbers(picture.rgb.size() / 3);
+  constexpr Key none = 0xFFFFFFFF;
+  Key last = none;
+  std::uint16_t last_number = 0;
+  std::size_t run_start = 0;
+  const std::uint8_t* rgb = picture.rgb.data();
+  for (std::size_t i = 0; i < numbers.size(); ++i, rgb += 3) {
+    const Key key = rgb[0] | (static_cast<Key>(rgb[1]) << 8U) | (static_cast<Key>(rgb[2]) << 16U);
+    if (key != last) {
+      if (i > 0) table.colours()[last_number].count += static_cast<std::uint32_t>(i - run_start);
+      const auto found = table.number(key);
+      if (!found) return std::nullopt;
+      last = key;
+      last_number = *found;
+      run_start = i;
+    }
+    numbers[i] = last_number;
+  }
+  if (!numbers.empty()) {
+    table.colours()[last_number].count += static_cast<std::uint32_t>(numbers.size() - run_start);
+  }
+
+  const PaletteChoice choice(table.colours());
+  if (choice.largest_error() > largest_colour_error) return std::nullopt;
+  const std::vector<std::uint8_t> places = choice.places();
+  IndexedPicture out{choice.palette(), {}};
+  out.indices.resize(numbers.size());
+  std::transform(numbers.begin(), numbers.end(), out.indices.begin(),
+                 [&](std::uint16_t number) { return places[number]; });
+  return out;
+}
+
+}  // namespace tribolog::render
