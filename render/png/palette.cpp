@@ -51,12 +51,15 @@ int distance(Key a, Key b) {
   return largest;
 }
 
-/// Takes colours away until 256 are left, each time the one that has the nearest other; of equal
-/// ones the rarest.
+/// Takes colours away until 256 are left, each time the one whose place, and those that it had
+/// taken itself, another colour takes with the least error; of equal ones the rarest.
 class PaletteChoice {
  public:
   explicit PaletteChoice(const std::vector<Occurrence>& colours)
-      : colours_(colours), kept_(colours.size(), true), nearest_(colours.size()) {
+      : colours_(colours),
+        kept_(colours.size(), true),
+        nearest_(colours.size()),
+        stands_for_within_(colours.size()) {
     if (colours.size() <= most) return;
     for (std::size_t i = 0; i < colours.size(); ++i) find_nearest(i);
     for (std::size_t left = colours.size(); left > most; --left) remove_one();
@@ -111,17 +114,23 @@ class PaletteChoice {
     }
   }
 
+  /// At most so far off are those that this colour stands for, if it goes too.
+  [[nodiscard]] int cost(std::size_t i) const {
+    return nearest_[i].distance + stands_for_within_[i];
+  }
+
   void remove_one() {
     std::size_t gone = colours_.size();
     for (std::size_t i = 0; i < colours_.size(); ++i) {
       if (!kept_[i]) continue;
-      if (gone == colours_.size() || nearest_[i].distance < nearest_[gone].distance ||
-          (nearest_[i].distance == nearest_[gone].distance &&
-           colours_[i].count < colours_[gone].count)) {
+      if (gone == colours_.size() || cost(i) < cost(gone) ||
+          (cost(i) == cost(gone) && colours_[i].count < colours_[gone].count)) {
         gone = i;
       }
     }
     kept_[gone] = false;
+    int& taken_over = stands_for_within_[nearest_[gone].other];
+    taken_over = std::max(taken_over, cost(gone));
     for (std::size_t i = 0; i < colours_.size(); ++i) {
       if (nearest_[i].other == gone) find_nearest(i);
     }
@@ -130,6 +139,7 @@ class PaletteChoice {
   const std::vector<Occurrence>& colours_;
   std::vector<bool> kept_;
   std::vector<Neighbour> nearest_;
+  std::vector<int> stands_for_within_;
 };
 
 }  // namespace
