@@ -3,7 +3,6 @@
 import argparse
 import json
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -30,6 +29,35 @@ def pair(name, ours, peer, rounds):
           f"(lowest {ratios[0]:.1f}, highest {ratios[-1]:.1f} of {rounds} rounds; medians "
           f"{statistics.median(a for a, _ in pairs):.2f} s and "
           f"{statistics.median(b for _, b in pairs):.2f} s)")
+
+
+def family(pid):
+    """The process and all below it."""
+    try:
+        with open(f"/proc/{pid}/task/{pid}/children") as children:
+            below = children.read().split()
+    except OSError:
+        return [pid]
+    return [pid] + [p for child in below for p in family(child)]
+
+
+def proportional_kb(pid):
+    """Resident memory, where pages shared by n processes count as one n-th each."""
+    try:
+        with open(f"/proc/{pid}/smaps_rollup") as rollup:
+            return sum(int(line.split()[1]) for line in rollup if line.startswith("Pss:"))
+    except OSError:
+        return 0
+
+
+def peak_memory_mb(command):
+    """Largest sum over the processes of a command, sampled every few milliseconds."""
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    peak = 0
+    while process.poll() is None:
+        peak = max(peak, sum(proportional_kb(pid) for pid in family(process.pid)))
+        time.sleep(0.002)
+    return peak / 1024
 
 
 def integrator(build):
@@ -78,8 +106,9 @@ def main():
         pair("22 figures", lambda: timed([f"{build}/tests/bench/figures_bench"]),
              lambda: timed([sys.executable, "draw_22.py", f"{scratch}/peer"], cwd=f"{HERE}/peer"),
              options.rounds)
-    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    print(f"largest process of all of these, peers included: {peak:.0f} MB")
+        peaks = [peak_memory_mb([program, "report", f"{scratch}/ours/dataset.toml", "-o",
+                                 f"{scratch}/ours/report.html"]) for _ in range(3)]
+    print(f"peak memory of a report, all its processes together: {max(peaks):.0f} MB")
 
 
 if __name__ == "__main__":
