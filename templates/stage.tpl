@@ -4,7 +4,7 @@
 {{>EXPLANATION}}
 {{#REASON_IF}}<div class="remark {{OUTCOME}}"><p><bdi>{{REASON}}</bdi></p>{{#EXPERIMENT_IF}}<p class="experiment"><b>What would bring it:</b> {{EXPERIMENT}}</p>{{/EXPERIMENT_IF}}</div>{{/REASON_IF}}
 {{#FACTS}}<dl class="facts">
-{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
+{{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT:x-symbols}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
 {{>FIGURE}}
 {{>TABLE}}

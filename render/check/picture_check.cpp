@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <utility>
 
 #include "render/check/visibility_map.h"
 
@@ -46,13 +48,29 @@ bool contrasts(Colour colour) {
   return std::max({ink.red, ink.green, ink.blue}) >= least_contrast;
 }
 
-std::string name_of(const Figure& figure, const Owner& owner) {
+/// A series without a label continues the labelled one before it that looks the same: a curve that
+/// is interrupted.
+std::string label_of(const Figure& figure, const Owner& owner) {
   const Panel& panel = figure.panels[static_cast<std::size_t>(owner.panel)];
   const auto index = static_cast<std::size_t>(owner.index);
-  const bool band = owner.role == Role::band;
-  const std::string& label = band ? panel.bands[index].label : panel.series[index].label;
-  const std::string kind = band ? "band " : "series ";
-  return label.empty() ? kind + std::to_string(index + 1) : kind + "'" + label + "'";
+  if (owner.role == Role::band) return panel.bands[index].label;
+  const Series& own = panel.series[index];
+  for (std::size_t i = index + 1; i-- > 0;) {
+    const Series& one = panel.series[i];
+    const bool alike =
+        one.colour == own.colour && one.style == own.style && one.marker == own.marker;
+    if (alike && !one.label.empty()) return one.label;
+  }
+  return {};
+}
+
+std::string name_of(const Figure& figure, const Owner& owner) {
+  const std::string label = label_of(figure, owner);
+  const std::string kind = owner.role == Role::band ? "band " : "series ";
+  if (!label.empty()) return kind + "'" + label + "'";
+  const std::string number = kind + std::to_string(owner.index + 1);
+  if (figure.panels.size() == 1) return number;
+  return number + " of panel " + std::to_string(owner.panel + 1);
 }
 
 bool is_blank(const Picture& picture) {
@@ -90,12 +108,25 @@ void check_series(const DrawList& list, const Figure& figure, const Picture& pic
     ++expected[number - 1U];
     if (shows(pixel, subjects[number - 1U].colour)) ++found[number - 1U];
   }
+  // What is hidden in one panel may be seen in another, such as a close-up.
+  std::set<std::pair<std::string, std::uint32_t>> seen;
+  const auto curve = [&](const VisibilityMap::Subject& one) {
+    const Colour& c = one.colour;
+    return std::pair(name_of(figure, one.owner), std::uint32_t{c.red} |
+                                                     std::uint32_t{c.green} << 8U |
+                                                     std::uint32_t{c.blue} << 16U);
+  };
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    if (expected[i] > 0) seen.insert(curve(subjects[i]));
+  }
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const std::string name = name_of(figure, subjects[i].owner);
     if (!contrasts(subjects[i].colour)) {
       findings.error = name + " cannot be told from the background";
     } else if (expected[i] == 0 && subjects[i].painted > 0) {
-      findings.warnings.push_back(name + " is hidden under what is drawn after it");
+      if (seen.insert(curve(subjects[i])).second) {
+        findings.warnings.push_back(name + " is hidden under what is drawn after it");
+      }
     } else if (static_cast<double>(found[i]) < least_share * static_cast<double>(expected[i])) {
       findings.error = name + " is not visible in the picture: " + std::to_string(found[i]) +
                        " of " + std::to_string(expected[i]) + " pixels show it";

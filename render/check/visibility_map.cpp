@@ -126,17 +126,27 @@ void VisibilityMap::stroke(const std::vector<PixelPoint>& line, double width,
   }
 }
 
-void VisibilityMap::markers(const Markers& all, std::uint16_t number) {
-  const double reach = 0.75 * all.size + 2.5;
-  const double core = all.size >= 5 ? std::max(0.2 * all.size, 1.0) : 0.6;
-  const bool solid = all.shape != Marker::cross && all.shape != Marker::plus;
-  for (const PixelPoint& c : all.centres) {
-    box({c.x - reach, c.y - reach, c.x + reach, c.y + reach}, 0);
+void VisibilityMap::disc(PixelPoint centre, double radius, std::uint16_t number) {
+  const int top = std::max(0, static_cast<int>(std::floor(centre.y - radius)));
+  const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(centre.y + radius)));
+  for (int y = top; y <= bottom; ++y) {
+    const double up = y + 0.5 - centre.y;
+    if (std::abs(up) > radius) continue;
+    const double half = std::sqrt(radius * radius - up * up);
+    row(y, centre.x - half, centre.x + half, number);
   }
+}
+
+void VisibilityMap::markers(const Markers& all, std::uint16_t number) {
+  const bool solid = all.shape != Marker::cross && all.shape != Marker::plus;
+  const bool round = all.shape == Marker::circle;
+  // Corners stand out of the circle of the same area; a rim and antialiasing add to it.
+  const double reach = (round ? 0.5 : 0.75) * all.size + 2.5;
+  for (const PixelPoint& c : all.centres) disc(c, reach, 0);
+  const double widest_inside = (round ? 0.5 : 0.35) * all.size - inside;
+  const double core = solid ? std::max(widest_inside, 0.6) : 0.7;
   for (const PixelPoint& c : all.centres) {
-    if (number == 0) break;
-    const double half = solid ? core : 0.7;
-    box({c.x - half, c.y - half, c.x + half, c.y + half}, number);
+    if (number > 0) disc(c, core, number);
   }
 }
 

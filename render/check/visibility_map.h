@@ -33,6 +33,7 @@ class VisibilityMap {
   void stroke(const std::vector<PixelPoint>& line, double width, std::uint16_t number);
   void bar(PixelPoint a, PixelPoint b, double half, double extra, std::uint16_t number);
   void box(const PixelBox& area, std::uint16_t number);
+  void disc(PixelPoint centre, double radius, std::uint16_t number);
   void markers(const Markers& all, std::uint16_t number);
   void ribbon(const Ribbon& one, std::uint16_t number);
   void row(int y, double from, double to, std::uint16_t number);

@@ -86,11 +86,11 @@ class Attempt {
     int k = 0;
     for (const Band& band : panel.bands) draw_band(list_, frame, band, {Role::band, index, k++});
     k = 0;
-    for (const Series& one : panel.series) draw_series(list_, frame, one, style_, index, k++);
-    k = 0;
     for (const ErrorBar& bar : panel.error_bars) {
       draw_error_bar(list_, frame, bar, style_, {Role::error_bar, index, k++});
     }
+    k = 0;
+    for (const Series& one : panel.series) draw_series(list_, frame, one, style_, index, k++);
     k = 0;
     for (const ReferenceLine& line : panel.reference_lines) {
       draw_reference_line(list_, frame, line, style_, {Role::reference_line, index, k++});

@@ -51,7 +51,7 @@ void add_folded_curve(render::Panel& panel, const Calibration& calibration,
     // Small on large: where the directions agree, both are seen.
     if (recommended) {
       series.marker = forward ? render::Marker::circle : render::Marker::diamond;
-      series.marker_size_px = forward ? 20.0 : 11.0;
+      series.marker_size_px = forward ? 23.0 : 10.0;
     } else {
       series.marker = forward ? render::Marker::plus : render::Marker::cross;
       series.marker_size_px = 12.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/base64.h"
+#include "report/view_parts.h"
 
 namespace tribolog::report {
 
@@ -40,6 +41,7 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
   TemplateValues& out = values.add_include(marker, "table.tpl");
   out.set("TABLE_ID", table.id);
   out.set("TABLE_CAPTION", table.caption);
+  out.set("TABLE_KIND", table.columns == estimate_columns() ? "estimates" : "plain");
   for (const Column& column : table.columns) {
     TemplateValues& heading = out.add_section("COLUMN");
     heading.set("HEADING", column.heading);

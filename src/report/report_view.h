@@ -21,6 +21,7 @@ struct Column {
   std::string unit;      ///< Shown in brackets below the heading; empty: none.
   bool is_number{true};  ///< Right-aligned, tabular digits.
   bool is_wide{false};   ///< Words that should not be squeezed into one per line.
+  friend bool operator==(const Column&, const Column&) = default;
 };
 
 struct Row {

@@ -5,6 +5,7 @@
 #include <ctemplate/template_emitter.h>
 #include <ctemplate/template_modifiers.h>
 
+#include "files/utf8.h"
 #include "report/embedded_files.h"
 
 namespace tribolog::report {
@@ -38,7 +39,83 @@ class OwnStyle : public ctemplate::TemplateModifier {
   }
 };
 
+class Symbols : public ctemplate::TemplateModifier {
+ public:
+  void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
+              ctemplate::ExpandEmitter* out, const std::string&) const override {
+    out->Emit(html_with_symbols({in, length}));
+  }
+};
+
+bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
+
+/// What words and file names consist of.
+bool joins_words(char c) {
+  return is_small_letter(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '/' || c == '\\';
+}
+
+/// Bytes of the letter, Latin or Greek, that the text starts with; 0: it starts with none.
+std::size_t symbol_bytes(std::string_view text) {
+  const char first = text.front();
+  if (is_small_letter(first) || (first >= 'A' && first <= 'Z')) return 1;
+  const Utf8Character letter = first_utf8_character(text);
+  const bool is_greek = letter.code_point >= U'Α' && letter.code_point <= U'ω';
+  return is_greek ? letter.bytes : 0;
+}
+
+/// Bytes of the index in `_index` that the text starts with; 0: none.
+std::size_t index_bytes(std::string_view text) {
+  constexpr std::size_t longest = 9;
+  if (text.empty() || text.front() != '_') return 0;
+  std::size_t end = 1;
+  while (end < text.size() && is_small_letter(text[end])) ++end;
+  if (end == 1 || end > longest + 1) return 0;
+  if (end < text.size() && joins_words(text[end])) return 0;
+  const bool has_ending = end + 1 < text.size() && text[end] == '.' && joins_words(text[end + 1]);
+  return has_ending ? 0 : end - 1;
+}
+
+void append_escaped(std::string& html, char c) {
+  switch (c) {
+    case '&':
+      html += "&amp;";
+      break;
+    case '<':
+      html += "&lt;";
+      break;
+    case '>':
+      html += "&gt;";
+      break;
+    case '"':
+      html += "&quot;";
+      break;
+    case '\'':
+      html += "&#39;";
+      break;
+    default:
+      html += c;
+  }
+}
+
 }  // namespace
+
+std::string html_with_symbols(std::string_view text) {
+  std::string html;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool word_starts = i == 0 || !joins_words(text[i - 1]);
+    const std::size_t symbol = word_starts ? symbol_bytes(text.substr(i)) : 0;
+    const std::size_t index = symbol > 0 ? index_bytes(text.substr(i + symbol)) : 0;
+    if (index == 0) {
+      append_escaped(html, text[i++]);
+      continue;
+    }
+    html.append("<i>").append(text.substr(i, symbol)).append("</i><sub>");
+    html.append(text.substr(i + symbol + 1, index)).append("</sub>");
+    i += symbol + 1 + index;
+  }
+  return html;
+}
 
 std::string json_for_script(const std::string& json) {
   std::string safe;
@@ -65,9 +142,11 @@ void register_template_modifiers() {
   static const PngUri png;
   static const ScriptJson json;
   static const OwnStyle css;
+  static const Symbols symbols;
   static const bool once = ctemplate::AddXssSafeModifier("x-png", &png) &&
                            ctemplate::AddXssSafeModifier("x-json", &json) &&
-                           ctemplate::AddXssSafeModifier("x-css", &css);
+                           ctemplate::AddXssSafeModifier("x-css", &css) &&
+                           ctemplate::AddXssSafeModifier("x-symbols", &symbols);
   static_cast<void>(once);
 }
 

@@ -5,8 +5,12 @@
 // `{{JSON:x-json}}` JSON for a `<script type="application/json">`: `<`, `>`, `&`, U+2028 and U+2029
 //                   become \uXXXX, which JSON reads back as the same text.
 // `{{CSS:x-css}}`   the embedded style sheet, and no other text.
+// `{{TEXT:x-symbols}}` escaped text in which symbols of one letter get their index: `q_peak`,
+// `T_c`,
+//                   `δ_a`. Words (`constant_speed`) and file names (`a_b.csv`) stay as they are.
 
 #include <string>
+#include <string_view>
 
 namespace tribolog::report {
 
@@ -17,5 +21,8 @@ void register_template_modifiers();
 
 /// JSON as it may stand inside a script element.
 std::string json_for_script(const std::string& json);
+
+/// Escaped for HTML, with symbols of one letter and an index set as such.
+std::string html_with_symbols(std::string_view text);
 
 }  // namespace tribolog::report

@@ -99,5 +99,30 @@ TEST(PictureCheck, WarnsOfAHiddenSeriesOnly) {
   EXPECT_NE(findings.warnings[0].find("'below' is hidden"), std::string::npos);
 }
 
+// A curve in two parts of which one is covered; and a panel that shows what another one hides.
+TEST(PictureCheck, DoesNotWarnWhereAnotherPartShowsTheSeries) {
+  const Owner part{Role::series, 0, 2};
+  const DrawList list = list_of({level(first, 20, palette::blue), level(part, 50, palette::blue),
+                                 level(second, 50, palette::vermilion)});
+  Picture picture = with_line(50, palette::vermilion);
+  const Picture other = with_line(20, palette::blue);
+  for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+    picture.rgb[i] = std::min(picture.rgb[i], other.rgb[i]);
+  }
+  Figure figure = two_series();
+  figure.panels[0].series[1].colour = palette::vermilion;
+  figure.panels[0].series.push_back(figure.panels[0].series[0]);
+  for (const bool labelled : {true, false}) {
+    if (!labelled) figure.panels[0].series.back().label.clear();
+    const auto findings = check_picture(list, figure, picture);
+    EXPECT_EQ(findings.error, "");
+    EXPECT_TRUE(findings.warnings.empty()) << findings.warnings[0];
+  }
+  figure.panels[0].series.back().colour = palette::green;
+  const auto findings = check_picture(list, figure, picture);
+  ASSERT_EQ(findings.warnings.size(), 1U) << "a series of its own";
+  EXPECT_EQ(findings.warnings[0], "series 3 is hidden under what is drawn after it");
+}
+
 }  // namespace
 }  // namespace tribolog::render

@@ -37,6 +37,20 @@ TEST(Templates, NoneSwitchesEscapingOffOrScriptsOrStylesInline) {
   }
 }
 
+TEST(Symbols, GetTheirIndexAndNothingElseDoes) {
+  const std::string peak = "<i>q</i><sub>peak</sub>";
+  EXPECT_EQ(html_with_symbols("q_peak, fitted"), peak + ", fitted");
+  EXPECT_EQ(html_with_symbols("q_c = −q_peak"), "<i>q</i><sub>c</sub> = −" + peak);
+  EXPECT_EQ(html_with_symbols("cos(q - q_peak)."), "cos(q - " + peak + ").");
+  EXPECT_EQ(html_with_symbols("power δ_a"), "power <i>δ</i><sub>a</sub>");
+  EXPECT_EQ(html_with_symbols("at q_peak."), "at " + peak + ".");
+  for (const char* plain : {"constant_speed", "q_peak.csv", "a/q_peak", "q_peak_rad", "joint_q_c",
+                            "2q_c", "q_", "_c", "q_2", "q_C", "x_averylongindex", "é_c"}) {
+    EXPECT_EQ(html_with_symbols(plain), plain);
+  }
+  EXPECT_EQ(html_with_symbols("<b>&\"'"), "&lt;b&gt;&amp;&quot;&#39;");
+}
+
 TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
   std::string all;
   for (const EmbeddedFile& file : embedded_files()) {
@@ -45,8 +59,9 @@ TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
   const std::regex modifier(R"(\{\{(\w+):([\w-]+)\}\})");
   for (std::sregex_iterator at(all.begin(), all.end(), modifier), end; at != end; ++at) {
     const std::string use = at->str();
-    EXPECT_TRUE(use == "{{PNG:x-png}}" || use == "{{RESULT_JSON:x-json}}" || use == "{{CSS:x-css}}")
-        << use;
+    const bool is_ours = use == "{{PNG:x-png}}" || use == "{{RESULT_JSON:x-json}}" ||
+                         use == "{{CSS:x-css}}" || at->str(2) == "x-symbols";
+    EXPECT_TRUE(is_ours) << use;
   }
 }
 
