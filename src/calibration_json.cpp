@@ -195,6 +195,7 @@ Json quality(const QualityErrorsResult& q) {
 
 Json selection(const SelectionResult& s) {
   return {{"paper_rule", text_or_null(s.paper_rule)},
+          {"paper_rule_rivals", s.paper_rule_rivals},
           {"recommended", text_or_null(s.recommended)},
           {"why", text_or_null(s.why)},
           {"q_c_corrected_rad", number(s.q_c_corrected_rad)},

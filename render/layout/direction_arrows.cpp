@@ -42,17 +42,19 @@ void draw_direction_arrows(DrawList& list, const PanelFrame& frame, const Series
   for (const double share : series.direction_arrows_at) {
     if (!(share >= 0.0 && share <= 1.0)) continue;
     const auto at = static_cast<std::size_t>(std::lround(share * static_cast<double>(count - 1)));
-    const auto middle = pixel_of(frame, series, at);
-    if (!middle || !frame.plot.contains(*middle)) continue;
-    const auto behind = walk(frame, series, at, -1, length / 2).value_or(*middle);
-    const auto ahead = walk(frame, series, at, +1, length / 2).value_or(*middle);
+    const auto here = pixel_of(frame, series, at);
+    if (!here || !frame.plot.contains(*here)) continue;
+    const auto behind = walk(frame, series, at, -1, length / 2).value_or(*here);
+    const auto ahead = walk(frame, series, at, +1, length / 2).value_or(*here);
     const double dx = ahead.x - behind.x;
     const double dy = ahead.y - behind.y;
     const double norm = std::hypot(dx, dy);
     if (norm < 1e-6) continue;
     const PixelPoint along{dx / norm, dy / norm};
-    const PixelPoint tip{middle->x + along.x * length / 2, middle->y + along.y * length / 2};
-    const PixelPoint base{middle->x - along.x * length / 2, middle->y - along.y * length / 2};
+    // A head lies on its sample; at the end of a line its tip does, at the start its base.
+    const double before = at == 0 ? 0.0 : at + 1 == count ? length : length / 2;
+    const PixelPoint base{here->x - along.x * before, here->y - along.y * before};
+    const PixelPoint tip{base.x + along.x * length, base.y + along.y * length};
     list.primitives.emplace_back(
         Polygon{owner,
                 {tip,

@@ -6,6 +6,28 @@
 #include <fmt/format.h>
 
 namespace tribolog {
+namespace {
+
+std::vector<std::string> rivals_of(const std::string& chosen, const std::string& recommended,
+                                   const SurrogateMassesResult& masses) {
+  const SurrogateMass* centre = masses.find(recommended);
+  const SurrogateMass* nearest = masses.find(chosen);
+  if (centre == nullptr || nearest == nullptr) return {};
+  const auto distance = [&](const SurrogateMass& mass, double side) {
+    const double half = (mass.mass_kg.high - mass.mass_kg.low) / 2;
+    return std::abs(mass.mass_kg.value - centre->mass_kg.value) + side * half;
+  };
+  std::vector<std::string> rivals;
+  for (const char name : loop_point_names) {
+    const std::string other(1, name);
+    const SurrogateMass* mass = masses.find(other);
+    if (mass == nullptr || other == chosen) continue;
+    if (distance(*mass, -1) < distance(*nearest, +1)) rivals.push_back(other);
+  }
+  return rivals;
+}
+
+}  // namespace
 
 SelectionResult select_estimator(const SurrogateMassesResult& masses,
                                  const QualityErrorsResult& errors,
@@ -54,12 +76,19 @@ SelectionResult select_estimator(const SurrogateMassesResult& masses,
       out.q_c_corrected_rad = -q_peak_rad->value - (chosen->q_rad - q_peak_rad->value);
     }
   }
+  out.paper_rule_rivals = rivals_of(out.paper_rule, out.recommended, masses);
   const QualityError* ours = errors.find(out.recommended);
   if (ours != nullptr) {
     out.why += fmt::format(
         " Against the reference its curve is off by {:.2g} % of the driving torque (rms), that of "
         "point {} by {:.2g} %.",
         ours->rms_percent, out.paper_rule, smallest);
+  }
+  if (!out.paper_rule_rivals.empty()) {
+    out.why += fmt::format(
+        " Within the intervals of single readings the paper's rule could have chosen {} instead of "
+        "{}: its choice is left to noise here.",
+        fmt::join(out.paper_rule_rivals, " or "), out.paper_rule);
   }
   return out;
 }

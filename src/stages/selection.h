@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stages/estimate.h"
 #include "stages/hysteresis_loop.h"
@@ -13,9 +14,12 @@ namespace tribolog {
 
 struct SelectionResult {
   StageReport stage;
-  std::string paper_rule;   ///< Of A..F the one of smallest rms error; empty: cannot be said.
+  std::string paper_rule;  ///< Of A..F the one of smallest rms error; empty: cannot be said.
+  /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
+  /// may be as near to the recommended mass.
+  std::vector<std::string> paper_rule_rivals;
   std::string recommended;  ///< Ours: "midline" where there is one, else "sweep"; may be empty.
-  std::string why;          ///< One or two sentences for the report.
+  std::string why;          ///< A few sentences for the report.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
   std::optional<double> q_c_corrected_rad;
   std::optional<Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.

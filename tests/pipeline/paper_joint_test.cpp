@@ -42,7 +42,10 @@ TEST_F(PaperJoint, SixMassesWithinHalfAPercentOfTable2) {
   }
 }
 
-TEST_F(PaperJoint, ThePaperSelectsB) { EXPECT_EQ(c().selection.paper_rule, "B"); }
+TEST_F(PaperJoint, ThePaperSelectsB) {
+  EXPECT_EQ(c().selection.paper_rule, "B");
+  EXPECT_TRUE(c().selection.paper_rule_rivals.empty());
+}
 
 TEST_F(PaperJoint, MidlineGivesTheTrueMass) {
   EXPECT_EQ(c().selection.recommended, "midline");

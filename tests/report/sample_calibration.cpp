@@ -146,6 +146,7 @@ Calibration complete_calibration() {
   c.quality = errors(c.viscous);
   c.selection = {{"selection", StageState::done, ""},
                  "B",
+                 {"A"},
                  "midline",
                  "the mid-line owes nothing to the start-up stroke",
                  0.38794,
