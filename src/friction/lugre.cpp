@@ -7,6 +7,8 @@
 
 #include "parameter_rules.h"
 
+#include "friction/exponential_step.h"
+
 namespace tribolog {
 
 LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
@@ -42,6 +44,22 @@ double LuGreFriction::steady_torque_Nm(double speed_rad_s) const {
   const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
   return sign * p_.bristle_stiffness_Nm_rad * steady_deflection_rad(speed_rad_s) +
          p_.viscous_Nms_rad * speed_rad_s;
+}
+
+void LuGreFriction::rates(std::span<const double> state, double speed_rad_s,
+                          std::span<double> rates) const {
+  rates[0] = deflection_rate_rad_s(state[0], speed_rad_s);
+}
+
+double LuGreFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
+  return torque_Nm(state[0], deflection_rate_rad_s(state[0], speed_rad_s), speed_rad_s);
+}
+
+void LuGreFriction::advance(std::span<double> state, const SpeedStep& step) const {
+  state[0] = exponential_step(step.start_rad_s, step.middle_rad_s, step.end_rad_s,
+                              steady_deflection_rad(step.start_rad_s),
+                              steady_deflection_rad(step.middle_rad_s),
+                              steady_deflection_rad(step.end_rad_s), step.duration_s, state[0]);
 }
 
 }  // namespace tribolog

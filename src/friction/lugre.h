@@ -7,9 +7,12 @@
 //
 // z: mean bristle deflection [rad, motor side], w: motor speed [rad/s].
 
+#include "friction/dynamic_friction.h"
+
 namespace tribolog {
 
-class LuGreFriction {
+/// State: the mean bristle deflection z [rad].
+class LuGreFriction final : public DynamicFriction {
  public:
   struct Parameters {
     double bristle_stiffness_Nm_rad{};  ///< s0 > 0
@@ -32,7 +35,14 @@ class LuGreFriction {
   /// Friction torque [N·m], eq. (3).
   [[nodiscard]] double torque_Nm(double z_rad, double dz_rad_s, double speed_rad_s) const;
   /// Torque of steady sliding at constant speed [N·m]: sgn(w) s0 g(w) + s2 w.
-  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const;
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
+
+  [[nodiscard]] std::size_t states() const override { return 1; }
+  void rates(std::span<const double> state, double speed_rad_s,
+             std::span<double> rates) const override;
+  [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  /// The exponential step, 4th order. Long records: simulate/bristle_integrator.h.
+  void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
   Parameters p_;

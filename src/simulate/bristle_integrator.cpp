@@ -8,7 +8,7 @@
 
 #include "parameter_rules.h"
 
-#include "simulate/exponential_step.h"
+#include "friction/exponential_step.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused
 // multiply-add both give the same bits.

@@ -4,7 +4,7 @@
 
 #include <unsupported/Eigen/AutoDiff>
 
-#include "simulate/exponential_step.h"
+#include "friction/exponential_step.h"
 
 namespace tribolog {
 namespace {

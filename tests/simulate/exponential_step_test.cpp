@@ -1,4 +1,4 @@
-#include "simulate/exponential_step.h"
+#include "friction/exponential_step.h"
 
 #include <cmath>
 

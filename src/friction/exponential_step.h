@@ -64,6 +64,31 @@ struct StepShape {
   Scalar c0, c1, c2;
 };
 
+/// Of y' = rate(t) (target(t) - y), which the bristle equation is with rate |w|/g(w) and target
+/// sgn(w) g(w).
+/// @param r0,rm,r1 rate at the step's start, middle and end, >= 0
+/// @param h0,hm,h1 target there
+/// @param dt duration [s].
+template <class Scalar>
+[[gnu::always_inline]] inline StepShape<Scalar> relaxation_shape(const Scalar& r0, const Scalar& rm,
+                                                                 const Scalar& r1, const Scalar& h0,
+                                                                 const Scalar& hm, const Scalar& h1,
+                                                                 double dt) {
+  const Scalar half = dt / 24.0 * (5.0 * r0 + 8.0 * rm - r1);
+  const Scalar length = dt / 6.0 * (r0 + 4.0 * rm + r1);
+  // Where nothing moves the ratio would be 0/0; any node will do there.
+  constexpr double nothing = 1e-290;
+  constexpr double apart = 1e-6;
+  const Scalar ratio = (half + nothing) / (length + 2 * nothing);
+  const Scalar low = ratio < apart ? Scalar(apart) : ratio;
+  const Scalar xm = low > 1.0 - apart ? Scalar(1.0 - apart) : low;
+
+  const Scalar rise = hm - h0;
+  const Scalar c2 = ((h1 - h0) * xm - rise) / (xm * (1.0 - xm));
+  const Scalar c1 = (h1 - h0) - c2;
+  return {length, h0, c1, c2};
+}
+
 /// @param w0,wm,w1 motor speed at the step's start, middle and end; none of opposite sign.
 /// @param g0,gm,g1 steady deflection g(w) there, > 0, and i0,im,i1 their reciprocals.
 /// @param dt duration [s].
@@ -77,19 +102,7 @@ template <class Scalar>
   const Scalar r0 = (sign * w0) * i0;
   const Scalar rm = (sign * wm) * im;
   const Scalar r1 = (sign * w1) * i1;
-  const Scalar half = dt / 24.0 * (5.0 * r0 + 8.0 * rm - r1);
-  const Scalar length = dt / 6.0 * (r0 + 4.0 * rm + r1);
-  // Where nothing moves the ratio would be 0/0; any node will do there.
-  constexpr double nothing = 1e-290;
-  constexpr double apart = 1e-6;
-  const Scalar ratio = (half + nothing) / (length + 2 * nothing);
-  const Scalar low = ratio < apart ? Scalar(apart) : ratio;
-  const Scalar xm = low > 1.0 - apart ? Scalar(1.0 - apart) : low;
-
-  const Scalar rise = gm - g0;
-  const Scalar c2 = ((g1 - g0) * xm - rise) / (xm * (1.0 - xm));
-  const Scalar c1 = (g1 - g0) - c2;
-  return {length, sign * g0, sign * c1, sign * c2};
+  return relaxation_shape<Scalar>(r0, rm, r1, sign * g0, sign * gm, sign * g1, dt);
 }
 
 /// Moments J_k = integral_0^1 exp(-L (1-x)) x^k dx for k = 0, 1, 2, and exp(-L), for L >= 0.
@@ -129,16 +142,22 @@ template <class Scalar>
   return s.length * (s.c0 * m.j0 + s.c1 * m.j1 + s.c2 * m.j2);
 }
 
-/// z at the end of one step. For loops over many steps see bristle_integrator.cpp.
+/// y at the end of a step of this shape.
 template <class Scalar>
-Scalar exponential_step(double w0, double wm, double w1, const Scalar& g0, const Scalar& gm,
-                        const Scalar& g1, double dt, const Scalar& z0) {
-  const StepShape<Scalar> shape = step_shape<Scalar>(w0, wm, w1, g0, gm, g1, Scalar(1.0 / g0),
-                                                     Scalar(1.0 / gm), Scalar(1.0 / g1), dt);
+Scalar relaxed(const StepShape<Scalar>& shape, const Scalar& y0) {
   const StepMoments<Scalar> m = shape.length < series_below
                                     ? moments_by_series<10, Scalar>(shape.length)
                                     : moments_by_exponential<Scalar>(shape.length);
-  return m.decay * z0 + step_source(shape, m);
+  return m.decay * y0 + step_source(shape, m);
+}
+
+/// z at the end of one step. For loops over many steps see simulate/bristle_integrator.cpp.
+template <class Scalar>
+Scalar exponential_step(double w0, double wm, double w1, const Scalar& g0, const Scalar& gm,
+                        const Scalar& g1, double dt, const Scalar& z0) {
+  return relaxed(step_shape<Scalar>(w0, wm, w1, g0, gm, g1, Scalar(1.0 / g0), Scalar(1.0 / gm),
+                                    Scalar(1.0 / g1), dt),
+                 z0);
 }
 
 }  // namespace tribolog

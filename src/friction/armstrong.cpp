@@ -1,0 +1,121 @@
+#include "friction/armstrong.h"
+
+#include <cmath>
+
+#include "parameter_rules.h"
+
+#include "friction/exponential_step.h"
+
+namespace tribolog {
+namespace {
+
+enum Member : std::size_t { deflection, lagged_speed, stuck_time, stribeck, sliding };
+
+}  // namespace
+
+ArmstrongFriction::ArmstrongFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
+  require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  require_not_negative(p_.rested_stribeck_Nm, "Stribeck torque after rest", "N·m");
+  require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  require_positive(p_.lag_s, "frictional lag", "s");
+  require_positive(p_.rise_time_s, "rise time of static friction", "s");
+}
+
+double ArmstrongFriction::break_away_Nm(double rest_s, double last_stribeck_Nm) const {
+  const double risen =
+      (p_.rested_stribeck_Nm - last_stribeck_Nm) * rest_s / (rest_s + p_.rise_time_s);
+  return p_.coulomb_Nm + last_stribeck_Nm + risen;
+}
+
+void ArmstrongFriction::rates(std::span<const double> state, double speed_rad_s,
+                              std::span<double> rates) const {
+  const bool sticks = state[sliding] == 0.0;
+  rates[deflection] = sticks ? speed_rad_s : 0.0;
+  rates[lagged_speed] = (std::abs(speed_rad_s) - state[lagged_speed]) / p_.lag_s;
+  rates[stuck_time] = sticks ? 1.0 : 0.0;
+  rates[stribeck] = 0;
+  rates[sliding] = 0;
+}
+
+double ArmstrongFriction::sliding_Nm(std::span<const double> state, double speed_rad_s) const {
+  const double x = state[lagged_speed] / p_.stribeck_speed_rad_s;
+  return p_.coulomb_Nm + p_.viscous_Nms_rad * std::abs(speed_rad_s) + state[stribeck] / (1 + x * x);
+}
+
+void ArmstrongFriction::begin_sliding(std::span<double> state, double direction) const {
+  state[stribeck] = break_away_Nm(state[stuck_time], state[stribeck]) - p_.coulomb_Nm;
+  state[sliding] = direction;
+  state[stuck_time] = 0;
+}
+
+/// The junctions keep the torque that they carry, and the Stribeck torque its value of the moment.
+void ArmstrongFriction::begin_sticking(std::span<double> state) const {
+  const double x = state[lagged_speed] / p_.stribeck_speed_rad_s;
+  state[deflection] = state[sliding] * sliding_Nm(state, 0) / p_.stiffness_Nm_rad;
+  state[stribeck] /= 1 + x * x;
+  state[sliding] = 0;
+  state[stuck_time] = 0;
+}
+
+void ArmstrongFriction::settle(std::span<double> state, double speed_rad_s) const {
+  if (state[sliding] != 0.0 && state[sliding] * speed_rad_s <= 0) begin_sticking(state);
+  if (state[sliding] != 0.0 || speed_rad_s == 0.0) return;
+  const double direction = speed_rad_s > 0 ? 1.0 : -1.0;
+  const double torque = direction * p_.stiffness_Nm_rad * state[deflection];
+  if (torque >= break_away_Nm(state[stuck_time], state[stribeck])) begin_sliding(state, direction);
+}
+
+double ArmstrongFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
+  if (state[sliding] == 0.0) return p_.stiffness_Nm_rad * state[deflection];
+  return state[sliding] * sliding_Nm(state, speed_rad_s);
+}
+
+double ArmstrongFriction::steady_torque_Nm(double speed_rad_s) const {
+  if (speed_rad_s == 0.0) return 0;
+  const double direction = speed_rad_s > 0 ? 1.0 : -1.0;
+  const double state[] = {0, std::abs(speed_rad_s), 0, p_.rested_stribeck_Nm, direction};
+  return torque_Nm(state, speed_rad_s);
+}
+
+void ArmstrongFriction::lag(std::span<double> state, const SpeedStep& step) const {
+  const double rate = 1 / p_.lag_s;
+  state[lagged_speed] =
+      relaxed(relaxation_shape<double>(rate, rate, rate, std::abs(step.start_rad_s),
+                                       std::abs(step.middle_rad_s), std::abs(step.end_rad_s),
+                                       step.duration_s),
+              state[lagged_speed]);
+}
+
+void ArmstrongFriction::advance(std::span<double> state, const SpeedStep& step) const {
+  const double direction = step.direction();
+  if (state[sliding] != 0.0 && state[sliding] != direction) begin_sticking(state);
+  if (state[sliding] != 0.0) {
+    lag(state, step);
+    return;
+  }
+  const auto excess = [&](double share) {
+    const double x = state[deflection] + step.part(0, share).path_rad();
+    const double rest = state[stuck_time] + share * step.duration_s;
+    return direction * p_.stiffness_Nm_rad * x - break_away_Nm(rest, state[stribeck]);
+  };
+  double until = 1;
+  if (direction != 0.0 && excess(1) >= 0) {
+    double low = 0;
+    constexpr int halvings = 52;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (low + until) / 2;
+      (excess(middle) < 0 ? low : until) = middle;
+    }
+  }
+  const SpeedStep stuck = step.part(0, until);
+  state[deflection] += stuck.path_rad();
+  state[stuck_time] += stuck.duration_s;
+  lag(state, stuck);
+  if (until == 1 && (direction == 0.0 || excess(0) < 0)) return;
+  begin_sliding(state, direction);
+  lag(state, step.part(until, 1));
+}
+
+}  // namespace tribolog

@@ -1,0 +1,65 @@
+#include "friction/bliman_sorine.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+BlimanSorineFriction::BlimanSorineFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.fast_torque_Nm, "torque f1", "N·m");
+  require_not_negative(p_.slow_torque_Nm, "torque f2", "N·m");
+  require_positive(p_.slow_way_rad, "way of the slow part", "rad");
+  require_positive(p_.way_ratio, "ratio of the ways", "");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  if (p_.slow_torque_Nm >= p_.fast_torque_Nm) {
+    throw std::invalid_argument(
+        fmt::format("torque f2 {} N·m is not allowed; it must be < f1, {} N·m", p_.slow_torque_Nm,
+                    p_.fast_torque_Nm));
+  }
+  if (p_.way_ratio >= 1) {
+    throw std::invalid_argument(
+        fmt::format("ratio of the ways {} is not allowed; it must be < 1", p_.way_ratio));
+  }
+}
+
+// T(s) = f1 (1 - exp(-s/(eta e))) - f2 (1 - exp(-s/e)) is steepest down where its slope is zero.
+double BlimanSorineFriction::break_away_Nm() const {
+  const double f1 = p_.fast_torque_Nm;
+  const double f2 = p_.slow_torque_Nm;
+  const double eta = p_.way_ratio;
+  if (f2 == 0.0) return f1;
+  const double s = std::log(f1 / (eta * f2)) * eta / (1 - eta);  // in units of e
+  return f1 * -std::expm1(-s / eta) - f2 * -std::expm1(-s);
+}
+
+void BlimanSorineFriction::rates(std::span<const double> state, double speed_rad_s,
+                                 std::span<double> rates) const {
+  const double slow = 1 / p_.slow_way_rad;
+  const double fast = slow / p_.way_ratio;
+  rates[0] = fast * (p_.fast_torque_Nm * speed_rad_s - state[0] * std::abs(speed_rad_s));
+  rates[1] = slow * (-p_.slow_torque_Nm * speed_rad_s - state[1] * std::abs(speed_rad_s));
+}
+
+double BlimanSorineFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
+  return state[0] + state[1] + p_.viscous_Nms_rad * speed_rad_s;
+}
+
+double BlimanSorineFriction::steady_torque_Nm(double speed_rad_s) const {
+  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  return sign * (p_.fast_torque_Nm - p_.slow_torque_Nm) + p_.viscous_Nms_rad * speed_rad_s;
+}
+
+void BlimanSorineFriction::advance(std::span<double> state, const SpeedStep& step) const {
+  const double direction = step.direction();
+  const double way = std::abs(step.path_rad()) / p_.slow_way_rad;
+  const double end1 = direction * p_.fast_torque_Nm;
+  const double end2 = -direction * p_.slow_torque_Nm;
+  state[0] = end1 + (state[0] - end1) * std::exp(-way / p_.way_ratio);
+  state[1] = end2 + (state[1] - end2) * std::exp(-way);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,50 @@
+#pragma once
+// The common shape of friction models with memory.
+//
+// A model turns the motion of the shaft into a friction torque through a state that the motion
+// changes: deflections of bristles, torques of elements, a lagged speed. Angle and torque may as
+// well be displacement [m] and force [N]: no equation knows the difference.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "friction/speed_step.h"
+
+namespace tribolog {
+
+class DynamicFriction {
+ public:
+  virtual ~DynamicFriction() = default;
+
+  /// How many numbers the state has.
+  [[nodiscard]] virtual std::size_t states() const = 0;
+
+  /// The state of a contact that has never been loaded: all zero unless the model says otherwise.
+  [[nodiscard]] virtual std::vector<double> unloaded() const {
+    return std::vector<double>(states(), 0.0);
+  }
+
+  /// d(state)/dt at a speed. Discrete members of a state (an element slips or sticks) have rate 0
+  /// and are changed by settle() only.
+  virtual void rates(std::span<const double> state, double speed_rad_s,
+                     std::span<double> rates) const = 0;
+
+  /// Brings the discrete members of a state in line with its continuous ones and the speed: what a
+  /// solver of ordinary differential equations calls after each of its steps. Most models have
+  /// none.
+  virtual void settle(std::span<double> /*state*/, double /*speed_rad_s*/) const {}
+
+  /// Friction torque [N·m], positive where it resists a positive speed.
+  [[nodiscard]] virtual double torque_Nm(std::span<const double> state,
+                                         double speed_rad_s) const = 0;
+
+  /// Torque [N·m] that steady sliding at this speed ends in; 0 at rest.
+  [[nodiscard]] virtual double steady_torque_Nm(double speed_rad_s) const = 0;
+
+  /// Advances the state over a piece of prescribed motion, with the model's own method: exact where
+  /// the model allows that, and never bound by its stiffness.
+  virtual void advance(std::span<double> state, const SpeedStep& step) const = 0;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,48 @@
+#pragma once
+// Elasto-plastic friction (Dupont, Hayward, Armstrong, Altpeter 2002): LuGre without its drift.
+//
+//   dz/dt = w (1 - a(z, w) sgn(w) z / g(w)),     s0 g(w) = s(w)
+//   T = s0 z + s1 dz/dt + s2 w
+//
+// a = 0 while |z| <= zba or z is against the motion: the bristle is purely elastic and comes back
+// to where it was. From zba to g(w) a rises to 1 along a sine; at 1 this is LuGre.
+
+#include "friction/dynamic_friction.h"
+#include "friction/stribeck_curve.h"
+
+namespace tribolog {
+
+/// State: the bristle deflection z [rad].
+class ElastoPlasticFriction final : public DynamicFriction {
+ public:
+  struct Parameters {
+    double bristle_stiffness_Nm_rad{};   ///< s0 > 0
+    double bristle_damping_Nms_rad{};    ///< s1 >= 0
+    double viscous_Nms_rad{};            ///< s2 >= 0
+    StribeckCurve::Parameters curve;     ///< s(w)
+    double break_away_deflection_rad{};  ///< 0 < zba < Tc/s0, so that it is below every g(w)
+  };
+
+  /// @throw std::invalid_argument quoting the value and the rule.
+  explicit ElastoPlasticFriction(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::size_t states() const override { return 1; }
+  void rates(std::span<const double> state, double speed_rad_s,
+             std::span<double> rates) const override;
+  [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
+  /// Exact while elastic, else Runge-Kutta of 4th order along the way; of a long way only the end
+  /// counts, since the rest is forgotten.
+  void advance(std::span<double> state, const SpeedStep& step) const override;
+
+ private:
+  [[nodiscard]] double steady_deflection_rad(double speed_rad_s) const;
+  /// dz/dx in the direction of motion, for a deflection counted in that direction.
+  [[nodiscard]] double slope(double deflection_rad, double speed_rad_s) const;
+
+  Parameters p_;
+  StribeckCurve curve_;
+};
+
+}  // namespace tribolog

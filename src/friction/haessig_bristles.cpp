@@ -1,0 +1,100 @@
+#include "friction/haessig_bristles.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+namespace {
+
+/// Equally likely in [0, 1): SplitMix64's finaliser over a counter.
+double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) {
+  std::uint64_t x = seed * 0x9E3779B97F4A7C15ULL + bristle * 0xD1B54A32D192ED03ULL + snaps;
+  x = (x + 0x9E3779B97F4A7C15ULL) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+  return static_cast<double>((x ^ (x >> 31U)) >> 11U) * 0x1p-53;
+}
+
+}  // namespace
+
+HaessigBristleFriction::HaessigBristleFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
+  require_positive(p_.snap_deflection_rad, "deflection at which a bond snaps", "rad");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  if (p_.bristles < 1) {
+    throw std::invalid_argument(
+        fmt::format("number of bristles {} is not allowed; it must be >= 1", p_.bristles));
+  }
+}
+
+std::size_t HaessigBristleFriction::states() const {
+  return 2 * static_cast<std::size_t>(p_.bristles);
+}
+
+std::vector<double> HaessigBristleFriction::unloaded() const {
+  std::vector<double> state(states(), 0.0);
+  for (int i = 0; i < p_.bristles; ++i) {
+    const double share = (2.0 * i + 1) / p_.bristles - 1;
+    state[static_cast<std::size_t>(i)] = share * p_.snap_deflection_rad;
+  }
+  return state;
+}
+
+double HaessigBristleFriction::new_deflection_rad(std::size_t bristle, double snaps) const {
+  const double share = share_of(p_.seed, bristle, static_cast<std::uint64_t>(snaps));
+  return (2 * share - 1) * p_.snap_deflection_rad;
+}
+
+void HaessigBristleFriction::rates(std::span<const double> state, double speed_rad_s,
+                                   std::span<double> rates) const {
+  const std::size_t n = state.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    rates[i] = speed_rad_s;
+    rates[n + i] = 0;
+  }
+}
+
+void HaessigBristleFriction::settle(std::span<double> state, double /*speed_rad_s*/) const {
+  const std::size_t n = state.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::abs(state[i]) >= p_.snap_deflection_rad) {
+      state[n + i] += 1;
+      state[i] = new_deflection_rad(i, state[n + i]);
+    }
+  }
+}
+
+double HaessigBristleFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
+  const std::size_t n = state.size() / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += state[i];
+  return p_.stiffness_Nm_rad * sum / static_cast<double>(n) + p_.viscous_Nms_rad * speed_rad_s;
+}
+
+double HaessigBristleFriction::steady_torque_Nm(double speed_rad_s) const {
+  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  return sign * p_.stiffness_Nm_rad * p_.snap_deflection_rad / 3 + p_.viscous_Nms_rad * speed_rad_s;
+}
+
+void HaessigBristleFriction::advance(std::span<double> state, const SpeedStep& step) const {
+  const double direction = step.direction();
+  const double snap = p_.snap_deflection_rad;
+  const std::size_t n = state.size() / 2;
+  const double way = std::abs(step.path_rad());
+  for (std::size_t i = 0; i < n; ++i) {
+    double left = way;
+    double d = direction * state[i];
+    while (d + left >= snap && direction != 0.0) {
+      left -= snap - d;
+      state[n + i] += 1;
+      d = direction * new_deflection_rad(i, state[n + i]);
+    }
+    state[i] = direction == 0.0 ? state[i] : direction * (d + left);
+  }
+}
+
+}  // namespace tribolog

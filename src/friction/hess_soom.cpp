@@ -1,0 +1,52 @@
+#include "friction/hess_soom.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+#include "friction/exponential_step.h"
+
+namespace tribolog {
+
+HessSoomFriction::HessSoomFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
+  require_positive(p_.static_Nm, "static torque", "N·m");
+  require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  require_positive(p_.lag_s, "frictional lag", "s");
+  if (p_.coulomb_Nm > p_.static_Nm) {
+    throw std::invalid_argument(
+        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
+                    p_.coulomb_Nm, p_.static_Nm));
+  }
+}
+
+void HessSoomFriction::rates(std::span<const double> state, double speed_rad_s,
+                             std::span<double> rates) const {
+  rates[0] = (std::abs(speed_rad_s) - state[0]) / p_.lag_s;
+}
+
+double HessSoomFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
+  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double x = state[0] / p_.stribeck_speed_rad_s;
+  return sign * (p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) / (1 + x * x)) +
+         p_.viscous_Nms_rad * speed_rad_s;
+}
+
+double HessSoomFriction::steady_torque_Nm(double speed_rad_s) const {
+  const double settled = std::abs(speed_rad_s);
+  return torque_Nm({&settled, 1}, speed_rad_s);
+}
+
+void HessSoomFriction::advance(std::span<double> state, const SpeedStep& step) const {
+  const double rate = 1 / p_.lag_s;
+  state[0] = relaxed(relaxation_shape<double>(rate, rate, rate, std::abs(step.start_rad_s),
+                                              std::abs(step.middle_rad_s), std::abs(step.end_rad_s),
+                                              step.duration_s),
+                     state[0]);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,58 @@
+#pragma once
+// The Leuven integrated model (Swevers, Al-Bender, Ganseman, Prajogo 2000), with its hysteresis
+// torque from Maxwell-slip elements, as Lampaert, Swevers and Al-Bender (2002) put it to remove the
+// jump that the original has where an inner loop closes.
+//
+//   dz/dt = w (1 - sgn(w) sgn(Th) |Th(z) / s(w)|^n)
+//   T = Th(z) + s1 dz/dt + s2 w
+//
+// Th(z): torque of the elements at the deflection z, with non-local memory: an inner loop closes
+// where it was left. In sliding Th -> s(w).
+
+#include "friction/dynamic_friction.h"
+#include "friction/maxwell_slip.h"
+#include "friction/stribeck_curve.h"
+
+namespace tribolog {
+
+/// State: z [rad], then the torque of each element [N·m].
+class LeuvenFriction final : public DynamicFriction {
+ public:
+  struct Parameters {
+    std::vector<MaxwellElement> elements;
+    StribeckCurve::Parameters curve;  ///< s(w)
+    double transition_power{2.0};     ///< n >= 1
+    double micro_damping_Nms_rad{};   ///< s1 >= 0
+    double viscous_Nms_rad{};         ///< s2 >= 0
+  };
+
+  /// The elements could carry `reserve` times the static torque, so that the hysteresis torque is
+  /// still rising when sliding begins.
+  static constexpr double reserve = 1.25;
+
+  /// @throw std::invalid_argument quoting the value and the rule.
+  explicit LeuvenFriction(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::size_t states() const override { return 1 + p_.elements.size(); }
+  void rates(std::span<const double> state, double speed_rad_s,
+             std::span<double> rates) const override;
+  void settle(std::span<double> state, double speed_rad_s) const override;
+  [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
+  /// Runge-Kutta of 4th order along the way; of a long way only the end counts.
+  void advance(std::span<double> state, const SpeedStep& step) const override;
+
+ private:
+  [[nodiscard]] double limit_Nm(std::size_t element) const;
+  /// Torque of the elements after a further deflection.
+  [[nodiscard]] double hysteresis_Nm(std::span<const double> state, double further_rad) const;
+  /// dz/dx in the direction of motion.
+  [[nodiscard]] double slope(double hysteresis_Nm, double speed_rad_s) const;
+
+  Parameters p_;
+  StribeckCurve curve_;
+  double stiffness_Nm_rad_{};
+};
+
+}  // namespace tribolog

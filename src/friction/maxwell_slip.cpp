@@ -1,0 +1,52 @@
+#include "friction/maxwell_slip.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+// Element j slips at the deflection x_j = j/count xs. The curve's slope between two slips is the
+// sum of the stiffnesses of those that still stick.
+std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double static_Nm, int count) {
+  require_positive(stiffness_Nm_rad, "stiffness", "N·m/rad");
+  require_positive(static_Nm, "static torque", "N·m");
+  if (count < 1) {
+    throw std::invalid_argument(
+        fmt::format("number of elements {} is not allowed; it must be >= 1", count));
+  }
+  const double last = (2 - 1.0 / count) * static_Nm / stiffness_Nm_rad;
+  const auto virgin = [&](int j) {
+    const double left = 1 - static_cast<double>(j) / count;
+    return static_Nm * (1 - left * left);
+  };
+  const double piece = last / count;
+  std::vector<MaxwellElement> elements;
+  for (int j = 1; j <= count; ++j) {
+    const double slope = (virgin(j) - virgin(j - 1)) / piece;
+    const double next = j == count ? 0.0 : (virgin(j + 1) - virgin(j)) / piece;
+    const double stiffness = slope - next;
+    elements.push_back({stiffness, stiffness * piece * j / static_Nm});
+  }
+  return elements;
+}
+
+void require_maxwell_elements(const std::vector<MaxwellElement>& elements) {
+  if (elements.empty()) throw std::invalid_argument("a model needs at least one element");
+  double sum = 0;
+  for (const MaxwellElement& one : elements) {
+    require_positive(one.stiffness_Nm_rad, "stiffness of an element", "N·m/rad");
+    require_positive(one.share, "share of an element", "");
+    sum += one.share;
+  }
+  constexpr double rounding = 1e-9;
+  if (!(std::abs(sum - 1) < rounding)) {
+    throw std::invalid_argument(
+        fmt::format("shares of the elements add up to {}; they must add up to 1", sum));
+  }
+}
+
+}  // namespace tribolog

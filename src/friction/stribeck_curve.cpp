@@ -1,0 +1,30 @@
+#include "friction/stribeck_curve.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+StribeckCurve::StribeckCurve(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
+  require_positive(p_.static_Nm, "static torque", "N·m");
+  require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
+  require_positive(p_.power, "Stribeck power", "");
+  if (p_.coulomb_Nm > p_.static_Nm) {
+    throw std::invalid_argument(
+        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
+                    p_.coulomb_Nm, p_.static_Nm));
+  }
+}
+
+double StribeckCurve::operator()(double speed_rad_s) const {
+  const double x = std::abs(speed_rad_s) / p_.stribeck_speed_rad_s;
+  const double exponent = p_.power == 2.0 ? x * x : std::pow(x, p_.power);
+  return p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) * std::exp(-exponent);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,40 @@
+#include "friction/threshold_speed.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "parameter_rules.h"
+
+namespace tribolog {
+
+ThresholdSpeedFriction::ThresholdSpeedFriction(const Parameters& parameters) : p_(parameters) {
+  require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
+  require_positive(p_.static_Nm, "static torque", "N·m");
+  require_not_negative(p_.stribeck_decay_s_rad, "decay of the Stribeck effect", "s/rad");
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
+  require_positive(p_.threshold_rad_s, "threshold speed", "rad/s");
+  if (p_.coulomb_Nm > p_.static_Nm) {
+    throw std::invalid_argument(
+        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
+                    p_.coulomb_Nm, p_.static_Nm));
+  }
+}
+
+double ThresholdSpeedFriction::sliding_Nm(double absolute_speed_rad_s) const {
+  return p_.coulomb_Nm +
+         (p_.static_Nm - p_.coulomb_Nm) *
+             std::exp(-p_.stribeck_decay_s_rad * absolute_speed_rad_s) +
+         p_.viscous_Nms_rad * absolute_speed_rad_s;
+}
+
+double ThresholdSpeedFriction::torque_Nm(double speed_rad_s) const {
+  const double size = std::abs(speed_rad_s);
+  if (size < p_.threshold_rad_s) {
+    return speed_rad_s / p_.threshold_rad_s * sliding_Nm(p_.threshold_rad_s);
+  }
+  return std::copysign(sliding_Nm(size), speed_rad_s);
+}
+
+}  // namespace tribolog
