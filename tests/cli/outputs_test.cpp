@@ -97,8 +97,9 @@ TEST(Outputs, WithoutAGraphicsStackTheNumbersAreKept) {
   if (version.out.find("OSMesa") == std::string::npos)
     GTEST_SKIP() << "drawing is not through OSMesa";
   const ProgramRun run =
-      run_shell("ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" + gl.substr(0, gl.find('\n')) + " " + program + "report '" +
-                dataset.file("dataset.toml") + "' -o '" + dataset.file("report.html") + "'");
+      run_shell("ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" + gl.substr(0, gl.find('\n')) +
+                " " + program + "report '" + dataset.file("dataset.toml") + "' -o '" +
+                dataset.file("report.html") + "'");
   EXPECT_EQ(run.status, 5) << run.err;
   EXPECT_TRUE(std::filesystem::exists(dataset.file("report.calibration.json")));
   const std::string report = read_text(dataset.file("report.html"));

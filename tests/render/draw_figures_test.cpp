@@ -166,7 +166,8 @@ TEST(RendererInfo, NamesEverythingThatMakesAPicture) {
 TEST(RendererInfo, RefusesAForeignOpenGlLibrary) {
   if (renderer_info().back_end != "OSMesa") GTEST_SKIP() << "only OSMesa can be shadowed";
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=libGL.so.1 '" + self +
+  const std::string command = "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=libGL.so.1 '" +
+                              self +
                               "' --gtest_filter=RendererInfo.NamesEverythingThatMakesAPicture 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
