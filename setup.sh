@@ -13,9 +13,9 @@ build=${TRIBOLOG_BUILD:-build}
 needed=(cmake ninja-build g++ pkg-config git
   libvtk9-dev libfreetype-dev libdeflate-dev fonts-dejavu-core
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  libctemplate-dev libssl-dev)
+  libctemplate-dev libssl-dev libsundials-dev)
 case $goal in
-  tests | bench) needed+=(libgtest-dev librapidcheck-dev libsundials-dev libpng-dev
+  tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev
     python3-minimal python3-jsonschema) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib) ;;
 esac

@@ -147,12 +147,12 @@ class DrawingCrew {
 }  // namespace
 
 struct FigureRenderer::Parts {
+  explicit Parts(int at_once) : processes(at_once) {}
   DrawingServer server;
   int processes;
 };
 
-FigureRenderer::FigureRenderer(int processes)
-    : parts_(std::make_unique<Parts>(DrawingServer(), processes)) {}
+FigureRenderer::FigureRenderer(int processes) : parts_(std::make_unique<Parts>(processes)) {}
 
 FigureRenderer::~FigureRenderer() = default;
 

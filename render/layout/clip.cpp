@@ -24,7 +24,7 @@ std::optional<PixelSegment> clipped(const PixelSegment& segment, const PixelBox&
       !cut(dy, box.bottom - a.y)) {
     return std::nullopt;
   }
-  const auto at = [&](double t) {
+  const auto at = [&, &a = a](double t) {
     return PixelPoint{std::clamp(a.x + t * dx, box.left, box.right),
                       std::clamp(a.y + t * dy, box.top, box.bottom)};
   };

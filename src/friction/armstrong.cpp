@@ -64,7 +64,9 @@ void ArmstrongFriction::settle(std::span<double> state, double speed_rad_s) cons
   if (state[sliding] != 0.0 || speed_rad_s == 0.0) return;
   const double direction = speed_rad_s > 0 ? 1.0 : -1.0;
   const double torque = direction * p_.stiffness_Nm_rad * state[deflection];
-  if (torque >= break_away_Nm(state[stuck_time], state[stribeck])) begin_sliding(state, direction);
+  constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not on it
+  const double limit = at_limit * break_away_Nm(state[stuck_time], state[stribeck]);
+  if (torque >= limit) begin_sliding(state, direction);
 }
 
 double ArmstrongFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
@@ -116,6 +118,21 @@ void ArmstrongFriction::advance(std::span<double> state, const SpeedStep& step) 
   if (until == 1 && (direction == 0.0 || excess(0) < 0)) return;
   begin_sliding(state, direction);
   lag(state, step.part(until, 1));
+}
+
+void ArmstrongFriction::state_scales(std::span<double> scales) const {
+  scales[deflection] = p_.coulomb_Nm / p_.stiffness_Nm_rad;
+  scales[lagged_speed] = p_.stribeck_speed_rad_s;
+  scales[stuck_time] = p_.rise_time_s;
+  scales[stribeck] = p_.coulomb_Nm;
+  scales[sliding] = 1;
+}
+
+void ArmstrongFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
+                                     std::span<double> values) const {
+  const bool sticks = state[sliding] == 0.0;
+  const double torque = p_.stiffness_Nm_rad * std::abs(state[deflection]);
+  values[0] = sticks ? torque - break_away_Nm(state[stuck_time], state[stribeck]) : 1.0;
 }
 
 }  // namespace tribolog

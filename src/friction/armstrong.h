@@ -38,6 +38,10 @@ class ArmstrongFriction final : public DynamicFriction {
   [[nodiscard]] double break_away_Nm(double rest_s, double last_stribeck_Nm = 0.0) const;
 
   [[nodiscard]] std::size_t states() const override { return 5; }
+  void state_scales(std::span<double> scales) const override;
+  [[nodiscard]] std::size_t events() const override { return 1; }
+  void event_values(std::span<const double> state, double speed_rad_s,
+                    std::span<double> values) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   void settle(std::span<double> state, double speed_rad_s) const override;

@@ -62,4 +62,9 @@ void BlimanSorineFriction::advance(std::span<double> state, const SpeedStep& ste
   state[1] = end2 + (state[1] - end2) * std::exp(-way);
 }
 
+void BlimanSorineFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.fast_torque_Nm;
+  scales[1] = p_.fast_torque_Nm;
+}
+
 }  // namespace tribolog

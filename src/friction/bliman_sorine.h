@@ -32,6 +32,7 @@ class BlimanSorineFriction final : public DynamicFriction {
   [[nodiscard]] double break_away_Nm() const;
 
   [[nodiscard]] std::size_t states() const override { return 2; }
+  void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;

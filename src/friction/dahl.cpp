@@ -52,4 +52,6 @@ void DahlFriction::advance(std::span<double> state, const SpeedStep& step) const
   state[0] = direction * p_.coulomb_Nm * (1 - std::copysign(end, u0));
 }
 
+void DahlFriction::state_scales(std::span<double> scales) const { scales[0] = p_.coulomb_Nm; }
+
 }  // namespace tribolog

@@ -35,6 +35,16 @@ class DynamicFriction {
   /// none.
   virtual void settle(std::span<double> /*state*/, double /*speed_rad_s*/) const {}
 
+  /// How many values event_values() gives.
+  [[nodiscard]] virtual std::size_t events() const { return 0; }
+  /// Values whose zeros are the moments at which settle() would change the state; a solver stops
+  /// there. A reversal of the speed is always such a moment and is not among them.
+  virtual void event_values(std::span<const double> /*state*/, double /*speed_rad_s*/,
+                            std::span<double> /*values*/) const {}
+
+  /// The size that each member of a state usually has: what a solver's errors are measured by.
+  virtual void state_scales(std::span<double> scales) const = 0;
+
   /// Friction torque [N·m], positive where it resists a positive speed.
   [[nodiscard]] virtual double torque_Nm(std::span<const double> state,
                                          double speed_rad_s) const = 0;

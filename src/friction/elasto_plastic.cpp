@@ -82,4 +82,8 @@ void ElastoPlasticFriction::advance(std::span<double> state, const SpeedStep& st
   state[0] = direction * end;
 }
 
+void ElastoPlasticFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
+}
+
 }  // namespace tribolog

@@ -9,6 +9,8 @@
 namespace tribolog {
 namespace {
 
+constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not on it
+
 double sign_of(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
 
 }  // namespace
@@ -39,8 +41,8 @@ void GmsFriction::settle(std::span<double> state, double speed_rad_s) const {
   for (std::size_t i = 0; i < n; ++i) {
     double& slips = state[n + i];
     if (slips != direction) slips = 0;
-    if (direction != 0.0 && direction * state[i] >= p_.elements[i].share * steady)
-      slips = direction;
+    const double limit = at_limit * p_.elements[i].share * steady;
+    if (direction != 0.0 && direction * state[i] >= limit) slips = direction;
   }
 }
 
@@ -99,6 +101,25 @@ void GmsFriction::slip(double& torque_Nm, double share, const SpeedStep& step) c
   torque_Nm = relaxed(relaxation_shape<double>(c / s0, c / sm, c / s1, target * s0, target * sm,
                                                target * s1, step.duration_s),
                       torque_Nm);
+}
+
+void GmsFriction::state_scales(std::span<double> scales) const {
+  const std::size_t n = p_.elements.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    scales[i] = p_.elements[i].share * p_.curve.coulomb_Nm;
+    scales[n + i] = 1;
+  }
+}
+
+void GmsFriction::event_values(std::span<const double> state, double speed_rad_s,
+                               std::span<double> values) const {
+  const std::size_t n = p_.elements.size();
+  const double steady = curve_(speed_rad_s);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool sticks = state[n + i] == 0.0;
+    const double limit = p_.elements[i].share * steady;
+    values[i] = sticks ? std::abs(state[i]) - limit : steady;
+  }
 }
 
 }  // namespace tribolog

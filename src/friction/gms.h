@@ -30,6 +30,10 @@ class GmsFriction final : public DynamicFriction {
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
   [[nodiscard]] std::size_t states() const override { return 2 * p_.elements.size(); }
+  void state_scales(std::span<double> scales) const override;
+  [[nodiscard]] std::size_t events() const override { return p_.elements.size(); }
+  void event_values(std::span<const double> state, double speed_rad_s,
+                    std::span<double> values) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   void settle(std::span<double> state, double speed_rad_s) const override;

@@ -97,4 +97,12 @@ void HaessigBristleFriction::advance(std::span<double> state, const SpeedStep& s
   }
 }
 
+void HaessigBristleFriction::state_scales(std::span<double> scales) const {
+  const std::size_t n = scales.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    scales[i] = p_.snap_deflection_rad;
+    scales[n + i] = 1;
+  }
+}
+
 }  // namespace tribolog

@@ -32,6 +32,7 @@ class HaessigBristleFriction final : public DynamicFriction {
   [[nodiscard]] std::size_t states() const override;
   /// Deflections spread evenly between -ds and ds: no torque.
   [[nodiscard]] std::vector<double> unloaded() const override;
+  void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   /// Snaps the bonds that are stretched to the full.

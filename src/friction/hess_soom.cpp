@@ -49,4 +49,8 @@ void HessSoomFriction::advance(std::span<double> state, const SpeedStep& step) c
                      state[0]);
 }
 
+void HessSoomFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.stribeck_speed_rad_s;
+}
+
 }  // namespace tribolog

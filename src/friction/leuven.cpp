@@ -93,4 +93,18 @@ void LeuvenFriction::advance(std::span<double> state, const SpeedStep& step) con
   settle(state, 0);
 }
 
+void LeuvenFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.curve.coulomb_Nm / stiffness_Nm_rad_;
+  for (std::size_t i = 0; i < p_.elements.size(); ++i) {
+    scales[1 + i] = p_.elements[i].share * p_.curve.coulomb_Nm;
+  }
+}
+
+void LeuvenFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
+                                  std::span<double> values) const {
+  for (std::size_t i = 0; i < p_.elements.size(); ++i) {
+    values[i] = std::abs(state[1 + i]) - limit_Nm(i);
+  }
+}
+
 }  // namespace tribolog

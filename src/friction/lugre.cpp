@@ -62,4 +62,8 @@ void LuGreFriction::advance(std::span<double> state, const SpeedStep& step) cons
                               steady_deflection_rad(step.end_rad_s), step.duration_s, state[0]);
 }
 
+void LuGreFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
+}
+
 }  // namespace tribolog

@@ -38,6 +38,7 @@ class LuGreFriction final : public DynamicFriction {
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
 
   [[nodiscard]] std::size_t states() const override { return 1; }
+  void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;

@@ -44,4 +44,13 @@ void ResetIntegratorFriction::advance(std::span<double> state, const SpeedStep& 
   state[0] = std::clamp(state[0] + step.path_rad(), -bound, bound);
 }
 
+void ResetIntegratorFriction::state_scales(std::span<double> scales) const {
+  scales[0] = p_.largest_deflection_rad;
+}
+
+void ResetIntegratorFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
+                                           std::span<double> values) const {
+  values[0] = std::abs(state[0]) - p_.largest_deflection_rad;
+}
+
 }  // namespace tribolog

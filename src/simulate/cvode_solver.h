@@ -1,0 +1,47 @@
+#pragma once
+// SUNDIALS' CVODE with a C++ owner: BDF, dense Newton, root finding.
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tribolog {
+
+class CvodeSolver {
+ public:
+  using Rates = std::function<void(double t, std::span<const double> y, std::span<double> rates)>;
+  using Events = std::function<void(double t, std::span<const double> y, std::span<double> values)>;
+
+  struct Options {
+    double relative_tolerance{};
+    std::vector<double> absolute_tolerances;  ///< One for each unknown.
+    double largest_step{};
+    std::size_t events{};  ///< Number of values whose zero crossings stop the solver.
+  };
+
+  /// @throw std::runtime_error if the library refuses.
+  CvodeSolver(std::vector<double> start, Rates rates, Events events, const Options& options);
+  ~CvodeSolver();
+  CvodeSolver(const CvodeSolver&) = delete;
+  CvodeSolver& operator=(const CvodeSolver&) = delete;
+
+  enum class Stop { at_time, at_event };
+  /// Goes on to a time or to the first event before it.
+  /// @throw std::runtime_error "... gave up at t = ..."
+  Stop advance_to(double t);
+
+  [[nodiscard]] double time() const;
+  /// Did this event stop the solver?
+  [[nodiscard]] bool happened(std::size_t event) const;
+  /// The unknowns at time(). After a change call restart().
+  [[nodiscard]] std::span<double> unknowns();
+  /// Forgets the history: what comes is not a smooth continuation.
+  void restart(double first_step);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,78 @@
+#include "simulate/forced_motion.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "parameter_rules.h"
+
+#include "simulate/cvode_solver.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t angle = 0;
+constexpr std::size_t speed = 1;
+constexpr std::size_t first_state = 2;
+
+}  // namespace
+
+ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
+                                    const ForcedMotionSetup& setup) {
+  require_positive(setup.inertia_kgm2, "inertia", "kg·m²");
+  require_positive(setup.duration_s, "duration", "s");
+  require_positive(setup.sample_s, "sampling interval", "s");
+  require_positive(setup.relative_tolerance, "relative tolerance", "");
+  if (!setup.applied_Nm) throw std::invalid_argument("there is no applied torque");
+
+  std::vector<double> start{setup.angle_rad, setup.speed_rad_s};
+  const std::vector<double> unloaded = friction.unloaded();
+  start.insert(start.end(), unloaded.begin(), unloaded.end());
+  std::vector<double> scale(unloaded.size());
+  friction.state_scales(scale);
+
+  CvodeSolver::Options options;
+  options.relative_tolerance = setup.relative_tolerance;
+  options.absolute_tolerances = {setup.least_angle_rad, setup.least_speed_rad_s};
+  for (const double one : scale) {
+    options.absolute_tolerances.push_back(one * setup.relative_tolerance);
+  }
+  options.largest_step = setup.largest_step_s;
+  options.events = 1 + friction.events();
+  const double inertia = setup.inertia_kgm2;
+  CvodeSolver solver(
+      start,
+      [&](double t, std::span<const double> y, std::span<double> rates) {
+        const auto state = y.subspan(first_state);
+        rates[angle] = y[speed];
+        rates[speed] =
+            (setup.applied_Nm(t, y[angle], y[speed]) - friction.torque_Nm(state, y[speed])) /
+            inertia;
+        friction.rates(state, y[speed], rates.subspan(first_state));
+      },
+      [&](double, std::span<const double> y, std::span<double> values) {
+        values[0] = y[speed];
+        friction.event_values(y.subspan(first_state), y[speed], values.subspan(1));
+      },
+      options);
+
+  ForcedMotion out;
+  const auto count = static_cast<std::size_t>(std::floor(setup.duration_s / setup.sample_s + 1e-9));
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) * setup.sample_s;
+    while (solver.time() < t && solver.advance_to(t) == CvodeSolver::Stop::at_event) {
+      if (solver.happened(0)) solver.unknowns()[speed] = 0;
+      friction.settle(solver.unknowns().subspan(first_state), solver.unknowns()[speed]);
+      constexpr double first_step_share = 1e-6;
+      solver.restart(first_step_share * setup.largest_step_s);
+    }
+    const std::span<double> y = solver.unknowns();
+    out.t_s.push_back(t);
+    out.angle_rad.push_back(y[angle]);
+    out.speed_rad_s.push_back(y[speed]);
+    out.applied_Nm.push_back(setup.applied_Nm(t, y[angle], y[speed]));
+    out.friction_Nm.push_back(friction.torque_Nm(y.subspan(first_state), y[speed]));
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,47 @@
+#pragma once
+// An inertia driven by a torque against a friction model: where the motion is the answer.
+//
+//   J dw/dt = T(t, angle, w) - friction(state, w)
+//
+// Solved by SUNDIALS' CVODE (BDF) with event location: an adaptive solver steps over reversals,
+// which bend every friction model, and over the moments at which elements slip; it is stopped at
+// each and started anew. Angle and torque may as well be displacement [m] and force [N].
+
+#include <functional>
+#include <vector>
+
+#include "friction/dynamic_friction.h"
+
+namespace tribolog {
+
+/// Samples at 0, dt, 2 dt, ...
+struct ForcedMotion {
+  std::vector<double> t_s;
+  std::vector<double> angle_rad;
+  std::vector<double> speed_rad_s;
+  std::vector<double> applied_Nm;
+  std::vector<double> friction_Nm;
+};
+
+struct ForcedMotionSetup {
+  double inertia_kgm2{1.0};  ///< > 0
+  /// Applied torque [N·m] by time, angle and speed.
+  std::function<double(double t_s, double angle_rad, double speed_rad_s)> applied_Nm;
+  double duration_s{};  ///< > 0
+  double sample_s{};    ///< Interval dt > 0.
+  double angle_rad{};   ///< At the start.
+  double speed_rad_s{};
+  double relative_tolerance{1e-9};
+  /// Sizes below which errors do not count: of the angle, and of the speed.
+  double least_angle_rad{1e-15};
+  double least_speed_rad_s{1e-14};
+  double largest_step_s{1e-3};
+};
+
+/// Starts with an unloaded contact.
+/// @throw std::invalid_argument for a value that is not allowed.
+/// @throw std::runtime_error if the solver gives up, saying when.
+ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
+                                    const ForcedMotionSetup& setup);
+
+}  // namespace tribolog
