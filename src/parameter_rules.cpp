@@ -23,4 +23,11 @@ void require_not_negative(double value, const char* what, const char* unit) {
   if (!std::isfinite(value) || value < 0) refuse(value, what, unit, ">= 0");
 }
 
+void require_not_above(double value, const char* lower, double bound, const char* upper,
+                       const char* unit) {
+  if (value <= bound) return;
+  throw std::invalid_argument(fmt::format("{} {} {} exceeds {} {} {}; it must not be larger", lower,
+                                          value, unit, upper, bound, unit));
+}
+
 }  // namespace tribolog

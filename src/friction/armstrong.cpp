@@ -62,7 +62,7 @@ void ArmstrongFriction::begin_sticking(std::span<double> state) const {
 void ArmstrongFriction::settle(std::span<double> state, double speed_rad_s) const {
   if (state[sliding] != 0.0 && state[sliding] * speed_rad_s <= 0) begin_sticking(state);
   if (state[sliding] != 0.0 || speed_rad_s == 0.0) return;
-  const double direction = speed_rad_s > 0 ? 1.0 : -1.0;
+  const double direction = direction_of(speed_rad_s);
   const double torque = direction * p_.stiffness_Nm_rad * state[deflection];
   constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not on it
   const double limit = at_limit * break_away_Nm(state[stuck_time], state[stribeck]);
@@ -76,7 +76,7 @@ double ArmstrongFriction::torque_Nm(std::span<const double> state, double speed_
 
 double ArmstrongFriction::steady_torque_Nm(double speed_rad_s) const {
   if (speed_rad_s == 0.0) return 0;
-  const double direction = speed_rad_s > 0 ? 1.0 : -1.0;
+  const double direction = direction_of(speed_rad_s);
   const double state[] = {0, std::abs(speed_rad_s), 0, p_.rested_stribeck_Nm, direction};
   return torque_Nm(state, speed_rad_s);
 }

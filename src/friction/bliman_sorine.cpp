@@ -49,7 +49,7 @@ double BlimanSorineFriction::torque_Nm(std::span<const double> state, double spe
 }
 
 double BlimanSorineFriction::steady_torque_Nm(double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   return sign * (p_.fast_torque_Nm - p_.slow_torque_Nm) + p_.viscous_Nms_rad * speed_rad_s;
 }
 

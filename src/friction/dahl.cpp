@@ -6,12 +6,6 @@
 #include "parameter_rules.h"
 
 namespace tribolog {
-namespace {
-
-double sign_of(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
-
-}  // namespace
-
 DahlFriction::DahlFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
@@ -21,8 +15,8 @@ DahlFriction::DahlFriction(const Parameters& parameters) : p_(parameters) {
 
 void DahlFriction::rates(std::span<const double> state, double speed_rad_s,
                          std::span<double> rates) const {
-  const double left = 1 - sign_of(speed_rad_s) * state[0] / p_.coulomb_Nm;
-  const double slope = std::pow(std::abs(left), p_.exponent) * sign_of(left);
+  const double left = 1 - direction_of(speed_rad_s) * state[0] / p_.coulomb_Nm;
+  const double slope = std::pow(std::abs(left), p_.exponent) * direction_of(left);
   rates[0] = p_.stiffness_Nm_rad * slope * speed_rad_s;
 }
 
@@ -31,7 +25,7 @@ double DahlFriction::torque_Nm(std::span<const double> state, double speed_rad_s
 }
 
 double DahlFriction::steady_torque_Nm(double speed_rad_s) const {
-  return sign_of(speed_rad_s) * p_.coulomb_Nm + p_.viscous_Nms_rad * speed_rad_s;
+  return direction_of(speed_rad_s) * p_.coulomb_Nm + p_.viscous_Nms_rad * speed_rad_s;
 }
 
 // With u = 1 - sgn(w) T/Tc and y = s0 |way| / Tc the model reads du/dy = -u^i.

@@ -56,7 +56,7 @@ double ElastoPlasticFriction::torque_Nm(std::span<const double> state, double sp
 }
 
 double ElastoPlasticFriction::steady_torque_Nm(double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   return sign * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 

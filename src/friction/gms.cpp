@@ -11,8 +11,6 @@ namespace {
 
 constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not on it
 
-double sign_of(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
-
 }  // namespace
 
 GmsFriction::GmsFriction(const Parameters& parameters) : p_(parameters), curve_(parameters.curve) {
@@ -36,7 +34,7 @@ void GmsFriction::rates(std::span<const double> state, double speed_rad_s,
 
 void GmsFriction::settle(std::span<double> state, double speed_rad_s) const {
   const std::size_t n = p_.elements.size();
-  const double direction = sign_of(speed_rad_s);
+  const double direction = direction_of(speed_rad_s);
   const double steady = curve_(speed_rad_s);
   for (std::size_t i = 0; i < n; ++i) {
     double& slips = state[n + i];
@@ -53,7 +51,7 @@ double GmsFriction::torque_Nm(std::span<const double> state, double speed_rad_s)
 }
 
 double GmsFriction::steady_torque_Nm(double speed_rad_s) const {
-  return sign_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
+  return direction_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
 void GmsFriction::advance(std::span<double> state, const SpeedStep& step) const {

@@ -76,7 +76,7 @@ double HaessigBristleFriction::torque_Nm(std::span<const double> state, double s
 }
 
 double HaessigBristleFriction::steady_torque_Nm(double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   return sign * p_.stiffness_Nm_rad * p_.snap_deflection_rad / 3 + p_.viscous_Nms_rad * speed_rad_s;
 }
 

@@ -1,9 +1,6 @@
 #include "friction/hess_soom.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
@@ -17,11 +14,7 @@ HessSoomFriction::HessSoomFriction(const Parameters& parameters) : p_(parameters
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   require_positive(p_.lag_s, "frictional lag", "s");
-  if (p_.coulomb_Nm > p_.static_Nm) {
-    throw std::invalid_argument(
-        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
-                    p_.coulomb_Nm, p_.static_Nm));
-  }
+  require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
 void HessSoomFriction::rates(std::span<const double> state, double speed_rad_s,
@@ -30,7 +23,7 @@ void HessSoomFriction::rates(std::span<const double> state, double speed_rad_s,
 }
 
 double HessSoomFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   const double x = state[0] / p_.stribeck_speed_rad_s;
   return sign * (p_.coulomb_Nm + (p_.static_Nm - p_.coulomb_Nm) / (1 + x * x)) +
          p_.viscous_Nms_rad * speed_rad_s;

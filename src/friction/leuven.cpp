@@ -11,12 +11,6 @@
 #include "friction/path_steps.h"
 
 namespace tribolog {
-namespace {
-
-double sign_of(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
-
-}  // namespace
-
 LeuvenFriction::LeuvenFriction(const Parameters& parameters)
     : p_(parameters), curve_(parameters.curve) {
   require_maxwell_elements(p_.elements);
@@ -45,7 +39,7 @@ double LeuvenFriction::hysteresis_Nm(std::span<const double> state, double furth
 double LeuvenFriction::slope(double hysteresis_Nm, double speed_rad_s) const {
   const double ratio = hysteresis_Nm / curve_(speed_rad_s);
   const double size = std::pow(std::abs(ratio), p_.transition_power);
-  return 1 - sign_of(speed_rad_s) * std::copysign(size, ratio);
+  return 1 - direction_of(speed_rad_s) * std::copysign(size, ratio);
 }
 
 void LeuvenFriction::rates(std::span<const double> state, double speed_rad_s,
@@ -72,7 +66,7 @@ double LeuvenFriction::torque_Nm(std::span<const double> state, double speed_rad
 }
 
 double LeuvenFriction::steady_torque_Nm(double speed_rad_s) const {
-  return sign_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
+  return direction_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
 void LeuvenFriction::advance(std::span<double> state, const SpeedStep& step) const {

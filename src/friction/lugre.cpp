@@ -1,9 +1,6 @@
 #include "friction/lugre.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
@@ -18,11 +15,7 @@ LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
-  if (p_.coulomb_Nm > p_.static_Nm) {
-    throw std::invalid_argument(
-        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
-                    p_.coulomb_Nm, p_.static_Nm));
-  }
+  require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
 double LuGreFriction::steady_deflection_rad(double speed_rad_s) const {
@@ -41,7 +34,7 @@ double LuGreFriction::torque_Nm(double z_rad, double dz_rad_s, double speed_rad_
 }
 
 double LuGreFriction::steady_torque_Nm(double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   return sign * p_.bristle_stiffness_Nm_rad * steady_deflection_rad(speed_rad_s) +
          p_.viscous_Nms_rad * speed_rad_s;
 }

@@ -3,6 +3,11 @@
 
 namespace tribolog {
 
+/// -1, 0 or 1.
+inline double direction_of(double speed_rad_s) {
+  return speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+}
+
 /// Speed over a step, as the parabola through its start, middle and end. None of the three is of
 /// opposite sign to another: a motion is cut at its reversals before models see it.
 struct SpeedStep {
@@ -17,8 +22,7 @@ struct SpeedStep {
   }
   /// -1, 0 or 1.
   [[nodiscard]] double direction() const {
-    const double sum = start_rad_s + middle_rad_s + end_rad_s;
-    return sum > 0 ? 1.0 : sum < 0 ? -1.0 : 0.0;
+    return direction_of(start_rad_s + middle_rad_s + end_rad_s);
   }
   /// At a share (0..1) of the duration.
   [[nodiscard]] double speed_rad_s(double share) const {

@@ -4,6 +4,8 @@
 
 #include "parameter_rules.h"
 
+#include "friction/speed_step.h"
+
 namespace tribolog {
 
 StribeckFriction::StribeckFriction(const Parameters& parameters)
@@ -12,7 +14,7 @@ StribeckFriction::StribeckFriction(const Parameters& parameters)
 }
 
 double StribeckFriction::torque_Nm(double speed_rad_s) const {
-  const double sign = speed_rad_s > 0 ? 1.0 : speed_rad_s < 0 ? -1.0 : 0.0;
+  const double sign = direction_of(speed_rad_s);
   return sign * curve_(speed_rad_s) + viscous_Nms_rad_ * speed_rad_s;
 }
 

@@ -1,9 +1,6 @@
 #include "friction/stribeck_curve.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
@@ -14,11 +11,7 @@ StribeckCurve::StribeckCurve(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.static_Nm, "static torque", "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
   require_positive(p_.power, "Stribeck power", "");
-  if (p_.coulomb_Nm > p_.static_Nm) {
-    throw std::invalid_argument(
-        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
-                    p_.coulomb_Nm, p_.static_Nm));
-  }
+  require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
 double StribeckCurve::operator()(double speed_rad_s) const {

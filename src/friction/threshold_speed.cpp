@@ -1,9 +1,6 @@
 #include "friction/threshold_speed.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "parameter_rules.h"
 
@@ -15,11 +12,7 @@ ThresholdSpeedFriction::ThresholdSpeedFriction(const Parameters& parameters) : p
   require_not_negative(p_.stribeck_decay_s_rad, "decay of the Stribeck effect", "s/rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   require_positive(p_.threshold_rad_s, "threshold speed", "rad/s");
-  if (p_.coulomb_Nm > p_.static_Nm) {
-    throw std::invalid_argument(
-        fmt::format("Coulomb torque {} N·m exceeds static torque {} N·m; it must not be larger",
-                    p_.coulomb_Nm, p_.static_Nm));
-  }
+  require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");
 }
 
 double ThresholdSpeedFriction::sliding_Nm(double absolute_speed_rad_s) const {
