@@ -4,6 +4,7 @@
 
 #include "error.h"
 #include "files/file_contents.h"
+#include "friction/catalogue.h"
 #include "ingest/experiment_tables.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
@@ -40,7 +41,9 @@ GravityLoad read_load(const TomlTable& load) {
 
 void read_friction(const TomlTable& friction, Scenario& scenario) {
   const TomlTable presliding = friction.table("presliding");
-  (void)presliding.choice("model", {"lugre"});
+  std::vector<std::string> models;
+  for (const FrictionModelEntry& one : dynamic_friction_models()) models.push_back(one.name);
+  scenario.presliding_model = models[presliding.choice("model", models)];
   scenario.presliding = read_lugre(presliding);
   const TomlTable sliding = friction.table("sliding");
   (void)sliding.choice("model", {"waiboer"});

@@ -69,7 +69,10 @@ struct Scenario {
   double arm_inertia_kgm2{};    ///< I about the joint's axis, >= 0.
   GravityLoad load{1.0, 1.0, 0.0};
   LuGreFriction presliding{{1.0, 0.0, 0.0, 1.0, 1.0, 1.0}};  ///< Drives the oscillation.
-  WaiboerFriction sliding{{1.0, 1.0, 1.0, 0.0, 0.0, 1e6}};   ///< Drives sweeps and runs.
+  /// One of dynamic_friction_models(), with parameters that match those above. Only "lugre" records
+  /// its bristle: the others have none that would compare.
+  std::string presliding_model{"lugre"};
+  WaiboerFriction sliding{{1.0, 1.0, 1.0, 0.0, 0.0, 1e6}};  ///< Drives sweeps and runs.
   double surrogate_distance_m{0.5};
   std::optional<SweepExperiment> rough_sweep;
   std::optional<SweepExperiment> precise_sweep;

@@ -7,8 +7,10 @@
 
 #include "parameter_rules.h"
 
+#include "friction/catalogue.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
+#include "simulate/friction_response.h"
 #include "simulate/motion.h"
 
 namespace tribolog {
@@ -58,6 +60,15 @@ Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, R
                 e.sample_rate_Hz, std::move(name), role);
 }
 
+ContactParameters contact_of(const LuGreFriction::Parameters& p) {
+  return {p.bristle_stiffness_Nm_rad,
+          p.bristle_damping_Nms_rad,
+          p.viscous_Nms_rad,
+          p.coulomb_Nm,
+          p.static_Nm,
+          p.stribeck_speed_rad_s};
+}
+
 Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
   require_positive(e.sample_rate_Hz, "sample_rate_Hz", "Hz");
   require_positive(e.amplitude_rad, "amplitude", "rad");
@@ -69,21 +80,30 @@ Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
   const auto samples =
       static_cast<std::size_t>(std::floor(e.cycles / e.frequency_Hz * e.sample_rate_Hz + 1e-9)) + 1;
   const double dt = 1 / e.sample_rate_Hz;
-  std::vector<double> z(samples);
-  std::vector<double> dz(samples);
-  integrate_bristle(s.presliding, motor, 0.0, dt, 0.0, z, dz);
+  const bool is_lugre = s.presliding_model == "lugre";
+  std::vector<double> z(is_lugre ? samples : 0);
+  std::vector<double> dz(z.size());
+  std::vector<double> torque(is_lugre ? 0 : samples);
+  if (is_lugre) {
+    integrate_bristle(s.presliding, motor, 0.0, dt, 0.0, z, dz);
+  } else {
+    const auto model =
+        dynamic_friction_model(s.presliding_model).matched(contact_of(s.presliding.parameters()));
+    std::vector<double> state = model->unloaded();
+    friction_response(*model, motor, 0.0, dt, state, torque);
+  }
   Recording r = empty_recording("oscillation.csv", Role::oscillation, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
     const double q = motor.angle(t) / n;
     const double w = motor.speed(t);
-    const double friction = s.presliding.torque_Nm(z[i], dz[i], w);
+    const double friction = is_lugre ? s.presliding.torque_Nm(z[i], dz[i], w) : torque[i];
     r.t_s.push_back(t);
     r.q_rad.push_back(q);
     r.dq_rad_s.push_back(w / n);
     r.torque_Nm.push_back(driving_torque(s, q, motor.acceleration(t) / n, friction));
   }
-  if (e.record_bristle) {
+  if (e.record_bristle && is_lugre) {
     r.z_rad = std::move(z);
     r.dz_rad_s = std::move(dz);
   }

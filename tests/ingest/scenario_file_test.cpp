@@ -124,8 +124,10 @@ TEST(ScenarioFile, RefusesImpossibleParametersAtTheirKey) {
             "key 'oscillation.frequency_Hz': not usable, found 0, expected a number > 0");
   EXPECT_EQ(refusal_without_line(with("cycles = 5", "cycles = 0.5")),
             "key 'oscillation.cycles': not usable, found 0.5, expected >= 1");
-  EXPECT_EQ(refusal_without_line(with("\"lugre\"", "\"dahl\"")),
-            "key 'friction.presliding.model': not known, found 'dahl', expected one of 'lugre'");
+  EXPECT_NE(
+      refusal_without_line(with("\"lugre\"", "\"lugrée\""))
+          .find("key 'friction.presliding.model': not known, found 'lugrée', expected one of "),
+      std::string::npos);
 }
 
 TEST(ScenarioFile, RefusesExperimentsThatCannotBeCarriedOut) {
