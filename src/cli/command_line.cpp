@@ -125,6 +125,9 @@ ExitStatus run_command_line(int argc, char** argv) {
                   "replaces an older one in one step.\n") +
       manifest_help);
 
+  CLI::App* models_command =
+      app.add_subcommand("models", "list the friction models and what each can show");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& call) {
@@ -141,6 +144,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (*identify_command) return run_identify(identify, arguments, console);
   if (*figures_command) return run_figures(figures, console);
   if (*report_command) return run_report(report, arguments, console);
+  if (*models_command) return run_models(console);
   std::cout << app.help();
   return ExitStatus::usage;
 }

@@ -45,6 +45,8 @@ ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::s
 ExitStatus run_figures(const FiguresOptions& options, Console& console);
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console);
+/// Lists the friction models with what each can show.
+ExitStatus run_models(Console& console);
 ExitStatus run_version(Console& console);
 
 }  // namespace tribolog

@@ -27,6 +27,16 @@ TEST(Commands, HelpTeaches) {
   EXPECT_NE(report.out.find("gear_ratio = 100"), std::string::npos);
 }
 
+TEST(Commands, ModelsAreListedAsScenariosNameThem) {
+  const ProgramRun run = run_shell(program + "models");
+  EXPECT_EQ(run.status, 0);
+  for (const char* model :
+       {"dahl", "haessig_bristles", "reset_integrator", "hess_soom", "bliman_sorine", "armstrong",
+        "lugre", "leuven", "elasto_plastic", "gms"}) {
+    EXPECT_NE(run.out.find(std::string("\n  ") + model + " "), std::string::npos) << model;
+  }
+}
+
 TEST(Commands, WrongUsageIsStatus2) {
   for (const char* arguments :
        {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {
