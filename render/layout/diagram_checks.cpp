@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/layout/block_drawing.h"
+#include "render/layout/shape_drawing.h"
 
 namespace tribolog::render {
 namespace {
@@ -62,6 +63,11 @@ class Inspection {
       boxes_.push_back(canvas.box(block.centre, block.width, block.height));
     }
     for (const Wire& wire : diagram.wires) wires_.push_back(canvas.pixels(wire.points));
+    for (const Stroke& one : diagram.strokes) sketch_.push_back(canvas.pixels(one.points));
+    for (const Arc& one : diagram.arcs) sketch_.push_back(arc_points(canvas, one));
+    for (const Dimension& one : diagram.dimensions) {
+      sketch_.push_back(canvas.pixels({one.from, one.to}));
+    }
   }
 
   void run() {
@@ -107,12 +113,9 @@ class Inspection {
     const bool on_wire = std::any_of(wires_.begin(), wires_.end(),
                                      [&](const auto& wire) { return enters(wire, core); });
     if (on_wire) canvas_.warn(name + "lies on a wire");
-    for (const Stroke& stroke : diagram_.strokes) {
-      if (enters(canvas_.pixels(stroke.points), core)) {
-        canvas_.warn(name + "lies on a line");
-        return;
-      }
-    }
+    const bool on_line = std::any_of(sketch_.begin(), sketch_.end(),
+                                     [&](const auto& line) { return enters(line, core); });
+    if (on_line) canvas_.warn(name + "lies on a line");
   }
 
   void check_blocks() {
@@ -176,6 +179,7 @@ class Inspection {
   const Diagram& diagram_;
   std::vector<PixelBox> boxes_;
   std::vector<std::vector<PixelPoint>> wires_;
+  std::vector<std::vector<PixelPoint>> sketch_;
 };
 
 }  // namespace

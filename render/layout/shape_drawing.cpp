@@ -13,19 +13,6 @@ constexpr double step_deg = 4.0;
 constexpr double dimension_line_px = 2.0;
 constexpr double beside_heads_mm = 0.6;
 
-std::vector<PixelPoint> arc_points(const DiagramCanvas& canvas, const Arc& arc) {
-  const PixelPoint c = canvas.pixel(arc.centre);
-  const double radius = canvas.length(arc.radius);
-  const double sweep = arc.to_deg - arc.from_deg;
-  const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / step_deg)));
-  std::vector<PixelPoint> out;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = (arc.from_deg + sweep * i / steps) * std::numbers::pi / 180.0;
-    out.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
-  }
-  return out;
-}
-
 /// A line with heads at its ends; the line stops inside them.
 void draw_arrowed(DiagramCanvas& canvas, Role line_role, Role head_role, int index,
                   std::vector<PixelPoint> points, double width, Colour colour, LineStyle style,
@@ -57,6 +44,19 @@ void draw_arc(DiagramCanvas& canvas, const Arc& arc, int index) {
 }
 
 }  // namespace
+
+std::vector<PixelPoint> arc_points(const DiagramCanvas& canvas, const Arc& arc) {
+  const PixelPoint c = canvas.pixel(arc.centre);
+  const double radius = canvas.length(arc.radius);
+  const double sweep = arc.to_deg - arc.from_deg;
+  const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / step_deg)));
+  std::vector<PixelPoint> out;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = (arc.from_deg + sweep * i / steps) * std::numbers::pi / 180.0;
+    out.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
+  }
+  return out;
+}
 
 void draw_wire(DiagramCanvas& canvas, const Wire& wire, int index) {
   draw_arrowed(canvas, Role::wire, Role::wire_head, index, canvas.pixels(wire.points),

@@ -5,6 +5,9 @@
 
 namespace tribolog::render {
 
+/// The arc as a line of short steps.
+std::vector<PixelPoint> arc_points(const DiagramCanvas& canvas, const Arc& arc);
+
 void draw_wire(DiagramCanvas& canvas, const Wire& wire, int index);
 
 /// Areas and discs lie below every line.

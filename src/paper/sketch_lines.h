@@ -12,10 +12,6 @@ namespace tribolog::paper {
 std::vector<render::DiagramPoint> bent_bristle(render::DiagramPoint root, double length,
                                                double deflection);
 
-/// A spring from one point to the other: straight ends and `turns` teeth of this half width.
-std::vector<render::DiagramPoint> zigzag_spring(render::DiagramPoint from, render::DiagramPoint to,
-                                                int turns, double half_width);
-
 /// Corners of an upright rectangle.
 std::vector<render::DiagramPoint> upright_rectangle(double left, double top, double right,
                                                     double bottom);

@@ -120,8 +120,11 @@ TEST(Diagram, ReportsTextsThatCollide) {
   expect_warning(figure, "collides with block 'frame'");
   figure.diagram->texts[0].at = {55, 40};
   expect_warning(figure, "lies on a wire");
-  figure.diagram->texts[0].at = {60, 68};
-  expect_warning(figure, "lies on a line");
+  for (const DiagramPoint& on_a_line :
+       {DiagramPoint{60, 68}, DiagramPoint{140, 60}, DiagramPoint{80, 70}}) {
+    figure.diagram->texts[0].at = on_a_line;
+    expect_warning(figure, "lies on a line");
+  }
 }
 
 TEST(Diagram, ReportsWiresThatGoWrong) {
