@@ -37,9 +37,19 @@ enum class Role {
   legend_sample,
   legend_text,
   notice,
+  block_fill,
+  block,
+  block_text,
+  wire,
+  wire_head,
+  branch_dot,
+  shape,
+  shape_fill,
+  shape_text,
 };
 
-/// `index` counts the series, band, label ... of the panel, in the order of the description.
+/// `index` counts the series, band, label ... of the panel, in the order of the description; in a
+/// diagram (panel 0) the blocks, wires, shapes and texts.
 struct Owner {
   Role role{};
   int panel{};

@@ -64,7 +64,19 @@ std::string label_of(const Figure& figure, const Owner& owner) {
   return {};
 }
 
+/// By its text if it has one: "block 'g(ω)'", "wire 3".
+std::string name_in_diagram(const Diagram& diagram, const Owner& owner) {
+  const auto index = static_cast<std::size_t>(owner.index);
+  if (owner.role == Role::wire) return "wire " + std::to_string(owner.index + 1);
+  const Block& block = diagram.blocks[index];
+  return block.lines.empty() ? "block " + std::to_string(owner.index + 1)
+                             : "block '" + block.lines.front() + "'";
+}
+
 std::string name_of(const Figure& figure, const Owner& owner) {
+  if (owner.role == Role::block || owner.role == Role::wire) {
+    return name_in_diagram(*figure.diagram, owner);
+  }
   const std::string label = label_of(figure, owner);
   const std::string kind = owner.role == Role::band ? "band " : "series ";
   if (!label.empty()) return kind + "'" + label + "'";
@@ -144,6 +156,7 @@ void report_outside(const DrawList& list, const Figure& figure, PictureFindings&
       return owner == wanted;
     });
   };
+  if (figure.diagram) return;  // the layout itself reports what lies outside of the canvas
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const Panel& panel = figure.panels[p];
     for (std::size_t s = 0; s < panel.series.size(); ++s) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which pixels must show which series, worked out from the draw list alone.
+// Which pixels must show which series (or block, or wire), worked out from the draw list alone.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tribolog::render {
 class VisibilityMap {
  public:
   struct Subject {
-    Owner owner;  ///< Role::series or Role::band.
+    Owner owner;  ///< Role::series, Role::band, Role::block or Role::wire.
     Colour colour;
     std::size_t painted{};  ///< Pixels that it covered when it was painted.
   };

@@ -4,6 +4,7 @@
 
 #include "error.h"
 #include "render/layout/data_drawing.h"
+#include "render/layout/diagram_layout.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/legend.h"
@@ -42,7 +43,10 @@ class Attempt {
     const FigureFrame frame =
         frame_figure(figure_, font_, style_, strips_, list_.warnings, faults_);
     bool complete = true;
-    for (std::size_t i = 0; i < figure_.panels.size(); ++i) {
+    if (figure_.diagram) {
+      lay_out_diagram(list_, figure_, font_, style_, frame.title_bottom, faults_);
+    }
+    for (std::size_t i = 0; i < frame.panels.size(); ++i) {
       complete = draw_panel(frame.panels[i], i) && complete;
     }
     draw_figure_title(list_, frame, style_);
@@ -143,6 +147,13 @@ class Attempt {
 
 DrawList lay_out(const Figure& figure, const Font& font) {
   check_size(figure);
+  if (figure.diagram && !figure.panels.empty()) {
+    Figure drawing = figure;
+    drawing.panels.clear();
+    DrawList list = lay_out(drawing, font);
+    list.warnings.push_back("a figure is panels or a diagram; its panels are not drawn");
+    return list;
+  }
   const FigureStyle style(figure);
   std::vector<double> strips(figure.panels.size(), 0.0);
   for (;;) {  // each turn adds a strip, so there are at most panels + 1

@@ -102,6 +102,7 @@ class Framer {
 
   void divide_height() {
     double y = style_.margin + height_of(out_.title);
+    out_.title_bottom = y;
     double taken = y + style_.margin / 2;
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       taken += head_of(out_.panels[i]) + foot_of(out_.panels[i]) + strips_[i];

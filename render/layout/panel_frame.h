@@ -27,6 +27,7 @@ struct PanelFrame {
 
 struct FigureFrame {
   std::vector<TextLine> title;
+  double title_bottom{};  ///< Where the room below the title starts.
   std::vector<PanelFrame> panels;
 };
 

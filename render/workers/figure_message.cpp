@@ -58,8 +58,63 @@ void visit_fields(Visitor& visit, Is<Panel> auto& item) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, Is<DiagramPoint> auto& item) {
+  visit(item.x, item.y);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<PortSign> auto& item) {
+  visit(item.side, item.offset, item.text);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Block> auto& item) {
+  visit(item.kind, item.lines, item.centre, item.width, item.height, item.faces, item.signs,
+        item.colour, item.fill);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<DiagramText> auto& item) {
+  visit(item.text, item.at, item.place, item.bold, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Wire> auto& item) {
+  visit(item.points, item.arrow, item.branch_dots, item.label, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Stroke> auto& item) {
+  visit(item.points, item.colour, item.width_px, item.style, item.arrow_at_start,
+        item.arrow_at_end);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Area> auto& item) {
+  visit(item.outline, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Arc> auto& item) {
+  visit(item.centre, item.radius, item.from_deg, item.to_deg, item.colour, item.width_px,
+        item.arrow_at_end, item.fill);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Dimension> auto& item) {
+  visit(item.from, item.to, item.text, item.place, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Diagram> auto& item) {
+  visit(item.width, item.height, item.areas, item.blocks, item.wires, item.strokes, item.arcs,
+        item.dimensions, item.texts);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, Is<Figure> auto& item) {
-  visit(item.id, item.title, item.panels, item.width_px, item.height_px, item.panels_share_x);
+  visit(item.id, item.title, item.panels, item.diagram, item.width_px, item.height_px,
+        item.panels_share_x);
 }
 
 template <class Value>

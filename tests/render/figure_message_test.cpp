@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "example_diagram.h"
 #include "example_figures.h"
 
 namespace tribolog::render {
@@ -21,10 +22,22 @@ Figure through_a_message(const Figure& figure) {
   return take_figure(message);
 }
 
+/// The message of `figure` is another one while `field`, a part of it, has this value.
+template <class Field, class Value>
+void expect_field_to_count(const Figure& figure, Field& field, const Value& value) {
+  const std::vector<std::byte> before = bytes_of(figure);
+  const Field old = field;
+  field = value;
+  EXPECT_NE(bytes_of(figure), before);
+  EXPECT_EQ(bytes_of(through_a_message(figure)), bytes_of(figure));
+  field = old;
+}
+
 TEST(FigureMessage, KeepsEveryField) {
   std::vector<Figure> figures = examples::nasty();
-  for (const Figure& figure : {examples::plain(), examples::hysteresis(), examples::stacked(),
-                               examples::many_curves(10), examples::noisy_sweep()}) {
+  for (const Figure& figure :
+       {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
+        examples::noisy_sweep(), examples::diagram()}) {
     figures.push_back(figure);
   }
   for (const Figure& figure : figures) {
@@ -42,13 +55,8 @@ TEST(FigureMessage, WritesEveryField) {
   panel.error_bars.resize(1);
   panel.point_labels.resize(1);
   panel.reference_lines.resize(1);
-  const std::vector<std::byte> before = bytes_of(figure);
   const auto expect_change = [&](auto& field, auto value) {
-    const auto old = field;
-    field = value;
-    EXPECT_NE(bytes_of(figure), before);
-    EXPECT_EQ(bytes_of(through_a_message(figure)), bytes_of(figure));
-    field = old;
+    expect_field_to_count(figure, field, value);
   };
   const std::vector<double> numbers{1.5, std::numeric_limits<double>::infinity()};
   const Colour colour{1, 2, 3, 4};
@@ -98,6 +106,77 @@ TEST(FigureMessage, WritesEveryField) {
   expect_change(line.text, "q_{c}");
   expect_change(line.colour, colour);
   expect_change(line.style, LineStyle::dot);
+}
+
+TEST(FigureMessage, WritesEveryFieldOfADiagram) {
+  Figure figure;
+  expect_field_to_count(figure, figure.diagram, std::optional(Diagram{}));
+  Diagram& diagram = figure.diagram.emplace();
+  diagram.areas.resize(1);
+  diagram.blocks.resize(1);
+  diagram.blocks[0].signs.resize(1);
+  diagram.wires.resize(1);
+  diagram.wires[0].label.emplace();
+  diagram.strokes.resize(1);
+  diagram.arcs.resize(1);
+  diagram.dimensions.resize(1);
+  diagram.texts.resize(1);
+  const auto expect_change = [&](auto& field, auto value) {
+    expect_field_to_count(figure, field, value);
+  };
+  const std::vector<DiagramPoint> points{{1, 2}, {3, 4}};
+  const DiagramPoint point{5, 6};
+  const Colour colour{1, 2, 3, 4};
+  expect_change(diagram.width, 7.0);
+  expect_change(diagram.height, 7.0);
+  expect_change(diagram.areas[0].outline, points);
+  expect_change(diagram.areas[0].colour, colour);
+  Block& block = diagram.blocks[0];
+  expect_change(block.kind, BlockKind::frame);
+  expect_change(block.lines, std::vector<std::string>{"g(ω)", "x"});
+  expect_change(block.centre, point);
+  expect_change(block.width, 7.0);
+  expect_change(block.height, 7.0);
+  expect_change(block.faces, BlockSide::top);
+  expect_change(block.signs[0].side, BlockSide::top);
+  expect_change(block.signs[0].offset, 7.0);
+  expect_change(block.signs[0].text, "+");
+  expect_change(block.colour, colour);
+  expect_change(block.fill, colour);
+  Wire& wire = diagram.wires[0];
+  expect_change(wire.points, points);
+  expect_change(wire.arrow, false);
+  expect_change(wire.branch_dots, points);
+  expect_change(wire.label, std::optional<DiagramText>());
+  expect_change(wire.colour, colour);
+  Stroke& stroke = diagram.strokes[0];
+  expect_change(stroke.points, points);
+  expect_change(stroke.colour, colour);
+  expect_change(stroke.width_px, 7.0);
+  expect_change(stroke.style, LineStyle::dot);
+  expect_change(stroke.arrow_at_start, true);
+  expect_change(stroke.arrow_at_end, true);
+  Arc& arc = diagram.arcs[0];
+  expect_change(arc.centre, point);
+  expect_change(arc.radius, 7.0);
+  expect_change(arc.from_deg, 7.0);
+  expect_change(arc.to_deg, 7.0);
+  expect_change(arc.colour, colour);
+  expect_change(arc.width_px, 7.0);
+  expect_change(arc.arrow_at_end, true);
+  expect_change(arc.fill, std::optional(colour));
+  Dimension& dimension = diagram.dimensions[0];
+  expect_change(dimension.from, point);
+  expect_change(dimension.to, point);
+  expect_change(dimension.text, "z");
+  expect_change(dimension.place, TextPlace::left);
+  expect_change(dimension.colour, colour);
+  DiagramText& text = diagram.texts[0];
+  expect_change(text.text, "z");
+  expect_change(text.at, point);
+  expect_change(text.place, TextPlace::left);
+  expect_change(text.bold, true);
+  expect_change(text.colour, colour);
 }
 
 TEST(FigureMessage, RefusesOneThatEndsEarly) {

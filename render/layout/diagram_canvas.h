@@ -1,0 +1,70 @@
+#pragma once
+// The sheet on which a diagram is laid out: millimetres to pixels, and a record of its texts.
+
+#include <string>
+#include <vector>
+
+#include "render/diagram.h"
+#include "render/draw_list.h"
+#include "render/layout/figure_style.h"
+
+namespace tribolog::render {
+
+/// A text as it was placed, for the checks.
+struct PlacedText {
+  std::string text;
+  PixelBox box;
+  int block{-1};  ///< The block that it belongs to; -1: free-standing.
+};
+
+class DiagramCanvas {
+ public:
+  /// The canvas is fitted into `room`, as large as possible and in its middle.
+  DiagramCanvas(DrawList& list, const Diagram& diagram, const PixelBox& room, const Font& font);
+
+  [[nodiscard]] PixelPoint pixel(DiagramPoint p) const;
+  [[nodiscard]] std::vector<PixelPoint> pixels(const std::vector<DiagramPoint>& points) const;
+  [[nodiscard]] PixelBox box(DiagramPoint centre, double width, double height) const;
+  /// Pixels of so many millimetres.
+  [[nodiscard]] double length(double millimetres) const { return millimetres * px_per_mm_; }
+  /// Pixels of so many pixels of the 1600 px picture.
+  [[nodiscard]] double line_width(double designed_px) const;
+  [[nodiscard]] PixelBox area() const { return area_; }
+  [[nodiscard]] double picture_width() const { return list_.width; }
+
+  void line(Owner owner, std::vector<PixelPoint> points, double designed_px, Colour colour,
+            LineStyle style = LineStyle::solid);
+  void filled(Owner owner, std::vector<PixelPoint> outline, Colour colour);
+  /// An arrow head with its tip at the end of the line, which is shortened to end inside the head.
+  void head(Owner owner, PixelPoint behind, PixelPoint& tip, double designed_px, Colour colour);
+  [[nodiscard]] double head_length(double designed_px) const;
+
+  [[nodiscard]] TextLine shape(const std::string& text, double size_mm, bool bold, Colour colour);
+  /// A line of text around or beside a point.
+  void text(Owner owner, const TextLine& line, PixelPoint at, TextPlace place,
+            const std::string& markup, int block);
+
+  [[nodiscard]] const std::vector<PlacedText>& texts() const { return texts_; }
+  TextFaults& faults() { return faults_; }
+  void warn(const std::string& what) { list_.warnings.push_back(what); }
+
+ private:
+  DrawList& list_;
+  const Font& font_;
+  double px_per_mm_;
+  PixelBox area_;
+  std::vector<PlacedText> texts_;
+  TextFaults faults_;
+};
+
+/// Heights of letters in a diagram, in millimetres per em.
+namespace letter {
+inline constexpr double block_mm = 3.1;
+inline constexpr double label_mm = 2.9;
+inline constexpr double sign_mm = 2.8;
+}  // namespace letter
+
+/// Width in designed pixels of blocks' outlines and wires: that of a curve in a chart.
+inline constexpr double diagram_line_px = 2.5;
+
+}  // namespace tribolog::render

@@ -1,0 +1,149 @@
+#include "render/layout/diagram_checks.h"
+
+#include <algorithm>
+
+#include "render/layout/block_drawing.h"
+#include "render/layout/line_geometry.h"
+#include "render/layout/shape_drawing.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr double reach_mm = 0.05;       // within which a wire's end is on an outline
+constexpr double side_px = 1.0;         // what a line may touch of a box without crossing it
+constexpr double least_letter_px = 10;  // per em, at a display width of 800 px
+constexpr double display_px = 800.0;
+
+class Inspection {
+ public:
+  Inspection(DiagramCanvas& canvas, const Diagram& diagram) : canvas_(canvas), diagram_(diagram) {
+    for (const Block& block : diagram.blocks) {
+      boxes_.push_back(canvas.box(block.centre, block.width, block.height));
+    }
+    for (const Wire& wire : diagram.wires) wires_.push_back(canvas.pixels(wire.points));
+    for (const Stroke& one : diagram.strokes) sketch_.push_back(canvas.pixels(one.points));
+    for (const Arc& one : diagram.arcs) sketch_.push_back(arc_points(canvas, one));
+    for (const Dimension& one : diagram.dimensions) {
+      sketch_.push_back(canvas.pixels({one.from, one.to}));
+    }
+  }
+
+  void run() {
+    check_texts();
+    check_blocks();
+    for (std::size_t i = 0; i < wires_.size(); ++i) check_wire(i);
+    check_letters();
+  }
+
+ private:
+  [[nodiscard]] bool is_frame(std::size_t i) const {
+    return diagram_.blocks[i].kind == BlockKind::frame;
+  }
+
+  [[nodiscard]] std::string name_of_block(std::size_t i) const {
+    const Block& block = diagram_.blocks[i];
+    return block.lines.empty() ? "block " + std::to_string(i + 1)
+                               : "block '" + block.lines.front() + "'";
+  }
+
+  void check_texts() {
+    const auto& texts = canvas_.texts();
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::string name = "the text '" + texts[i].text + "' ";
+      if (!canvas_.area().contains(texts[i].box)) canvas_.warn(name + "lies outside the canvas");
+      for (std::size_t k = i + 1; k < texts.size(); ++k) {
+        if (overlap_area(texts[i].box, texts[k].box) > 1.0) {
+          canvas_.warn(name + "overlaps '" + texts[k].text + "'");
+        }
+      }
+      check_text_on_parts(texts[i], name);
+    }
+  }
+
+  void check_text_on_parts(const PlacedText& text, const std::string& name) {
+    const PixelBox core = text.box.grown(-side_px);
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      if (text.block == static_cast<int>(b)) continue;
+      const bool touches = is_frame(b) ? enters(block_outline(canvas_, diagram_.blocks[b]), core)
+                                       : overlap_area(core, boxes_[b]) > 0;
+      if (touches) canvas_.warn(name + "collides with " + name_of_block(b));
+    }
+    const bool on_wire = std::any_of(wires_.begin(), wires_.end(),
+                                     [&](const auto& wire) { return enters(wire, core); });
+    if (on_wire) canvas_.warn(name + "lies on a wire");
+    const bool on_line = std::any_of(sketch_.begin(), sketch_.end(),
+                                     [&](const auto& line) { return enters(line, core); });
+    if (on_line) canvas_.warn(name + "lies on a line");
+  }
+
+  void check_blocks() {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (!canvas_.area().contains(boxes_[i])) {
+        canvas_.warn(name_of_block(i) + " lies outside the canvas");
+      }
+      for (std::size_t k = i + 1; k < boxes_.size(); ++k) {
+        const bool inside = (is_frame(i) && boxes_[i].contains(boxes_[k])) ||
+                            (is_frame(k) && boxes_[k].contains(boxes_[i]));
+        if (!inside && overlap_area(boxes_[i], boxes_[k]) > 0) {
+          canvas_.warn(name_of_block(i) + " overlaps " + name_of_block(k));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool meets_something(PixelPoint end, std::size_t own) const {
+    const double reach = canvas_.length(reach_mm);
+    for (const Block& block : diagram_.blocks) {
+      if (lies_on(block_outline(canvas_, block), end, reach)) return true;
+    }
+    for (const DiagramPoint& dot : diagram_.wires[own].branch_dots) {
+      if (!(canvas_.pixel(dot) == end)) continue;
+      for (std::size_t i = 0; i < wires_.size(); ++i) {
+        if (i != own && lies_on(wires_[i], end, reach)) return true;
+      }
+    }
+    return false;
+  }
+
+  void check_wire(std::size_t i) {
+    const std::string name = "wire " + std::to_string(i + 1);
+    const std::vector<PixelPoint>& wire = wires_[i];
+    if (wire.size() < 2) {
+      canvas_.warn(name + " has no length");
+      return;
+    }
+    for (const PixelPoint& p : wire) {
+      if (!canvas_.area().contains(p)) canvas_.warn(name + " lies outside the canvas");
+    }
+    for (const PixelPoint& end : {wire.front(), wire.back()}) {
+      if (!meets_something(end, i)) canvas_.warn(name + " ends at nothing");
+    }
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      if (!is_frame(b) && enters(wire, boxes_[b].grown(-side_px))) {
+        canvas_.warn(name + " runs through " + name_of_block(b));
+      }
+    }
+  }
+
+  void check_letters() {
+    const double px_at_display =
+        canvas_.length(letter::sign_mm) * display_px / std::max(1.0, canvas_.picture_width());
+    if (px_at_display < least_letter_px) {
+      canvas_.warn("the letters are too small to read at a width of 800 px");
+    }
+  }
+
+  DiagramCanvas& canvas_;
+  const Diagram& diagram_;
+  std::vector<PixelBox> boxes_;
+  std::vector<std::vector<PixelPoint>> wires_;
+  std::vector<std::vector<PixelPoint>> sketch_;
+};
+
+}  // namespace
+
+void check_diagram(DiagramCanvas& canvas, const Diagram& diagram) {
+  Inspection(canvas, diagram).run();
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,41 @@
+#include "render/layout/diagram_layout.h"
+
+#include "render/layout/block_drawing.h"
+#include "render/layout/diagram_canvas.h"
+#include "render/layout/diagram_checks.h"
+#include "render/layout/shape_drawing.h"
+
+namespace tribolog::render {
+
+void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
+                     const FigureStyle& style, double title_bottom, TextFaults& faults) {
+  const Diagram& diagram = *figure.diagram;
+  const PixelBox room{0, title_bottom, static_cast<double>(figure.width_px),
+                      figure.height_px - style.margin / 2};
+  if (room.height() < style.margin) {
+    list.warnings.push_back("the picture is too low for its diagram");
+    return;
+  }
+  if (!has_drawable_numbers(diagram)) {
+    list.warnings.push_back("the diagram has a length that cannot be drawn; it is left out");
+    return;
+  }
+  DiagramCanvas canvas(list, diagram, room, font);
+  const auto each_block = [&](auto&& draw) {
+    int index = 0;
+    for (const Block& block : diagram.blocks) draw(canvas, block, index++);
+  };
+  draw_shape_fills(canvas, diagram);
+  each_block(draw_block_fill);
+  draw_shapes(canvas, diagram);
+  each_block(draw_block);
+  int index = 0;
+  for (const Wire& wire : diagram.wires) draw_wire(canvas, wire, index++);
+  each_block(draw_block_texts);
+  draw_diagram_texts(canvas, diagram);
+  check_diagram(canvas, diagram);
+  faults.malformed += canvas.faults().malformed;
+  faults.without_glyph += canvas.faults().without_glyph;
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,16 @@
+#pragma once
+// A drawing to primitives of the draw list.
+
+#include "render/draw_list.h"
+#include "render/figure.h"
+#include "render/layout/figure_style.h"
+#include "render/text/font.h"
+
+namespace tribolog::render {
+
+/// Appends `figure.diagram`, as large as the room below the figure's title allows. What a reader
+/// would stumble over is found and reported in `warnings`, see diagram_checks.h.
+void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
+                     const FigureStyle& style, double title_bottom, TextFaults& faults);
+
+}  // namespace tribolog::render

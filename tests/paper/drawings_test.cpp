@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "paper/drive_diagram.h"
+#include "paper/joint_diagram.h"
+#include "paper/lugre_diagram.h"
+#include "paper/paper_drawings.h"
+#include "render/layout/figure_layout.h"
+#include "render/renderer.h"
+
+namespace tribolog::paper {
+namespace {
+
+render::DrawList laid_out(const render::Figure& figure) {
+  static const render::Font font;
+  return render::lay_out(figure, font);
+}
+
+/// Where TRIBOLOG_SAVE_DRAWINGS names a folder, the pictures are left there to be looked at.
+void save(const render::DrawnFigure& drawn) {
+  const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
+  if (folder == nullptr) return;
+  std::ofstream file(std::string(folder) + "/" + drawn.id + ".png", std::ios::binary);
+  file.write(reinterpret_cast<const char*>(drawn.png.data()),
+             static_cast<std::streamsize>(drawn.png.size()));
+}
+
+TEST(PaperDrawings, AreThePapersFigures) {
+  std::vector<int> numbers;
+  for (const ReportFigure& one : paper_drawings()) numbers.push_back(one.number);
+  EXPECT_EQ(numbers, (std::vector<int>{3, 4, 6, 7, 8}));
+}
+
+TEST(PaperDrawings, AreCompleteInWords) {
+  const std::string safe = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  std::set<std::string> ids;
+  for (const ReportFigure& one : paper_drawings()) {
+    SCOPED_TRACE(one.id);
+    EXPECT_TRUE(ids.insert(one.id).second);
+    EXPECT_EQ(one.id.find_first_not_of(safe), std::string::npos);
+    EXPECT_EQ(one.id, one.figure.id);
+    EXPECT_EQ(one.title, one.figure.title);
+    EXPECT_LE(one.title.size(), 60U);
+    EXPECT_FALSE(one.title.empty());
+    for (const std::string& text : {one.caption, one.how_to_read, one.alt}) {
+      ASSERT_FALSE(text.empty());
+      EXPECT_EQ(text.back(), '.') << text;
+      EXPECT_EQ(text.find("_{"), std::string::npos) << text;
+    }
+  }
+}
+
+TEST(PaperDrawings, ComeOutWholeAndWithoutAWarning) {
+  std::vector<render::Figure> figures;
+  for (const ReportFigure& one : paper_drawings()) figures.push_back(one.figure);
+  for (const render::DrawnFigure& drawn : render::FigureRenderer().draw(figures)) {
+    EXPECT_EQ(drawn.error, "") << drawn.id;
+    EXPECT_FALSE(drawn.png.empty()) << drawn.id;
+    for (const std::string& warning : drawn.warnings) ADD_FAILURE() << drawn.id << ": " << warning;
+    save(drawn);
+  }
+}
+
+TEST(PaperDrawings, FillTheWidthOfTheirPicture) {
+  constexpr double least_share = 0.85;  // of the width, between the outermost lines
+  for (const ReportFigure& one : paper_drawings()) {
+    const render::DrawList list = laid_out(one.figure);
+    double left = 1e9;
+    double right = 0;
+    for (const render::Primitive& primitive : list.primitives) {
+      const auto* line = std::get_if<render::Polyline>(&primitive);
+      if (line == nullptr) continue;
+      for (const render::PixelPoint& p : line->points) {
+        EXPECT_TRUE(p.x > 0 && p.x < list.width && p.y > 0 && p.y < list.height) << one.id;
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+      }
+    }
+    EXPECT_GE((right - left) / list.width, least_share) << one.id;
+  }
+}
+
+TEST(PaperDrawings, ShowEveryGearRatioThatFits) {
+  for (const double ratio : {1.0, 50.0, 100.0, 160.25}) {
+    for (const ReportFigure& one : paper_drawings(ratio)) {
+      EXPECT_TRUE(laid_out(one.figure).warnings.empty()) << one.id << " at " << ratio;
+    }
+  }
+}
+
+bool lies_on_border(const render::Block& block, render::DiagramPoint p) {
+  constexpr double rounding_mm = 1e-9;
+  const double dx = std::abs(p.x - block.centre.x) - block.width / 2;
+  const double dy = std::abs(p.y - block.centre.y) - block.height / 2;
+  return std::max(dx, dy) <= rounding_mm && std::max(dx, dy) >= -rounding_mm;
+}
+
+/// Blocks and wires of the graph come first, in its order; what is beside them is no signal.
+void expect_graph_is_drawn(const ReportFigure& figure, const SignalGraph& graph,
+                           std::size_t wires_beside) {
+  SCOPED_TRACE(figure.id);
+  const render::Diagram& drawing = *figure.figure.diagram;
+  std::vector<render::Block> blocks;
+  for (const render::Block& one : drawing.blocks) {
+    if (one.kind != render::BlockKind::frame) blocks.push_back(one);
+  }
+  EXPECT_EQ(blocks.size(), graph.nodes.size() + wires_beside);
+  ASSERT_EQ(drawing.wires.size(), graph.edges.size() + wires_beside);
+  std::map<std::string, render::Block> block_of_node;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+    block_of_node[graph.nodes[i].name] = blocks[i];
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const SignalEdge& edge = graph.edges[i];
+    const render::Wire& wire = drawing.wires[i];
+    EXPECT_TRUE(wire.arrow);
+    EXPECT_TRUE(lies_on_border(block_of_node[edge.to], wire.points.back())) << edge.to;
+    const bool branches = wire.branch_dots == std::vector{wire.points.front()};
+    EXPECT_TRUE(branches || lies_on_border(block_of_node[edge.from], wire.points.front()))
+        << edge.from;
+    for (std::size_t k = 1; k < wire.points.size(); ++k) {
+      EXPECT_TRUE(wire.points[k].x == wire.points[k - 1].x ||
+                  wire.points[k].y == wire.points[k - 1].y);
+    }
+  }
+}
+
+/// A branch must lie on a wire that carries the same signal.
+void expect_branches_carry_their_signal(const ReportFigure& figure, const SignalGraph& graph) {
+  const auto& wires = figure.figure.diagram->wires;
+  const auto passes = [](const render::Wire& wire, render::DiagramPoint p) {
+    for (std::size_t k = 1; k < wire.points.size(); ++k) {
+      const auto [low_x, high_x] = std::minmax(wire.points[k - 1].x, wire.points[k].x);
+      const auto [low_y, high_y] = std::minmax(wire.points[k - 1].y, wire.points[k].y);
+      if (p.x >= low_x && p.x <= high_x && p.y >= low_y && p.y <= high_y) return true;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    for (const render::DiagramPoint& dot : wires[i].branch_dots) {
+      for (std::size_t k = 0; k < graph.edges.size(); ++k) {
+        if (!passes(wires[k], dot)) continue;
+        EXPECT_EQ(graph.edges[k].from, graph.edges[i].from) << figure.id;
+      }
+    }
+  }
+}
+
+TEST(PaperDrawings, ShowTheirGraphsEdgeByEdge) {
+  const auto zero = [](double) { return 0.0; };
+  JointElements joint;
+  joint.drive = {1.0, 0.0, zero};
+  joint.dynamic_friction_Nm = zero;
+  struct Pair {
+    ReportFigure figure;
+    SignalGraph graph;
+    std::size_t wires_beside;
+  };
+  const Pair pairs[] = {{lugre_diagram_figure(), lugre_graph(LuGreFriction({1, 1, 1, 1, 1, 1})), 0},
+                        {drive_diagram_figure(100), drive_graph(joint.drive), 0},
+                        {joint_diagram_figure(), joint_graph(joint), 1},  // the reference signal
+                        {gear_diagram_figure(100), gear_graph(100, 0), 0}};
+  for (const auto& [figure, graph, wires_beside] : pairs) {
+    expect_graph_is_drawn(figure, graph, wires_beside);
+    expect_branches_carry_their_signal(figure, graph);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog::paper

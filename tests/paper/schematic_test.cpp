@@ -1,0 +1,99 @@
+#include "paper/schematic.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace tribolog::paper {
+namespace {
+
+using render::BlockKind;
+using render::BlockSide;
+using render::DiagramPoint;
+
+SignalGraph sum_graph() {
+  SignalGraph graph;
+  graph.nodes = {{"a", "a", Operation::input},
+                 {"twice", "2", Operation::gain, 2},
+                 {"sum", "", Operation::sum},
+                 {"out", "b", Operation::output}};
+  graph.edges = {{"a", "twice"}, {"twice", "sum", '+'}, {"a", "sum", '-'}, {"sum", "out"}};
+  return graph;
+}
+
+std::map<std::string, NodePlace> sum_places() {
+  return {{"a", {{10, 20}, 10, 10}},
+          {"twice", {{40, 20}, 15, 14}},
+          {"sum", {{70, 20}, 10, 10}},
+          {"out", {{100, 20}, 10, 10}}};
+}
+
+std::vector<WireRoute> sum_routes() {
+  const Port left{BlockSide::left, 0};
+  const Port right{BlockSide::right, 0};
+  return {{"a", "twice", right, left},
+          {"twice", "sum", right, left},
+          {"a", "sum", {BlockSide::bottom, 0}, {BlockSide::bottom, 0}, {40}, {{22, 20}}},
+          {"sum", "out", right, left}};
+}
+
+std::string refusal(const SignalGraph& graph, const std::map<std::string, NodePlace>& places,
+                    const std::vector<WireRoute>& routes) {
+  try {
+    draw_schematic(graph, places, routes);
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
+TEST(Schematic, EveryNodeIsABlockAndEveryEdgeAWire) {
+  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
+  ASSERT_EQ(drawn.blocks.size(), 4U);
+  EXPECT_EQ(drawn.blocks[0].kind, BlockKind::terminal);
+  EXPECT_EQ(drawn.blocks[1].kind, BlockKind::gain);
+  EXPECT_EQ(drawn.blocks[1].lines, std::vector<std::string>{"2"});
+  EXPECT_EQ(drawn.blocks[2].kind, BlockKind::summing_junction);
+  EXPECT_EQ(drawn.wires.size(), 4U);
+}
+
+TEST(Schematic, SignsStandWhereTheWireEnters) {
+  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
+  const auto& signs = drawn.blocks[2].signs;
+  ASSERT_EQ(signs.size(), 2U);
+  EXPECT_EQ(signs[0].text, "+");
+  EXPECT_EQ(signs[0].side, BlockSide::left);
+  EXPECT_EQ(signs[1].text, "−");
+  EXPECT_EQ(signs[1].side, BlockSide::bottom);
+}
+
+TEST(Schematic, WiresRunAlongTheAxesFromPortToPort) {
+  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
+  EXPECT_EQ(drawn.wires[0].points, (std::vector<DiagramPoint>{{15, 20}, {32.5, 20}}));
+  EXPECT_EQ(drawn.wires[2].points,
+            (std::vector<DiagramPoint>{{22, 20}, {22, 40}, {70, 40}, {70, 25}}));
+  EXPECT_EQ(drawn.wires[2].branch_dots, (std::vector<DiagramPoint>{{22, 20}}));
+}
+
+TEST(Schematic, RefusesADrawingThatIsNotTheGraph) {
+  auto places = sum_places();
+  places.erase("out");
+  EXPECT_EQ(refusal(sum_graph(), places, sum_routes()), "the signal 'out' has no place");
+  places = sum_places();
+  places["other"] = {};
+  EXPECT_EQ(refusal(sum_graph(), places, sum_routes()),
+            "there is a place for 'other' and no such signal");
+  auto routes = sum_routes();
+  routes.pop_back();
+  EXPECT_EQ(refusal(sum_graph(), sum_places(), routes), "no route leads from sum to out");
+  routes = sum_routes();
+  routes.push_back({"a", "out"});
+  EXPECT_EQ(refusal(sum_graph(), sum_places(), routes), "the route a -> out is for no edge");
+  places = sum_places();
+  places["twice"].centre.y = 21;
+  EXPECT_EQ(refusal(sum_graph(), places, sum_routes()),
+            "the wire a -> twice needs a bend to enter straight");
+}
+
+}  // namespace
+}  // namespace tribolog::paper
