@@ -126,7 +126,12 @@ ExitStatus run_command_line(int argc, char** argv) {
       manifest_help);
 
   CLI::App* models_command =
-      app.add_subcommand("models", "list the friction models and what each can show");
+      app.add_subcommand("models", "list the friction models, or compare them in one page");
+  ModelsOptions models;
+  bool compare = false;
+  models_command->add_flag("--compare", compare, "draw all of them side by side");
+  models_command->add_option("-o,--output", models.output, "page (HTML) to write, with --compare");
+  add_processes(*models_command, models.processes);
 
   try {
     app.parse(argc, argv);
@@ -144,7 +149,12 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (*identify_command) return run_identify(identify, arguments, console);
   if (*figures_command) return run_figures(figures, console);
   if (*report_command) return run_report(report, arguments, console);
-  if (*models_command) return run_models(console);
+  if (*models_command) {
+    if (compare == models.output.empty()) {
+      throw UsageError("tribolog models: --compare and -o FILE belong together; see its --help");
+    }
+    return run_models(models, arguments, console);
+  }
   std::cout << app.help();
   return ExitStatus::usage;
 }

@@ -38,6 +38,11 @@ struct ReportOptions {
   bool figures{true};
 };
 
+struct ModelsOptions {
+  std::string output;  ///< The comparison (HTML); empty: only the list on the console.
+  int processes{2};
+};
+
 /// @param arguments the whole command line, for the provenance.
 ExitStatus run_simulate(const SimulateOptions& options, Console& console);
 ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
@@ -45,8 +50,9 @@ ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::s
 ExitStatus run_figures(const FiguresOptions& options, Console& console);
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console);
-/// Lists the friction models with what each can show.
-ExitStatus run_models(Console& console);
+/// Lists the friction models with what each can show, or compares them in one page.
+ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
+                      Console& console);
 ExitStatus run_version(Console& console);
 
 }  // namespace tribolog

@@ -10,7 +10,7 @@ namespace tribolog {
 /// `title`, `caption`, `how_to_read` and `alt` are plain UTF-8 text: no markup, no HTML.
 /// Texts inside `figure` use the markup of render/figure.h.
 struct ReportFigure {
-  int number{};    ///< The paper's figure number.
+  int number{};    ///< The paper's figure number; 0: not one of the paper's.
   std::string id;  ///< File-name and anchor safe: "fig-15-hysteresis".
   std::string title;
   std::string caption;      ///< One or two sentences with the key numbers.

@@ -12,8 +12,10 @@ constexpr std::size_t eager_figures = 3;
 FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
   FigureCard made;
   made.id = figure.id;
-  made.heading = "Figure " + std::to_string(figure.number) + ": " + figure.title;
-  made.caption = figure.caption;
+  // Only the paper's figures have numbers.
+  made.heading = figure.number > 0 ? "Figure " + std::to_string(figure.number) + ": " + figure.title
+                                   : figure.title;
+  made.caption = as_sentence(figure.caption);
   made.how_to_read = figure.how_to_read;
   made.alt = or_dash(figure.alt);
   if (drawn == nullptr) {

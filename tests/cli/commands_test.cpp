@@ -37,6 +37,22 @@ TEST(Commands, ModelsAreListedAsScenariosNameThem) {
   }
 }
 
+TEST(Commands, ModelsAreComparedInOnePage) {
+  const SmallDataset directory;
+  const ProgramRun run =
+      run_shell(program + "models --compare -o '" + directory.file("models.html") + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err.find("note:"), std::string::npos) << run.err;
+  const std::string page = read_text(directory.file("models.html"));
+  for (const char* id : {"static-curve-dahl", "presliding-loop-gms", "lag-loop-hess-soom",
+                         "break-away-lugre", "break-away-haessig-bristles"}) {
+    EXPECT_NE(page.find(std::string("id=\"") + id), std::string::npos) << id;
+  }
+  EXPECT_EQ(page.find("is missing"), std::string::npos);
+  EXPECT_EQ(run_shell(program + "models --compare").status, 2);
+  EXPECT_EQ(run_shell(program + "models -o '" + directory.file("models.html") + "'").status, 2);
+}
+
 TEST(Commands, WrongUsageIsStatus2) {
   for (const char* arguments :
        {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {

@@ -1,0 +1,180 @@
+#include "figures/model_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "simulate/model_portrait.h"
+
+namespace tribolog {
+namespace {
+
+struct Portrait {
+  const FrictionModelEntry* entry;
+  ModelPortrait curves;
+};
+
+/// One experiment: which curve, how it is drawn, and what its numbers say.
+struct Sitting {
+  const char* id;
+  const char* title;
+  const char* explanation;
+  const char* x_title;
+  double x_factor;  ///< From SI to the axis' unit.
+  PortraitCurve ModelPortrait::*curve;
+  std::string (*caption)(const ModelPortrait&);
+  std::vector<double> arrows;
+};
+
+render::Series series_of(const PortraitCurve& curve, double x_factor, const std::string& label) {
+  render::Series out;
+  out.label = label;
+  out.y = curve.torque_Nm;
+  out.x.reserve(curve.x.size());
+  for (const double x : curve.x) out.x.push_back(x * x_factor);
+  return out;
+}
+
+struct Range {
+  double low{0};
+  double high{0};
+  void add(const std::vector<double>& values) {
+    for (const double v : values) {
+      if (!std::isfinite(v)) continue;
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  }
+  void set(render::Axis& axis) const {
+    constexpr double margin = 0.06;
+    axis.minimum = low - margin * (high - low) * (low < 0 ? 1 : 0);
+    axis.maximum = high + margin * (high - low);
+  }
+};
+
+ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sitting& sitting,
+                   const Range& x, const Range& y) {
+  const FrictionModelEntry& entry = *portrait.entry;
+  ReportFigure out;
+  out.id = fmt::format("{}-{}", sitting.id, entry.name);
+  std::replace(out.id.begin(), out.id.end(), '_', '-');
+  out.title = entry.title;
+  out.caption = sitting.caption(portrait.curves);
+  out.alt = fmt::format("{} of {}: {}", sitting.title, entry.title, out.caption);
+  out.figure.id = out.id;
+  out.figure.title = entry.title;
+  out.figure.width_px = 1280;
+  out.figure.height_px = 820;
+  render::Panel panel;
+  panel.x.title = sitting.x_title;
+  panel.y.title = "friction T_{f} [N]";
+  x.set(panel.x);
+  y.set(panel.y);
+  render::Series own = series_of(portrait.curves.*sitting.curve, sitting.x_factor, entry.title);
+  own.colour = render::palette::blue;
+  own.width_px = 4.0;
+  own.direction_arrows_at = sitting.arrows;
+  panel.series.push_back(std::move(own));
+  if (portrait.entry != lugre.entry) {  // over it, in dashes: where they agree, both are seen
+    render::Series other =
+        series_of(lugre.curves.*sitting.curve, sitting.x_factor, lugre.entry->title);
+    other.colour = render::palette::black;
+    other.style = render::LineStyle::dash;
+    other.width_px = 1.5;
+    panel.series.push_back(std::move(other));
+  }
+  out.figure.panels.push_back(std::move(panel));
+  return out;
+}
+
+std::string break_away_words(const ModelPortrait& p) {
+  return fmt::format("largest {:.3f} N, then {:.3f} N in sliding.", p.largest_Nm, p.sliding_Nm);
+}
+
+std::string static_words(const ModelPortrait& p) {
+  const auto& torque = p.steady.torque_Nm;
+  return fmt::format("{:.3f} N next to rest, {:.3f} N at five Stribeck velocities.",
+                     torque[torque.size() / 2], torque.back());
+}
+
+std::string loop_words(const ModelPortrait& p) {
+  return fmt::format("torque where a small inner loop closes: {:+.4f} N off where it began.",
+                     p.inner_loop_gap_Nm);
+}
+
+std::string lag_words(const ModelPortrait& p) {
+  return fmt::format("at rising speed {:+.4f} N more than at falling speed, on the average.",
+                     p.lag_Nm);
+}
+
+std::vector<Sitting> sittings() {
+  return {
+      {"static-curve",
+       "Static curve",
+       "Friction of steady sliding at each speed. The Stribeck effect is the fall from rest.",
+       "speed [mm/s]",
+       1e3,
+       &ModelPortrait::steady,
+       static_words,
+       {}},
+      {"presliding-loop",
+       "Pre-sliding loop",
+       "A slow stroke of one and a half elastic deflections with a third harmonic, so that it "
+       "turns back within itself; two periods from rest. With non-local memory an inner loop "
+       "closes where it was left, and the outer curve goes on as if nothing had been.",
+       "displacement [µm]",
+       1e6,
+       &ModelPortrait::loop,
+       loop_words,
+       {0.55, 0.7, 0.85}},
+      {"lag-loop",
+       "Frictional lag",
+       "Speed going up and down at 20 Hz between 0.3 and 2.1 Stribeck velocities, always "
+       "forward. Friction that lags is larger at rising speed.",
+       "speed [mm/s]",
+       1e3,
+       &ModelPortrait::lag,
+       lag_words,
+       {0.25, 0.75}},
+      {"break-away",
+       "Break-away",
+       "Pushed from rest at a hundredth of the Stribeck velocity. The peak, if there is one, is "
+       "the break-away force.",
+       "displacement [µm]",
+       1e6,
+       &ModelPortrait::break_away,
+       break_away_words,
+       {}}};
+}
+
+}  // namespace
+
+std::vector<ModelExperiment> model_experiments(const ContactParameters& contact) {
+  std::vector<Portrait> portraits;
+  for (const FrictionModelEntry& entry : dynamic_friction_models()) {
+    portraits.push_back({&entry, portrait_of(entry, contact)});
+  }
+  const auto lugre = std::find_if(portraits.begin(), portraits.end(),
+                                  [](const Portrait& p) { return p.entry->name == "lugre"; });
+  std::vector<ModelExperiment> out;
+  for (const Sitting& sitting : sittings()) {
+    Range x;
+    Range y;
+    for (const Portrait& one : portraits) {
+      const PortraitCurve& curve = one.curves.*sitting.curve;
+      std::vector<double> scaled = curve.x;
+      for (double& value : scaled) value *= sitting.x_factor;
+      x.add(scaled);
+      y.add(curve.torque_Nm);
+    }
+    ModelExperiment experiment{sitting.id, sitting.title, sitting.explanation, {}};
+    for (const Portrait& one : portraits) {
+      experiment.figures.push_back(chart(one, *lugre, sitting, x, y));
+    }
+    out.push_back(std::move(experiment));
+  }
+  return out;
+}
+
+}  // namespace tribolog

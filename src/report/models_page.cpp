@@ -1,0 +1,75 @@
+#include "report/models_page.h"
+
+#include "report/element_values.h"
+#include "report/page_style.h"
+#include "report/view_parts.h"
+
+namespace tribolog {
+namespace {
+
+using namespace report;
+
+Table models_table() {
+  Table table;
+  table.id = "table-models";
+  table.caption = "What each model claims to show, in the order of publication";
+  table.columns = {{"Model", "", false},        {"As a scenario says it", "", false},
+                   {"Source", "", false, true}, {"Pre-sliding", "", false},
+                   {"Break-away", "", false},   {"Stribeck", "", false},
+                   {"Lag", "", false},          {"Non-local memory", "", false},
+                   {"Drifts", "", false},       {"Rate independent", "", false}};
+  const auto word = [](bool shows) { return std::string(shows ? "yes" : "–"); };
+  for (const FrictionModelEntry& one : dynamic_friction_models()) {
+    const FrictionTraits& t = one.traits;
+    table.rows.push_back(
+        {{one.title, one.name, one.source, word(t.presliding), word(t.break_away), word(t.stribeck),
+          word(t.lag), word(t.non_local_memory), word(t.drifts), word(t.rate_independent)},
+         false});
+  }
+  table.note =
+      "Break-away: more torque to start than to keep sliding. Drifts: creeps under an oscillating "
+      "torque that stays below break-away. Tests hold each model to its row.";
+  return table;
+}
+
+std::vector<Fact> contact_facts(const ContactParameters& c) {
+  constexpr int digits = 4;
+  const auto fact = [](const char* name, double value, const char* unit) {
+    return Fact{name, with_unit(significant(value, digits), unit)};
+  };
+  return {fact("Stiffness", c.stiffness_Nm_rad, "N/m"),
+          fact("Damping", c.damping_Nms_rad, "N·s/m"),
+          fact("Viscous coefficient", c.viscous_Nms_rad, "N·s/m"),
+          fact("Break-away force", c.static_Nm, "N"),
+          fact("Coulomb force", c.coulomb_Nm, "N"),
+          fact("Stribeck velocity", c.stribeck_speed_rad_s, "m/s")};
+}
+
+}  // namespace
+
+std::string models_page(const ContactParameters& contact,
+                        const std::vector<ModelExperiment>& experiments,
+                        const std::vector<render::DrawnFigure>& drawn,
+                        const Provenance& provenance) {
+  TemplateValues values;
+  fill_style(values);
+  values.set("TOOL", "tribolog " + provenance.tool_version);
+  values.set("CREATED", or_dash(provenance.created_utc));
+  fill_facts(contact_facts(contact), values);
+  fill_table(models_table(), "TABLE", values);
+  for (const ModelExperiment& experiment : experiments) {
+    TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
+    entry.set("SECTION_ID", experiment.id);
+    entry.set("TITLE", experiment.title);
+    TemplateValues& section = values.add_section("EXPERIMENT");
+    section.set("SECTION_ID", experiment.id);
+    section.set("TITLE", experiment.title);
+    section.set("EXPLANATION", experiment.explanation);
+    for (const FigureCard& card : figure_cards(experiment.figures, drawn)) {
+      fill_figure(card, section);
+    }
+  }
+  return expand_template("models.tpl", values);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,20 @@
+#include "report/page_style.h"
+
+#include <string>
+
+#include "files/sha256.h"
+#include "report/base64.h"
+#include "report/embedded_files.h"
+#include "report/template_modifiers.h"
+
+namespace tribolog::report {
+
+void fill_style(TemplateValues& values) {
+  const std::string style(embedded_file(style_sheet_name));
+  values.set_checked_by_modifier("CSS", style);
+  values.set("CSP", "default-src 'none'; img-src data:; style-src 'sha256-" +
+                        base64_of_hex(sha256_hex(style)) +
+                        "'; base-uri 'none'; form-action 'none'");
+}
+
+}  // namespace tribolog::report
