@@ -1,5 +1,6 @@
 #include "friction/elasto_plastic.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

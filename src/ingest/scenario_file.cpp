@@ -1,5 +1,6 @@
 #include "ingest/scenario_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "error.h"

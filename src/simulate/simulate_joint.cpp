@@ -1,5 +1,6 @@
 #include "simulate/simulate_joint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

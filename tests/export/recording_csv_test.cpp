@@ -1,5 +1,6 @@
 #include "export/recording_csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>

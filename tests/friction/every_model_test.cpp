@@ -1,6 +1,8 @@
 // What every dynamic model must do, and what each must show that claims it.
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #pragma once
 // Short experiments on a friction model, as the tests of its behaviour need them.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

@@ -1,5 +1,6 @@
 #include "ingest/scenario_file.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>

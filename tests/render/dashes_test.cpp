@@ -1,5 +1,6 @@
 #include "render/dashes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

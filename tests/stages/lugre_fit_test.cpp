@@ -1,5 +1,6 @@
 #include "stages/lugre_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>

@@ -1,5 +1,7 @@
 #include "stages/selection.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace tribolog {
