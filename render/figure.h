@@ -4,36 +4,14 @@
 // Every text in a figure is UTF-8 with a small markup: `_{...}` is a subscript and `^{...}` a
 // superscript ("T_{f} [N·m]", "q\u0307_{c}", "m^{2}"). A lone `_` or `^` is printed as it is.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "render/drawing_style.h"
+#include "render/scene.h"
+
 namespace tribolog::render {
-
-struct Colour {
-  std::uint8_t red{};
-  std::uint8_t green{};
-  std::uint8_t blue{};
-  std::uint8_t alpha{255};
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
-
-/// Okabe and Ito's palette: distinguishable with every common colour blindness.
-namespace palette {
-inline constexpr Colour black{0, 0, 0};
-inline constexpr Colour orange{230, 159, 0};
-inline constexpr Colour sky_blue{86, 180, 233};
-inline constexpr Colour green{0, 158, 115};
-inline constexpr Colour yellow{240, 228, 66};
-inline constexpr Colour blue{0, 114, 178};
-inline constexpr Colour vermilion{213, 94, 0};
-inline constexpr Colour purple{204, 121, 167};
-inline constexpr Colour grey{120, 120, 120};
-}  // namespace palette
-
-enum class LineStyle { none, solid, dash, dot, dash_dot, dash_dot_dot };
-enum class Marker { none, circle, square, triangle, diamond, cross, plus };
 
 /// A polyline, markers, or both. Points where x or y is not finite break the line.
 struct Series {
@@ -106,6 +84,7 @@ struct Panel {
   bool show_legend{true};
 };
 
+/// Either panels or a scene.
 struct Figure {
   std::string id;     ///< File-name and anchor safe, e.g. "fig-15-hysteresis".
   std::string title;  ///< Printed on top of the picture.
@@ -113,6 +92,7 @@ struct Figure {
   int width_px{1600};
   int height_px{1000};
   bool panels_share_x{false};  ///< Only the lowest panel gets tick labels and the axis title.
+  std::optional<Scene> scene;
 };
 
 }  // namespace tribolog::render

@@ -35,7 +35,9 @@ std::uint16_t VisibilityMap::number_of(const Primitive& primitive) {
   if (owner.role == Role::series_marker || owner.role == Role::direction_arrow) {
     owner.role = Role::series;
   }
-  if (owner.role != Role::series && owner.role != Role::band) return 0;
+  if (owner.role != Role::series && owner.role != Role::band && owner.role != Role::scene_line) {
+    return 0;
+  }
   for (std::size_t i = 0; i < subjects_.size(); ++i) {
     if (subjects_[i].owner == owner) return static_cast<std::uint16_t>(i + 1);
   }

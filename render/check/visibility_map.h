@@ -1,5 +1,5 @@
 #pragma once
-// Which pixels must show which series, worked out from the draw list alone.
+// Which pixels must show which series, or which line of a scene, worked out from the draw list alone.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tribolog::render {
 class VisibilityMap {
  public:
   struct Subject {
-    Owner owner;  ///< Role::series or Role::band.
+    Owner owner;  ///< Role::series, Role::band or Role::scene_line.
     Colour colour;
     std::size_t painted{};  ///< Pixels that it covered when it was painted.
   };
