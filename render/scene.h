@@ -73,7 +73,7 @@ struct SceneSector {
   double from_rad{};
   double to_rad{};
   Colour colour{palette::blue};
-  bool filled{false};  ///< Paints the sector with `fill`, behind and between the solid parts.
+  bool filled{false};  ///< Paints the sector with `fill`, behind everything else.
   Colour fill{palette::sky_blue.red, palette::sky_blue.green, palette::sky_blue.blue, 70};
   ArcEnds ends{ArcEnds::arrow_at_end};
 };

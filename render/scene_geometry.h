@@ -26,10 +26,11 @@ struct SceneView {
   [[nodiscard]] double distance(Point3 p) const;
   [[nodiscard]] PixelPoint pixel(Point3 p) const;
   [[nodiscard]] double metres_per_pixel(Point3 p) const;
-  /// Moves a point straight towards the eye, until nothing of the scene is before it.
-  [[nodiscard]] Point3 in_front(Point3 p) const;
-  /// How much smaller a thing must be made that is moved there, to look the same.
-  [[nodiscard]] double shrink_in_front(Point3 p) const;
+  /// Moves a point along its line of sight to a distance: it stays at the same pixel.
+  [[nodiscard]] Point3 moved_to(Point3 p, double distance_m) const;
+  /// Distances before and behind everything in the scene, for what must hide it or be hidden by it.
+  [[nodiscard]] double front_m() const { return 0.5 * nearest_m; }
+  [[nodiscard]] double back_m() const { return 1.02 * farthest_m; }
 
   /// The matrix, by rows, from the camera's coordinates (right, up, backwards) to the clip space of
   /// a window that shows `rows` rows of a picture `width` pixels wide from row `top` on.

@@ -16,9 +16,9 @@ struct PictureFindings {
 };
 
 /// An error: a blank picture, a series or band that is not visible where it must be, one in the
-/// colour of the background, a text without ink, a part of a scene with a label that cannot be seen.
-/// A warning: a series that lies wholly outside its
-/// axes or under what is painted later, and so cannot be seen by anyone's fault but its own.
+/// colour of the background, a text without ink, a part of a scene with a label that cannot be
+/// seen. A warning: a series that lies wholly outside its axes or under what is painted later, and
+/// so cannot be seen by anyone's fault but its own.
 PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture);
 
 }  // namespace tribolog::render

@@ -1,5 +1,6 @@
 #pragma once
-// Which pixels must show which series, or which line of a scene, worked out from the draw list alone.
+// Which pixels must show which series, or which line of a scene, worked out from the draw list
+// alone.
 
 #include <cstddef>
 #include <cstdint>

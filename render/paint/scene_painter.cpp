@@ -15,9 +15,9 @@
 namespace tribolog::render {
 namespace {
 
-constexpr double ambient = 0.38;
-constexpr double key_light = 0.62;   // from above and the left, in front of the scene
-constexpr double fill_light = 0.22;  // from the eye
+constexpr double ambient = 0.46;
+constexpr double key_light = 0.50;   // from above and the left, in front of the scene
+constexpr double fill_light = 0.20;  // from the eye
 constexpr Colour outline_colour{45, 45, 45};
 
 /// Collects meshes as one set of triangles.

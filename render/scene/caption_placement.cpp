@@ -11,10 +11,10 @@ namespace {
 
 constexpr int directions = 24;
 constexpr std::array<double, 9> distances{8, 16, 28, 44, 64, 90, 120, 160, 210};  // in units
-constexpr double leader_from = 20;  // a box farther away than this is tied to its anchor
-constexpr double far_cost = 0.02;   // per unit of distance
-constexpr double solid_cost = 8.0;   // for a box wholly on parts
-constexpr double line_cost = 3.0;    // for a box that a line touches
+constexpr double leader_from = 20;   // a box farther away than this is tied to its anchor
+constexpr double far_cost = 0.02;    // per unit of distance
+constexpr double solid_cost = 14.0;  // for a box wholly on parts
+constexpr double line_cost = 6.0;    // for a box that a line touches
 constexpr double lines_cost = 12.0;  // and for one wholly covered by lines
 constexpr double clash_cost = 100.0;
 constexpr double crossing_cost = 15.0;

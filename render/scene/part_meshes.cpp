@@ -137,13 +137,17 @@ SceneMesh mesh_of(const SceneArrow& arrow) {
 
 SceneMesh mesh_of(const SceneBall& ball, const SceneView& view) {
   SceneMesh mesh = start(ball.label, ball.colour);
-  const Point3 centre = ball.inside ? view.in_front(ball.centre) : ball.centre;
-  const double radius = ball.radius_m * (ball.inside ? view.shrink_in_front(ball.centre) : 1.0);
+  const double shown_m = ball.inside ? view.front_m() : view.distance(ball.centre);
+  const Point3 centre = view.moved_to(ball.centre, shown_m);
+  const double radius =
+      view.parallel ? ball.radius_m : ball.radius_m * shown_m / view.distance(ball.centre);
   add_turned_surface(mesh, centre, unit(view.up), {round_profile(0, radius, radius)});
   return mesh;
 }
 
-SceneMesh mesh_of(const SceneSector& sector) {
+/// Behind everything: in its own plane it would cut the parts that lie across it, and their
+/// outlines.
+SceneMesh mesh_of(const SceneSector& sector, const SceneView& view) {
   SceneMesh mesh = start("", sector.fill, SceneMesh::Finish::flat);
   const Point3 normal = unit(sector.normal);
   constexpr double step_rad = pi / 90;
@@ -154,6 +158,7 @@ SceneMesh mesh_of(const SceneSector& sector) {
     const double angle = sector.from_rad + span * i / steps;
     outline.push_back(sector.centre + sector.radius_m * turned(unit(sector.zero), normal, angle));
   }
+  for (Point3& p : outline) p = view.moved_to(p, view.back_m());
   add_fan(mesh, outline, normal, {});
   return mesh;
 }
@@ -189,7 +194,7 @@ std::vector<SceneMesh> part_meshes(const Scene& scene, const SceneView& view, do
     meshes.push_back(mesh_of(*scene.ground, view, grid_line_px * unit_px));
   }
   for (const SceneSector& one : scene.sectors) {
-    if (one.filled && one.radius_m > 0) meshes.push_back(mesh_of(one));
+    if (one.filled && one.radius_m > 0) meshes.push_back(mesh_of(one, view));
   }
   for (const SceneBody& one : scene.bodies) {
     if (one.from_radius_m > 0 && one.to_radius_m > 0) meshes.push_back(mesh_of(one));

@@ -10,8 +10,6 @@
 namespace tribolog::render {
 namespace {
 
-constexpr double front_share = 0.5;  // of the nearest distance: where in_front() puts things
-
 struct Extent {
   double left{1e300}, right{-1e300}, low{1e300}, high{-1e300};
   void add(double u, double v, double radius) {
@@ -140,13 +138,9 @@ double SceneView::metres_per_pixel(Point3 p) const {
   return (parallel ? 1.0 : distance(p)) / scale;
 }
 
-double SceneView::shrink_in_front(Point3 p) const {
-  return parallel ? 1.0 : front_share * nearest_m / distance(p);
-}
-
-Point3 SceneView::in_front(Point3 p) const {
-  if (!parallel) return eye + shrink_in_front(p) * (p - eye);
-  return p - (distance(p) - front_share * nearest_m) * forward;
+Point3 SceneView::moved_to(Point3 p, double distance_m) const {
+  if (parallel) return p + (distance_m - distance(p)) * forward;
+  return eye + (distance_m / distance(p)) * (p - eye);
 }
 
 std::array<double, 16> SceneView::clip_matrix(int width, int top, int rows) const {

@@ -56,6 +56,12 @@ std::vector<ProfilePiece> sharp_profile(const std::vector<PixelPoint>& corners) 
     for (const std::size_t end : {i, i + 1}) {
       const PixelPoint n = normals[i];
       PixelPoint spread = n;
+      if (corners[end].y == 0) {
+        // All points of a tip must move alike, or the outline gapes there.
+        constexpr double farthest = 3.0;
+        const double out = std::min(farthest, 1.0 / std::max(1e-9, std::abs(n.x)));
+        spread = {std::copysign(out, n.x), 0.0};
+      }
       const bool has_neighbour = end > 0 && end < normals.size();
       if (has_neighbour) {
         const PixelPoint other = normals[end == i ? i - 1 : i + 1];

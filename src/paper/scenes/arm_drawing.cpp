@@ -102,6 +102,19 @@ void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
   scene.arrows.push_back(arrow);
 }
 
+double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, const ArmPose& pose,
+                     std::size_t joint, double wanted_m) {
+  const Eigen::Vector3d view =
+      Eigen::Vector3d(camera.towards.x, camera.towards.y, camera.towards.z).normalized();
+  const Eigen::Vector3d axis = arm.axis(pose, joint);
+  const double away = axis.dot(view);
+  if (away <= 0) return wanted_m;
+  const LinkShape& shape = arm.joints()[joint].shape;
+  const double seen = (axis - away * view).norm();
+  const double needed = 2.2 * shape.drum_radius_m / std::max(0.2, seen) - shape.drum_length_m / 2;
+  return std::max(wanted_m, needed);
+}
+
 void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m) {
   const char* names[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {

@@ -8,9 +8,9 @@
 namespace tribolog::scenes {
 
 namespace paint {
-inline constexpr render::Colour standing{150, 158, 166};  ///< Links that the test does not move.
-inline constexpr render::Colour driven{222, 178, 92};     ///< Links that it does.
-inline constexpr render::Colour housing{105, 112, 120};   ///< Of joints.
+inline constexpr render::Colour standing{196, 203, 210};  ///< Links that the test does not move.
+inline constexpr render::Colour driven{228, 186, 104};    ///< Links that it does.
+inline constexpr render::Colour housing{138, 146, 155};   ///< Of joints.
 inline constexpr render::Colour axis{0, 90, 150};
 inline constexpr render::Colour tested_axis{190, 70, 0};
 }  // namespace paint
@@ -30,6 +30,11 @@ void add_arm(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, co
 /// it, the arrow stands behind the link before, `ahead_m + behind_m` long, and points at the joint.
 void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, std::size_t joint,
               double ahead_m, double behind_m, const std::string& label, render::Colour colour);
+
+/// How far the arrow of an axis must come out of its housing not to be hidden behind it; at least
+/// `wanted_m`.
+double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, const ArmPose& pose,
+                     std::size_t joint, double wanted_m);
 
 /// The base's frame, right-handed, at a point on the floor.
 void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m);

@@ -72,9 +72,9 @@ void add_distances(render::Scene& scene, const JointUnderTest& test, double q,
     one.colour = colour;
     scene.dimensions.push_back(one);
   };
-  distance(test.mass_centre_m(q), 0.20,
+  distance(test.mass_centre_m(q), -0.46,
            "r_{" + n + "} = " + millimetres_text(test.load().distance_m()), mass_colour);
-  distance(test.surrogate_centre_m(q), 0.30,
+  distance(test.surrogate_centre_m(q), 0.40,
            "r_{" + n + "}^{REPL} = " + millimetres_text(test.setting().surrogate_distance_m),
            surrogate_colour);
 }
@@ -115,12 +115,12 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   scene.ground = ground;
   ArmLook look;
   look.driven_from = tested;
-  look.strength = 150;
+  look.strength = 170;
   look.slimness = 0.72;
   add_arm(scene, arm, pose, look);
   for (std::size_t i = 0; i <= tested; ++i) {
-    add_axis(scene, arm, pose, i, i == 0 ? 0.40 : 0.14, i == 0 ? 0.0 : 0.08,
-             "q_{" + index_text(arm.joints()[i].name) + "}",
+    add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, i == 0 ? 0.40 : 0.14),
+             i == 0 ? 0.0 : 0.08, "q_{" + index_text(arm.joints()[i].name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
   }
   scene.arrows.back().label = "axis of joint " + arm.joints()[tested].name;
@@ -129,7 +129,7 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   add_masses(scene, test, q, n);
 
   const Eigen::Vector3d level = test.level();
-  const Eigen::Vector3d hang = test.place_m() + 1.45 * test.setting().surrogate_distance_m * level;
+  const Eigen::Vector3d hang = test.place_m() + 1.7 * test.setting().surrogate_distance_m * level;
   render::SceneArrow gravity;
   gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.28));
   gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.58));

@@ -97,9 +97,9 @@ ReportFigure motion_range_figure(const RobotDescription& robot) {
           "q_{" + n + ",min} = " + degrees_text(setting.lowest_rad, 0));
   add_ray(scene, test, setting.highest_rad, beyond, render::LineStyle::dash, range_colour,
           "q_{" + n + ",max} = " + degrees_text(setting.highest_rad, 0));
-  add_ray(scene, test, q, 1.2 * reach, render::LineStyle::dash_dot, peak_colour,
+  add_ray(scene, test, q, beyond, render::LineStyle::dash_dot, peak_colour,
           "q_{peak} = " + degrees_text(q_peak, 5));
-  add_ray(scene, test, 0, 1.2 * reach, render::LineStyle::dash, {90, 90, 90},
+  add_ray(scene, test, 0, beyond, render::LineStyle::dash, {90, 90, 90},
           "level, q_{" + n + "} = 0");
 
   render::SceneBall mass;

@@ -59,7 +59,8 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   for (std::size_t i = 0; i < arm.size(); ++i) {
     const ArmJoint& joint = arm.joints()[i];
     const double ahead = (i == 0 ? 0.26 : 0.09) * size;
-    add_axis(scene, arm, pose, i, ahead, i == 0 ? 0.0 : 0.03 * size, "q_{" + joint.name + "}",
+    add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, ahead),
+             i == 0 ? 0.0 : 0.03 * size, "q_{" + joint.name + "}",
              i == tested ? paint::tested_axis : paint::axis);
     axes.push_back(fmt::format("joint {} {}, {} to {}", joint.name, turns_about(joint.axis),
                                degrees_text(joint.lowest_rad, 0),
