@@ -92,7 +92,7 @@ struct Figure {
   int width_px{1600};
   int height_px{1000};
   bool panels_share_x{false};  ///< Only the lowest panel gets tick labels and the axis title.
-  std::optional<Scene> scene;
+  std::optional<Scene> scene{};
 };
 
 }  // namespace tribolog::render

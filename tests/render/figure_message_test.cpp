@@ -34,8 +34,9 @@ void expect_written(const Figure& figure, Field& field, const Value& value) {
 
 TEST(FigureMessage, KeepsEveryField) {
   std::vector<Figure> figures = examples::nasty();
-  for (const Figure& figure : {examples::plain(), examples::hysteresis(), examples::stacked(),
-                               examples::many_curves(10), examples::noisy_sweep()}) {
+  for (const Figure& figure :
+       {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
+        examples::noisy_sweep(), examples::scene(), examples::scene(30)}) {
     figures.push_back(figure);
   }
   for (const Figure& figure : figures) {

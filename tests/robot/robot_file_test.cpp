@@ -49,9 +49,11 @@ TEST(RobotFile, ReadsTheExample) {
   EXPECT_EQ(test.setting().joint, 2U);
   EXPECT_NEAR(test.setting().lowest_rad, -80 * std::numbers::pi / 180, 1e-12);
   EXPECT_NEAR(test.load().q_peak_rad(), -22.23187 * std::numbers::pi / 180, 1e-12);
-  // Stretched out, the centre of the wrist is about 1.4 m from the first axis.
-  const ArmPose pose = test.arm().pose({0, std::numbers::pi / 2, 0, 0, 0, 0});
-  EXPECT_NEAR(pose.frames[4].translation().x(), 0.95, 1e-9);
+  // Stretched out forwards, the centre of the wrist is about 1.4 m from the first axis.
+  const double quarter = std::numbers::pi / 2;
+  const ArmPose pose = test.arm().pose({0, quarter, quarter, 0, 0, 0});
+  EXPECT_NEAR(pose.frames[4].translation().x(), 0.15 + 0.60 + 0.64, 1e-9);
+  EXPECT_NEAR(pose.frames[4].translation().z(), 0.45 + 0.20, 1e-9);
 }
 
 TEST(RobotFile, SaysWhereAndWhatIsWrong) {
@@ -77,9 +79,10 @@ TEST(RobotFile, NamesFileLineAndColumn) {
   std::string text = example_text();
   const std::string key = "portrait_deg = -40";
   text.replace(text.find(key), key.size(), "portrait_deg = -150");
-  const auto line = std::count(text.begin(),
-                               text.begin() + static_cast<long>(text.find("portrait_deg = -150")),
-                               '\n') + 1;
+  const auto line =
+      std::count(text.begin(), text.begin() + static_cast<long>(text.find("portrait_deg = -150")),
+                 '\n') +
+      1;
   try {
     static_cast<void>(parse_robot(text, "arm.toml"));
     FAIL();

@@ -51,8 +51,8 @@ std::vector<std::vector<double>> some_poses() {
 }
 
 void expect_near(const Eigen::Vector3d& found, const Eigen::Vector3d& wanted) {
-  EXPECT_LT((found - wanted).norm(), rounding_m) << found.transpose() << " / "
-                                                 << wanted.transpose();
+  EXPECT_LT((found - wanted).norm(), rounding_m)
+      << found.transpose() << " / " << wanted.transpose();
 }
 
 TEST(SerialArm, StandsWhereHandWorkedPosesSay) {
@@ -80,15 +80,14 @@ TEST(SerialArm, AgreesWithTheProductOfExponentials) {
       Eigen::Matrix3d hat;
       hat << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
       const double q = angles[i];
-      const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() + std::sin(q) * hat +
-                                   (1 - std::cos(q)) * hat * hat;
+      const Eigen::Matrix3d turn =
+          Eigen::Matrix3d::Identity() + std::sin(q) * hat + (1 - std::cos(q)) * hat * hat;
       Eigen::Matrix4d step = Eigen::Matrix4d::Identity();
       step.topLeftCorner<3, 3>() = turn;
       step.topRightCorner<3, 1>() = origin - turn * origin;
       product = product * step;
     }
-    const Eigen::Vector4d tool =
-        product * (origin + arm.tool_m()).homogeneous();
+    const Eigen::Vector4d tool = product * (origin + arm.tool_m()).homogeneous();
     const ArmPose pose = arm.pose(angles);
     expect_near(pose.tool_m, tool.head<3>());
     EXPECT_LT((pose.tool_frame.linear() - product.topLeftCorner<3, 3>()).norm(), 1e-12);
@@ -141,8 +140,7 @@ TEST(SerialArm, RefusesWhatNoArmIs) {
   bad = good;
   bad.lowest_rad = 1;
   bad.highest_rad = -1;
-  EXPECT_EQ(refusal({bad}),
-            "joint '3': the range of motion from 57.2958° to -57.2958° is empty");
+  EXPECT_EQ(refusal({bad}), "joint '3': the range of motion from 57.2958° to -57.2958° is empty");
   bad = good;
   bad.shape.radius_m = 0;
   EXPECT_EQ(refusal({bad}), "joint '3': a size of 0 m is not allowed; it must be > 0");

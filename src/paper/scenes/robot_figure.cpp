@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,23 +13,38 @@
 namespace tribolog {
 namespace {
 
-/// Farthest that the last joint's centre can be from the first axis, with the chain stretched from
-/// the second joint on.
-double wrist_reach_m(const SerialArm& arm) {
+/// Farthest that the centre of the wrist, the last joint but one, gets from the first axis while
+/// the second and third joint turn through their ranges.
+double wrist_reach_m(const RobotDescription& robot) {
+  const SerialArm& arm = robot.under_test.arm();
+  if (arm.size() < 4) return 0.0;
+  constexpr int steps = 60;
+  const auto share_of = [&](std::size_t joint, int i) {
+    const ArmJoint& one = arm.joints()[joint];
+    return one.lowest_rad + (one.highest_rad - one.lowest_rad) * i / steps;
+  };
+  std::vector<double> angles = robot.portrait_rad;
   double reach = 0;
-  if (arm.size() > 1) {
-    reach = std::hypot(arm.joints()[1].offset_m.x(), arm.joints()[1].offset_m.y());
-  }
-  // Joints 4 to 6 of such an arm turn about points of one straight line.
-  Eigen::Vector3d forearm = Eigen::Vector3d::Zero();
-  for (std::size_t i = 2; i < arm.size() && i < 5; ++i) {
-    if (i == 2) {
-      reach += arm.joints()[i].offset_m.norm();
-    } else {
-      forearm += arm.joints()[i].offset_m;
+  for (int i = 0; i <= steps; ++i) {
+    for (int k = 0; k <= steps; ++k) {
+      angles[1] = share_of(1, i);
+      angles[2] = share_of(2, k);
+      const ArmPose pose = arm.pose(angles);
+      const Eigen::Vector3d from =
+          pose.frames[arm.size() - 2].translation() - pose.frames.front().translation();
+      const Eigen::Vector3d axis = arm.axis(pose, 0);
+      reach = std::max(reach, (from - from.dot(axis) * axis).norm());
     }
   }
-  return reach + forearm.norm();
+  return reach;
+}
+
+/// " The wrist reaches 1.4 m from the first axis.", or nothing for an arm without a wrist.
+std::string reach_words(const RobotDescription& robot) {
+  const double reach = wrist_reach_m(robot);
+  if (!(reach > 0)) return {};
+  return fmt::format(" The wrist reaches {:.1f} m from the axis of joint {}.", reach,
+                     robot.under_test.arm().joints().front().name);
 }
 
 std::string turns_about(const Eigen::Vector3d& axis) {
@@ -73,9 +90,8 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   out.id = "fig-09-robot";
   out.title = "The robot, " + arm.name();
   out.caption = fmt::format(
-      "{} with its {} joints; joint {} is tested and moves the links in the warm colour. The wrist "
-      "reaches {:.1f} m from the first axis.{}",
-      arm.name(), arm.size(), arm.joints()[tested].name, wrist_reach_m(arm),
+      "{} with its {} joints; joint {} is tested and moves the links in the warm colour.{}{}",
+      arm.name(), arm.size(), arm.joints()[tested].name, reach_words(robot),
       dimensions_note(robot));
   out.how_to_read =
       "Each arrow is the axis of a joint: seen against its direction, a positive angle turns the "
