@@ -97,5 +97,52 @@ TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
   EXPECT_NEAR(sector.to_rad - sector.from_rad, 140 * std::numbers::pi / 180, 1e-12);
 }
 
+/// The same robot with every length twice as long.
+RobotDescription doubled(const RobotDescription& robot) {
+  std::vector<ArmJoint> joints = robot.under_test.arm().joints();
+  for (ArmJoint& one : joints) {
+    one.offset_m *= 2;
+    for (Eigen::Vector3d& bend : one.link_bends_m) bend *= 2;
+    for (double* size : {&one.shape.radius_m, &one.shape.end_radius_m, &one.shape.bar_thickness_m,
+                         &one.shape.drum_radius_m, &one.shape.drum_length_m}) {
+      *size *= 2;
+    }
+  }
+  JointUnderTest::Setting setting = robot.under_test.setting();
+  setting.surrogate_distance_m *= 2;
+  const GravityLoad& load = robot.under_test.load();
+  setting.load = GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad());
+  SerialArm arm("large", joints, 2 * robot.under_test.arm().tool_m());
+  return {JointUnderTest(std::move(arm), setting), robot.portrait_rad, true};
+}
+
+TEST(SceneFigures, GrowWithTheRobot) {
+  const auto small = scene_figures(example());
+  const auto large = scene_figures(doubled(example()));
+  const auto expect_doubled = [](render::Point3 a, render::Point3 b) {
+    EXPECT_NEAR(render::length(b - 2.0 * a), 0.0, 1e-12);
+  };
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    const render::Scene& a = *small[i].figure.scene;
+    const render::Scene& b = *large[i].figure.scene;
+    ASSERT_EQ(a.arrows.size(), b.arrows.size());
+    for (std::size_t k = 0; k < a.arrows.size(); ++k) {
+      expect_doubled(a.arrows[k].from, b.arrows[k].from);
+      expect_doubled(a.arrows[k].to, b.arrows[k].to);
+      EXPECT_NEAR(b.arrows[k].radius_m, 2 * a.arrows[k].radius_m, 1e-12);
+    }
+    for (std::size_t k = 0; k < a.bodies.size(); ++k) {
+      expect_doubled(a.bodies[k].from, b.bodies[k].from);
+    }
+    for (std::size_t k = 0; k < a.balls.size(); ++k) {
+      expect_doubled(a.balls[k].centre, b.balls[k].centre);
+      EXPECT_NEAR(b.balls[k].radius_m, 2 * a.balls[k].radius_m, 1e-12);
+    }
+    for (std::size_t k = 0; k < a.dimensions.size(); ++k) {
+      expect_doubled(a.dimensions[k].shift, b.dimensions[k].shift);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -7,8 +7,10 @@
 namespace tribolog::scenes {
 namespace {
 
-constexpr double axis_radius_m = 0.009;
-constexpr double tip_gap_m = 0.02;
+// Shares of reach_m(), so that a larger arm gives the same picture.
+constexpr double axis_radius = 0.0046;
+constexpr double tip_gap = 0.01;
+constexpr double frame_radius = 0.04;  // of the length of the frame's axes
 
 render::Colour faded(render::Colour colour, std::uint8_t strength) {
   colour.alpha = strength;
@@ -93,11 +95,11 @@ void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
   arrow.from = point(centre - (half + behind_m) * axis);
   arrow.to = point(centre + (half + ahead_m) * axis);
   if (runs_along_axis(arm, pose, joint)) {
-    const double tip = clear_behind_m(arm, pose, joint) + tip_gap_m;
+    const double tip = clear_behind_m(arm, pose, joint) + tip_gap * reach_m(arm);
     arrow.from = point(centre - (tip + ahead_m + behind_m) * axis);
     arrow.to = point(centre - tip * axis);
   }
-  arrow.radius_m = axis_radius_m;
+  arrow.radius_m = axis_radius * reach_m(arm);
   arrow.colour = colour;
   scene.arrows.push_back(arrow);
 }
@@ -122,7 +124,7 @@ void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double le
     arrow.label = names[i];
     arrow.from = point(at_m);
     arrow.to = point(at_m + length_m * Eigen::Vector3d::Unit(i));
-    arrow.radius_m = 0.007;
+    arrow.radius_m = frame_radius * length_m;
     arrow.colour = {60, 60, 60};
     scene.arrows.push_back(arrow);
   }

@@ -62,6 +62,7 @@ void add_angles(render::Scene& scene, const JointUnderTest& test, double q, cons
 void add_distances(render::Scene& scene, const JointUnderTest& test, double q,
                    const std::string& n) {
   const Eigen::Vector3d across = test.axis().cross(test.towards_mass(q));
+  const double size = reach_m(test.arm());
   const auto distance = [&](const Eigen::Vector3d& to, double away, const std::string& label,
                             render::Colour colour) {
     render::SceneDimension one;
@@ -72,9 +73,9 @@ void add_distances(render::Scene& scene, const JointUnderTest& test, double q,
     one.colour = colour;
     scene.dimensions.push_back(one);
   };
-  distance(test.mass_centre_m(q), -0.46,
+  distance(test.mass_centre_m(q), -0.235 * size,
            "r_{" + n + "} = " + millimetres_text(test.load().distance_m()), mass_colour);
-  distance(test.surrogate_centre_m(q), 0.40,
+  distance(test.surrogate_centre_m(q), 0.205 * size,
            "r_{" + n + "}^{REPL} = " + millimetres_text(test.setting().surrogate_distance_m),
            surrogate_colour);
 }
@@ -84,7 +85,7 @@ void add_masses(render::Scene& scene, const JointUnderTest& test, double q, cons
                         render::Colour colour) {
     render::SceneBall ball;
     ball.centre = point(at);
-    ball.radius_m = 0.028;
+    ball.radius_m = 0.0144 * reach_m(test.arm());
     ball.label = label;
     ball.colour = colour;
     ball.inside = true;
@@ -106,12 +107,14 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   const double q = shown_angle(test);
   const double q_c = -test.load().q_peak_rad();
   const ArmPose pose = test.pose(q);
+  const double size = reach_m(arm);
 
   render::Scene scene;
   scene.camera.towards = {-0.40, 0.92, -0.22};
   scene.camera.margin = 0.04;
   render::SceneGround ground;
-  ground.half_size_m = 0.4;
+  ground.half_size_m = 0.2 * size;
+  ground.spacing_m = 0.1 * size;
   scene.ground = ground;
   ArmLook look;
   look.driven_from = tested;
@@ -119,8 +122,9 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   look.slimness = 0.72;
   add_arm(scene, arm, pose, look);
   for (std::size_t i = 0; i <= tested; ++i) {
-    add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, i == 0 ? 0.40 : 0.14),
-             i == 0 ? 0.0 : 0.08, "q_{" + index_text(arm.joints()[i].name) + "}",
+    add_axis(scene, arm, pose, i,
+             clear_ahead_m(scene.camera, arm, pose, i, (i == 0 ? 0.2 : 0.072) * size),
+             i == 0 ? 0.0 : 0.04 * size, "q_{" + index_text(arm.joints()[i].name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
   }
   scene.arrows.back().label = "axis of joint " + arm.joints()[tested].name;
@@ -131,13 +135,13 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   const Eigen::Vector3d level = test.level();
   const Eigen::Vector3d hang = test.place_m() + 1.7 * test.setting().surrogate_distance_m * level;
   render::SceneArrow gravity;
-  gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.28));
-  gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.58));
-  gravity.radius_m = 0.013;
+  gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.145 * size));
+  gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.30 * size));
+  gravity.radius_m = 0.0067 * size;
   gravity.colour = {120, 30, 110};
   gravity.label = fmt::format("g = {:.2f} m/s²", test.load().gravity_m_s2());
   scene.arrows.push_back(gravity);
-  add_base_frame(scene, {0.42, -0.3, 0}, 0.16);
+  add_base_frame(scene, {0.215 * size, -0.155 * size, 0}, 0.082 * size);
 
   ReportFigure out;
   out.number = 10;

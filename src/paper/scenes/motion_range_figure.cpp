@@ -57,12 +57,14 @@ ReportFigure motion_range_figure(const RobotDescription& robot) {
   const bool reaches_peak = q_peak >= setting.lowest_rad && q_peak <= setting.highest_rad;
   const double q = std::clamp(q_peak, setting.lowest_rad, setting.highest_rad);
   const double reach = driven_reach_m(test);
+  const double size = reach_m(arm);
 
   render::Scene scene;
   scene.camera.towards = {-0.12, 0.98, -0.16};
   scene.camera.margin = 0.05;
   render::SceneGround ground;
-  ground.half_size_m = 0.4;
+  ground.half_size_m = 0.2 * size;
+  ground.spacing_m = 0.1 * size;
   scene.ground = ground;
   for (const double end : {setting.lowest_rad, setting.highest_rad}) {
     ArmLook ghost;
@@ -104,19 +106,19 @@ ReportFigure motion_range_figure(const RobotDescription& robot) {
 
   render::SceneBall mass;
   mass.centre = point(test.mass_centre_m(q));
-  mass.radius_m = 0.03;
+  mass.radius_m = 0.0154 * size;
   mass.colour = mass_colour;
   mass.inside = true;
   mass.label = "mass centre";
   scene.balls.push_back(mass);
   render::SceneArrow weight;
   weight.from = mass.centre;
-  weight.to = point(test.mass_centre_m(q) - Eigen::Vector3d(0, 0, 0.36));
-  weight.radius_m = 0.012;
+  weight.to = point(test.mass_centre_m(q) - Eigen::Vector3d(0, 0, 0.185 * size));
+  weight.radius_m = 0.006 * size;
   weight.colour = {120, 30, 110};
   weight.label = "m_{" + n + "} g";
   scene.arrows.push_back(weight);
-  add_base_frame(scene, {-0.3, -0.3, 0}, 0.15);
+  add_base_frame(scene, {-0.155 * size, -0.155 * size, 0}, 0.077 * size);
 
   ReportFigure out;
   out.number = 12;

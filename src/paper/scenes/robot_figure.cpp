@@ -66,8 +66,9 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   scene.camera.opening_deg = 22;
   scene.camera.margin = 0.03;
   render::SceneGround ground;
-  ground.half_size_m = 0.6;
-  ground.centre = {0.1, 0, 0};
+  ground.half_size_m = 0.3 * size;
+  ground.spacing_m = 0.1 * size;
+  ground.centre = {0.05 * size, 0, 0};
   scene.ground = ground;
   ArmLook look;
   look.driven_from = tested;
@@ -83,7 +84,7 @@ ReportFigure robot_figure(const RobotDescription& robot) {
                                degrees_text(joint.lowest_rad, 0),
                                degrees_text(joint.highest_rad, 0)));
   }
-  add_base_frame(scene, {-0.3, -0.4, 0}, 0.09 * size);
+  add_base_frame(scene, {-0.15 * size, -0.2 * size, 0}, 0.09 * size);
 
   ReportFigure out;
   out.number = 9;
