@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "render/figure_ink.h"
+#include "render/drawing_style.h"
 
 namespace tribolog::render {
 

@@ -5,12 +5,14 @@
 // on it without drawing anything. Each primitive says what it stands for, so that a test or the
 // check of the finished picture can ask for "series 2 of panel 0".
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "render/figure.h"
 #include "render/pixel_geometry.h"
+#include "render/scene_geometry.h"
 
 namespace tribolog::render {
 
@@ -46,6 +48,7 @@ enum class Role {
   shape,
   shape_fill,
   shape_text,
+  scene_line,
 };
 
 /// `index` counts the series, band, label ... of the panel, in the order of the description; in a
@@ -108,7 +111,8 @@ using Primitive = std::variant<Polyline, Ribbon, Polygon, Markers, TextRun>;
 struct DrawList {
   int width{};
   int height{};
-  std::vector<PixelBox> plots;  ///< The axes box of each panel.
+  std::vector<PixelBox> plots;         ///< The axes box of each panel.
+  std::optional<SceneGeometry> scene;  ///< Solid parts, painted before everything else.
   std::vector<Primitive> primitives;
   std::vector<std::string> warnings;
 };

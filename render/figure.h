@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "render/diagram.h"
-#include "render/figure_ink.h"
+#include "render/drawing_style.h"
+#include "render/scene.h"
 
 namespace tribolog::render {
-
-enum class Marker { none, circle, square, triangle, diamond, cross, plus };
 
 /// A polyline, markers, or both. Points where x or y is not finite break the line.
 struct Series {
@@ -86,7 +85,7 @@ struct Panel {
   bool show_legend{true};
 };
 
-/// Either panels or a diagram.
+/// Either panels, or a diagram, or a scene.
 struct Figure {
   std::string id;     ///< File-name and anchor safe, e.g. "fig-15-hysteresis".
   std::string title;  ///< Printed on top of the picture.
@@ -95,6 +94,7 @@ struct Figure {
   int width_px{1600};
   int height_px{1000};
   bool panels_share_x{false};  ///< Only the lowest panel gets tick labels and the axis title.
+  std::optional<Scene> scene{};
 };
 
 }  // namespace tribolog::render

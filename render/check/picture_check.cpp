@@ -6,7 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "render/check/scene_check.h"
 #include "render/check/visibility_map.h"
+#include "render/scene/annotations.h"
 
 namespace tribolog::render {
 namespace {
@@ -76,6 +78,11 @@ std::string name_in_diagram(const Diagram& diagram, const Owner& owner) {
 std::string name_of(const Figure& figure, const Owner& owner) {
   if (owner.role == Role::block || owner.role == Role::wire) {
     return name_in_diagram(*figure.diagram, owner);
+  }
+  if (owner.role == Role::scene_line) {
+    const auto index = static_cast<std::size_t>(owner.index);
+    const std::string text = annotation_labels(*figure.scene)[index];
+    return text.empty() ? "line " + std::to_string(index + 1) : "line '" + text + "'";
   }
   const std::string label = label_of(figure, owner);
   const std::string kind = owner.role == Role::band ? "band " : "series ";
@@ -182,6 +189,7 @@ PictureFindings check_picture(const DrawList& list, const Figure& figure, const 
   }
   report_outside(list, figure, findings);
   check_series(list, figure, picture, findings);
+  if (findings.error.empty() && list.scene) findings.error = missing_part(list, picture);
   if (!findings.error.empty()) return findings;
   for (const Primitive& primitive : list.primitives) {
     const auto* run = std::get_if<TextRun>(&primitive);

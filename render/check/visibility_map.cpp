@@ -36,7 +36,8 @@ std::uint16_t VisibilityMap::number_of(const Primitive& primitive) {
     owner.role = Role::series;
   }
   const bool is_subject = owner.role == Role::series || owner.role == Role::band ||
-                          owner.role == Role::block || owner.role == Role::wire;
+                          owner.role == Role::block || owner.role == Role::wire ||
+                          owner.role == Role::scene_line;
   if (!is_subject) return 0;
   for (std::size_t i = 0; i < subjects_.size(); ++i) {
     if (subjects_[i].owner == owner) return static_cast<std::uint16_t>(i + 1);

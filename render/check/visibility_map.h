@@ -1,5 +1,6 @@
 #pragma once
-// Which pixels must show which series (or block, or wire), worked out from the draw list alone.
+// Which pixels must show which series (or block, or wire, or line of a scene), worked out from the
+// draw list alone.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace tribolog::render {
 class VisibilityMap {
  public:
   struct Subject {
-    Owner owner;  ///< Role::series, Role::band, Role::block or Role::wire.
+    Owner owner;  ///< Role::series, Role::band, Role::block, Role::wire or Role::scene_line.
     Colour colour;
     std::size_t painted{};  ///< Pixels that it covered when it was painted.
   };

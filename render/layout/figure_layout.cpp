@@ -10,6 +10,7 @@
 #include "render/layout/legend.h"
 #include "render/layout/occupancy.h"
 #include "render/layout/panel_frame.h"
+#include "render/scene/scene_layout.h"
 #include "render/text/utf8.h"
 
 namespace tribolog::render {
@@ -26,6 +27,28 @@ void check_size(const Figure& figure) {
                         " pixels is not possible; each side must be 64 to 16384");
     }
   }
+}
+
+void report_faults(DrawList& list, const TextFaults& faults) {
+  if (faults.malformed > 0) {
+    list.warnings.push_back(
+        "text that is not valid UTF-8 or holds control characters is shown "
+        "as '?'");
+  }
+  if (!faults.without_glyph.empty()) {
+    list.warnings.push_back("the font has no glyph for '" +
+                            encode_utf8(faults.without_glyph.substr(0, 10)) + "'; shown as '?'");
+  }
+}
+
+DrawList scene_list(const Figure& figure, const Font& font) {
+  if (!figure.panels.empty()) {
+    throw FigureError("a figure has panels or a scene, not both");
+  }
+  TextFaults faults;
+  DrawList list = lay_out_scene(figure, font, faults);
+  report_faults(list, faults);
+  return list;
 }
 
 /// One attempt with given strips; a legend that finds no room inside asks for one.
@@ -50,7 +73,7 @@ class Attempt {
       complete = draw_panel(frame.panels[i], i) && complete;
     }
     draw_figure_title(list_, frame, style_);
-    report_faults();
+    report_faults(list_, faults_);
     return complete;
   }
 
@@ -122,19 +145,6 @@ class Attempt {
                true, {Role::notice, index, 0});
   }
 
-  void report_faults() {
-    if (faults_.malformed > 0) {
-      list_.warnings.push_back(
-          "text that is not valid UTF-8 or holds control characters is shown "
-          "as '?'");
-    }
-    if (!faults_.without_glyph.empty()) {
-      list_.warnings.push_back("the font has no glyph for '" +
-                               encode_utf8(faults_.without_glyph.substr(0, 10)) +
-                               "'; shown as '?'");
-    }
-  }
-
   const Figure& figure_;
   const Font& font_;
   const FigureStyle& style_;
@@ -147,6 +157,7 @@ class Attempt {
 
 DrawList lay_out(const Figure& figure, const Font& font) {
   check_size(figure);
+  if (figure.scene) return scene_list(figure, font);
   if (figure.diagram && !figure.panels.empty()) {
     Figure drawing = figure;
     drawing.panels.clear();

@@ -48,7 +48,17 @@ bool HeadlessWindow::IsCurrent() { return context_ != nullptr && context_->is_cu
 
 void HeadlessWindow::Start() {
   Superclass::Start();
-  RenderFramebuffer->RemoveDepthAttachment();
+  if (!needs_depth_) {
+    RenderFramebuffer->RemoveDepthAttachment();
+  } else if (!has_depth_) {
+    // Adding only depth would give it one sample a pixel and leave the buffer incomplete.
+    constexpr int depth_bits = 24;
+    RenderFramebuffer->PopulateFramebuffer(Size[0], Size[1], true, 1, VTK_UNSIGNED_CHAR, true,
+                                           depth_bits, MultiSamples);
+    RenderFramebuffer->Bind();
+    RenderFramebuffer->ActivateBuffer(0);
+  }
+  has_depth_ = needs_depth_;
 }
 
 void HeadlessWindow::OpenGLInitContext() {

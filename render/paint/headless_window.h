@@ -20,8 +20,9 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
   int SupportsOpenGL() override { return 1; }
   void OpenGLInitContext() override;
   void DestroyWindow() override {}
-  /// Takes the depth buffer away that VTK adds: flat drawings need none, and clearing its samples
-  /// takes a tenth of the time.
+  /// Whether what is drawn next needs the depth buffer that VTK adds. Flat drawings need none, and
+  /// clearing its samples takes a tenth of the time.
+  void keep_depth(bool needed) { needs_depth_ = needed; }
   void Start() override;
 
   HeadlessWindow(const HeadlessWindow&) = delete;
@@ -33,6 +34,8 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
 
  private:
   GlContext* context_{};
+  bool needs_depth_{false};
+  bool has_depth_{true};
 };
 
 }  // namespace tribolog::render

@@ -14,15 +14,14 @@
 #include "render/paint/draw_list_item.h"
 #include "render/paint/gl_context.h"
 #include "render/paint/headless_window.h"
+#include "render/paint/scene_painter.h"
 #include "render/paint/vtk_messages.h"
 
 namespace tribolog::render {
 namespace {
 
-constexpr int samples_per_pixel = 4;  // llvmpipe has no more
-// A picture is drawn in strips of this height: the multisampled buffers of a whole one would take a
-// few hundred megabytes, and clearing their pages a quarter of the time.
-constexpr int strip_rows = 512;
+constexpr int samples_per_pixel = 4;          // llvmpipe has no more
+constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
 
 }  // namespace
 
@@ -54,24 +53,34 @@ Painter::Painter(const Font& font) : parts_(std::make_unique<Parts>(font)) {
 
 Painter::~Painter() = default;
 
-Picture Painter::paint(const DrawList& list) {
+Picture Painter::paint(const DrawList& list, int strip_rows) {
   Picture picture{list.width, list.height, {}};
   picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
                      static_cast<std::size_t>(list.height));
   parts_->window->SetSize(list.width, strip_rows);
-  for (int top = 0; top < list.height; top += strip_rows) paint_strip(list, top, picture);
+  std::unique_ptr<ScenePainter> scene;
+  if (list.scene) {
+    const double outline_px = std::max(1.0, outline_share * list.width);
+    scene = std::make_unique<ScenePainter>(parts_->renderer, *list.scene, outline_px);
+  }
+  parts_->window->keep_depth(scene != nullptr);
+  for (int top = 0; top < list.height; top += strip_rows) {
+    if (scene) scene->show_rows(list.width, top, strip_rows);
+    paint_strip(list, top, strip_rows, picture);
+  }
   const std::string error = parts_->messages->take_error();
   if (!error.empty()) throw FigureError("VTK: " + error);
   return picture;
 }
 
-void Painter::paint_strip(const DrawList& list, int top, Picture& picture) {
+void Painter::paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture) {
   parts_->item->show(&list, &parts_->font, top, strip_rows);
   parts_->window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   parts_->window->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
   const std::size_t row = 3 * static_cast<std::size_t>(list.width);
-  if (static_cast<std::size_t>(pixels->GetNumberOfValues()) != row * strip_rows) {
+  if (static_cast<std::size_t>(pixels->GetNumberOfValues()) !=
+      row * static_cast<std::size_t>(strip_rows)) {
     throw FigureError("VTK gave a picture of the wrong size");
   }
   const unsigned char* bottom_up = pixels->GetPointer(0);

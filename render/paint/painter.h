@@ -21,13 +21,18 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   /// The same list gives the same bytes, whatever was painted before.
+  /// @param strip_rows how much is painted at once, which bounds memory: the multisampled buffers
+  /// of a whole picture would take a few hundred megabytes, and clearing their pages a quarter of
+  /// the time
   /// @throw tribolog::FigureError if VTK reports an error.
-  Picture paint(const DrawList& list);
+  Picture paint(const DrawList& list, int strip_rows = usual_strip_rows);
+
+  static constexpr int usual_strip_rows = 512;
 
   [[nodiscard]] RendererInfo info() const;
 
  private:
-  void paint_strip(const DrawList& list, int top, Picture& picture);
+  void paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture);
 
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -112,8 +112,71 @@ void visit_fields(Visitor& visit, Is<Diagram> auto& item) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, Is<Point3> auto& item) {
+  visit(item.x, item.y, item.z);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneBody> auto& item) {
+  visit(item.label, item.from, item.to, item.from_radius_m, item.to_radius_m, item.colour,
+        item.thickness_m, item.normal);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneDrum> auto& item) {
+  visit(item.label, item.centre, item.axis, item.radius_m, item.length_m, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneArrow> auto& item) {
+  visit(item.label, item.from, item.to, item.radius_m, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneBall> auto& item) {
+  visit(item.label, item.centre, item.radius_m, item.colour, item.inside);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneSector> auto& item) {
+  visit(item.label, item.centre, item.normal, item.zero, item.radius_m, item.from_rad, item.to_rad,
+        item.colour, item.filled, item.fill, item.ends);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneDimension> auto& item) {
+  visit(item.label, item.from, item.to, item.shift, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneLine> auto& item) {
+  visit(item.label, item.points, item.colour, item.width_px, item.style);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneText> auto& item) {
+  visit(item.text, item.at, item.colour);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneGround> auto& item) {
+  visit(item.centre, item.half_size_m, item.spacing_m);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<SceneCamera> auto& item) {
+  visit(item.towards, item.up, item.opening_deg, item.margin, item.fit);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Is<Scene> auto& item) {
+  visit(item.camera, item.ground, item.bodies, item.drums, item.arrows, item.balls, item.sectors,
+        item.dimensions, item.lines, item.texts);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, Is<Figure> auto& item) {
-  visit(item.id, item.title, item.panels, item.diagram, item.width_px, item.height_px,
+  visit(item.id, item.title, item.panels, item.diagram, item.scene, item.width_px, item.height_px,
         item.panels_share_x);
 }
 

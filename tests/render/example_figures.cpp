@@ -146,6 +146,38 @@ Figure noisy_sweep() {
   return with_panel("noisy-sweep", panel);
 }
 
+Figure scene(double opening_deg) {
+  Scene scene;
+  scene.camera.towards = {-0.5, 1, -0.4};
+  scene.camera.opening_deg = opening_deg;
+  scene.camera.margin = 0.1;
+  scene.ground = SceneGround{};
+  scene.bodies.push_back(
+      {"link", {0, 0, 0.2}, {0, 0, 1}, 0.15, 0.1, palette::grey, 0.1, {0, 1, 0}});
+  scene.bodies.push_back({"", {0, 0, 1}, {0.6, 0, 1.2}, 0.1, 0.05, palette::orange, 0, {}});
+  scene.drums.push_back({"joint", {0, 0, 1}, {0, 1, 0}, 0.13, 0.3, palette::sky_blue});
+  scene.arrows.push_back({"axis", {0, 0.2, 1}, {0, -0.6, 1}, 0.01, palette::vermilion});
+  scene.balls.push_back({"m_{3}", {0.4, 0, 1.13}, 0.04, palette::purple, true});
+  SceneSector sector;
+  sector.label = "q_{3}";
+  sector.centre = {0, 0, 1};
+  sector.normal = {0, -1, 0};
+  sector.zero = {1, 0, 0};
+  sector.radius_m = 0.8;
+  sector.from_rad = -1;
+  sector.to_rad = 0.7;
+  sector.filled = true;
+  scene.sectors.push_back(sector);
+  scene.dimensions.push_back({"r_{3} = 600 mm", {0, 0, 1}, {0.6, 0, 1.2}, {0, 0, 0.4}});
+  scene.lines.push_back({"level", {{0, 0, 1}, {1, 0, 1}}, palette::green, 2.5, LineStyle::dash});
+  scene.texts.push_back({"floor", {0.8, -0.8, 0}, palette::black});
+  Figure figure;
+  figure.id = opening_deg > 0 ? "scene-in-perspective" : "scene";
+  figure.title = "A scene";
+  figure.scene = std::move(scene);
+  return figure;
+}
+
 std::vector<Figure> nasty() {
   std::vector<Figure> all;
   all.push_back(with_series("tiny-range", {0, 1, 2}, {1e-12, 2e-12, 1.5e-12}));

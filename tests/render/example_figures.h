@@ -20,6 +20,9 @@ Figure many_curves(int count);
 /// 70,000 noisy samples, fit, band, marked maximum, reference lines, error bars.
 Figure noisy_sweep();
 
+/// One of each kind of part, with a label where it can have one; in perspective or parallel.
+Figure scene(double opening_deg = 0);
+
 /// Every kind of trouble, each a figure of its own.
 std::vector<Figure> nasty();
 

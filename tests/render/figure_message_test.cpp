@@ -22,9 +22,9 @@ Figure through_a_message(const Figure& figure) {
   return take_figure(message);
 }
 
-/// The message of `figure` is another one while `field`, a part of it, has this value.
+/// That a changed field changes the message, and comes out of it again.
 template <class Field, class Value>
-void expect_field_to_count(const Figure& figure, Field& field, const Value& value) {
+void expect_written(const Figure& figure, Field& field, const Value& value) {
   const std::vector<std::byte> before = bytes_of(figure);
   const Field old = field;
   field = value;
@@ -37,7 +37,7 @@ TEST(FigureMessage, KeepsEveryField) {
   std::vector<Figure> figures = examples::nasty();
   for (const Figure& figure :
        {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
-        examples::noisy_sweep(), examples::diagram()}) {
+        examples::noisy_sweep(), examples::diagram(), examples::scene(), examples::scene(30)}) {
     figures.push_back(figure);
   }
   for (const Figure& figure : figures) {
@@ -56,7 +56,7 @@ TEST(FigureMessage, WritesEveryField) {
   panel.point_labels.resize(1);
   panel.reference_lines.resize(1);
   const auto expect_change = [&](auto& field, auto value) {
-    expect_field_to_count(figure, field, value);
+    expect_written(figure, field, value);
   };
   const std::vector<double> numbers{1.5, std::numeric_limits<double>::infinity()};
   const Colour colour{1, 2, 3, 4};
@@ -110,7 +110,7 @@ TEST(FigureMessage, WritesEveryField) {
 
 TEST(FigureMessage, WritesEveryFieldOfADiagram) {
   Figure figure;
-  expect_field_to_count(figure, figure.diagram, std::optional(Diagram{}));
+  expect_written(figure, figure.diagram, std::optional(Diagram{}));
   Diagram& diagram = figure.diagram.emplace();
   diagram.areas.resize(1);
   diagram.blocks.resize(1);
@@ -122,7 +122,7 @@ TEST(FigureMessage, WritesEveryFieldOfADiagram) {
   diagram.dimensions.resize(1);
   diagram.texts.resize(1);
   const auto expect_change = [&](auto& field, auto value) {
-    expect_field_to_count(figure, field, value);
+    expect_written(figure, field, value);
   };
   const std::vector<DiagramPoint> points{{1, 2}, {3, 4}};
   const DiagramPoint point{5, 6};
@@ -176,6 +176,73 @@ TEST(FigureMessage, WritesEveryFieldOfADiagram) {
   expect_change(text.at, point);
   expect_change(text.place, TextPlace::left);
   expect_change(text.bold, true);
+  expect_change(text.colour, colour);
+}
+
+TEST(FigureMessage, WritesEveryFieldOfAScene) {
+  Figure figure;
+  expect_written(figure, figure.scene, std::optional(Scene{}));
+  Scene& scene = figure.scene.emplace();
+  const auto expect_change = [&](auto& field, auto value) { expect_written(figure, field, value); };
+  const auto expect_points = [&](auto&... points) {
+    const auto one = [&](Point3& point) {
+      for (double* part : {&point.x, &point.y, &point.z}) expect_change(*part, 7.0);
+    };
+    (one(points), ...);
+  };
+  const Colour colour{1, 2, 3, 4};
+  const auto expect_named = [&](auto& part) {
+    expect_change(part.label, "r_{3}");
+    expect_change(part.colour, colour);
+  };
+  expect_change(scene.ground, std::optional(SceneGround{}));
+  scene.ground.emplace();
+  expect_points(scene.ground->centre, scene.camera.towards, scene.camera.up);
+  expect_change(scene.ground->half_size_m, 7.0);
+  expect_change(scene.ground->spacing_m, 7.0);
+  expect_change(scene.camera.opening_deg, 7.0);
+  expect_change(scene.camera.margin, 7.0);
+  expect_change(scene.camera.fit, std::vector<Point3>(2));
+  SceneBody& body = scene.bodies.emplace_back();
+  expect_named(body);
+  expect_points(body.from, body.to, body.normal);
+  for (double* size : {&body.from_radius_m, &body.to_radius_m, &body.thickness_m}) {
+    expect_change(*size, 7.0);
+  }
+  SceneDrum& drum = scene.drums.emplace_back();
+  expect_named(drum);
+  expect_points(drum.centre, drum.axis);
+  expect_change(drum.radius_m, 7.0);
+  expect_change(drum.length_m, 7.0);
+  SceneArrow& arrow = scene.arrows.emplace_back();
+  expect_named(arrow);
+  expect_points(arrow.from, arrow.to);
+  expect_change(arrow.radius_m, 7.0);
+  SceneBall& ball = scene.balls.emplace_back();
+  expect_named(ball);
+  expect_points(ball.centre);
+  expect_change(ball.radius_m, 7.0);
+  expect_change(ball.inside, true);
+  SceneSector& sector = scene.sectors.emplace_back();
+  expect_named(sector);
+  expect_points(sector.centre, sector.normal, sector.zero);
+  for (double* size : {&sector.radius_m, &sector.from_rad, &sector.to_rad}) {
+    expect_change(*size, 7.0);
+  }
+  expect_change(sector.filled, true);
+  expect_change(sector.fill, colour);
+  expect_change(sector.ends, ArcEnds::arrow_at_both);
+  SceneDimension& dimension = scene.dimensions.emplace_back();
+  expect_named(dimension);
+  expect_points(dimension.from, dimension.to, dimension.shift);
+  SceneLine& line = scene.lines.emplace_back();
+  expect_named(line);
+  expect_change(line.points, std::vector<Point3>(2));
+  expect_change(line.width_px, 7.0);
+  expect_change(line.style, LineStyle::dot);
+  SceneText& text = scene.texts.emplace_back();
+  expect_change(text.text, "q_{c}");
+  expect_points(text.at);
   expect_change(text.colour, colour);
 }
 

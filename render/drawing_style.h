@@ -1,5 +1,5 @@
 #pragma once
-// Colours and line styles that charts and drawings share.
+// Colours, line styles and markers that charts, diagrams and scenes share.
 
 #include <cstdint>
 
@@ -27,5 +27,6 @@ inline constexpr Colour grey{120, 120, 120};
 }  // namespace palette
 
 enum class LineStyle { none, solid, dash, dot, dash_dot, dash_dot_dot };
+enum class Marker { none, circle, square, triangle, diamond, cross, plus };
 
 }  // namespace tribolog::render

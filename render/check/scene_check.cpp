@@ -1,0 +1,78 @@
+#include "render/check/scene_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/layout/occupancy.h"
+#include "render/scene/part_map.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr std::size_t least_visible_px = 30;  // for a picture of any size: a dot
+constexpr double least_share = 0.5;           // of the pixels that must show a part
+constexpr double darkest_shade = 0.2;         // of a part's colour
+constexpr double most_hue_error = 40;         // of 255
+constexpr int edge_px = 4;                    // outlines and antialiasing reach that far
+
+/// Whether a pixel is the colour in some light.
+bool shows_shaded(Colour pixel, Colour colour) {
+  const double wanted[] = {colour.red + 1.0, colour.green + 1.0, colour.blue + 1.0};
+  const double found[] = {pixel.red + 1.0, pixel.green + 1.0, pixel.blue + 1.0};
+  double across = 0;
+  double along = 0;
+  for (int i = 0; i < 3; ++i) {
+    across += wanted[i] * found[i];
+    along += wanted[i] * wanted[i];
+  }
+  const double light = across / along;
+  if (light < darkest_shade) return false;
+  double error = 0;
+  for (int i = 0; i < 3; ++i) error = std::max(error, std::abs(found[i] - light * wanted[i]));
+  return error <= most_hue_error;
+}
+
+struct Count {
+  std::size_t visible{};  ///< Pixels of the part that no other part hides.
+  std::size_t expected{};
+  std::size_t found{};
+};
+
+}  // namespace
+
+std::string missing_part(const DrawList& list, const Picture& picture) {
+  const auto& meshes = list.scene->meshes;
+  const PartMap parts(*list.scene, list.width, list.height);
+  const PixelBox whole{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
+  Occupancy drawn_over(whole);
+  for (const Primitive& primitive : list.primitives) drawn_over.mark(primitive);
+  std::vector<Count> counts(meshes.size());
+  for (int y = 0; y < list.height; ++y) {
+    for (int x = 0; x < list.width; ++x) {
+      const std::uint16_t number = parts.at(x, y);
+      if (number == 0 || meshes[number - 1U].label.empty()) continue;
+      Count& count = counts[number - 1U];
+      ++count.visible;
+      if (!parts.inside(x, y, edge_px)) continue;
+      if (drawn_over.taken({x + 0.0, y + 0.0, x + 1.0, y + 1.0}) > 0) continue;
+      ++count.expected;
+      if (shows_shaded(picture.at(x, y), meshes[number - 1U].colour)) ++count.found;
+    }
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (meshes[i].label.empty()) continue;
+    const std::string name = "the part '" + meshes[i].label + "'";
+    if (counts[i].visible < least_visible_px) {
+      return name + " is hidden, or outside of the picture";
+    }
+    if (static_cast<double>(counts[i].found) <
+        least_share * static_cast<double>(counts[i].expected)) {
+      return name + " is not visible in the picture: " + std::to_string(counts[i].found) + " of " +
+             std::to_string(counts[i].expected) + " pixels show it";
+    }
+  }
+  return {};
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,74 @@
+#include "render/scene/part_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribolog::render {
+
+PartMap::PartMap(const SceneGeometry& scene, int width, int height)
+    : width_(width),
+      height_(height),
+      parts_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      nearness_(parts_.size()) {
+  const SceneView& view = scene.view;
+  std::vector<Corner> corners;
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    const SceneMesh& mesh = scene.meshes[m];
+    corners.clear();
+    for (const Point3& p : mesh.points) {
+      const PixelPoint at = view.pixel(p);
+      // Both are linear over the picture of a flat triangle.
+      const double distance = view.distance(p);
+      corners.push_back(
+          {at.x, at.y, view.parallel ? 2 * view.farthest_m - distance : 1.0 / distance});
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      fill(corners[a], corners[b], corners[c], static_cast<std::uint16_t>(m + 1));
+    }
+  }
+  nearness_ = {};
+}
+
+void PartMap::fill(const Corner& a, const Corner& b, const Corner& c, std::uint16_t part) {
+  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  if (!(std::abs(area) > 1e-12)) return;
+  const auto first = [](double from, int most) {
+    return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, static_cast<double>(most)));
+  };
+  const auto last = [](double to, int most) {
+    return static_cast<int>(std::clamp(std::floor(to - 0.5), -1.0, most - 1.0));
+  };
+  const int left = first(std::min({a.x, b.x, c.x}), width_);
+  const int right = last(std::max({a.x, b.x, c.x}), width_);
+  const int top = first(std::min({a.y, b.y, c.y}), height_);
+  const int bottom = last(std::max({a.y, b.y, c.y}), height_);
+  for (int y = top; y <= bottom; ++y) {
+    for (int x = left; x <= right; ++x) {
+      const double px = x + 0.5;
+      const double py = y + 0.5;
+      const double share_b = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
+      const double share_c = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
+      if (share_b < 0 || share_c < 0 || share_b + share_c > 1) continue;
+      const auto nearness = static_cast<float>(a.nearness + share_b * (b.nearness - a.nearness) +
+                                               share_c * (c.nearness - a.nearness));
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                            static_cast<std::size_t>(x);
+      if (nearness <= nearness_[i]) continue;
+      nearness_[i] = nearness;
+      parts_[i] = part;
+    }
+  }
+}
+
+bool PartMap::inside(int x, int y, int reach) const {
+  if (x < reach || y < reach || x + reach >= width_ || y + reach >= height_) return false;
+  const std::uint16_t part = at(x, y);
+  for (const int dy : {-reach, 0, reach}) {
+    for (const int dx : {-reach, 0, reach}) {
+      if (at(x + dx, y + dy) != part) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace tribolog::render

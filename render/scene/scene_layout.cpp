@@ -1,0 +1,109 @@
+#include "render/scene/scene_layout.h"
+
+#include <utility>
+
+#include "error.h"
+#include "render/layout/panel_frame.h"
+#include "render/scene/annotations.h"
+#include "render/scene/caption_placement.h"
+#include "render/scene/part_map.h"
+#include "render/scene/part_meshes.h"
+#include "render/scene/scene_view.h"
+#include "render/vector3.h"
+
+namespace tribolog::render {
+namespace {
+
+void require_direction(Point3 direction, const std::string& label, const char* what) {
+  const double size = length(direction);
+  if (std::isfinite(size) && size > 0) return;
+  throw FigureError("the part '" + label + "' of the scene has no direction: its " + what +
+                    " is zero or not finite");
+}
+
+void check_parts(const Scene& scene) {
+  for (const SceneDrum& one : scene.drums) require_direction(one.axis, one.label, "axis");
+  for (const SceneArrow& one : scene.arrows) {
+    require_direction(one.to - one.from, one.label, "length");
+  }
+  for (const SceneSector& one : scene.sectors) {
+    require_direction(one.normal, one.label, "normal");
+    require_direction(one.zero, one.label, "zero line");
+  }
+}
+
+/// In the order in which texts are placed: those that have the least choice first.
+std::vector<Caption> captions_of(const Scene& scene, const SceneView& view) {
+  std::vector<Caption> captions;
+  const auto add = [&](const std::string& text, Point3 at, Colour colour) {
+    if (!text.empty()) captions.push_back({text, view.pixel(at), colour});
+  };
+  for (const SceneDimension& one : scene.dimensions) add(one.label, middle_of(one), one.colour);
+  for (const SceneSector& one : scene.sectors) add(one.label, middle_of(one), one.colour);
+  for (const SceneBall& one : scene.balls) add(one.label, one.centre, one.colour);
+  for (const SceneArrow& one : scene.arrows) add(one.label, one.to, one.colour);
+  for (const SceneLine& one : scene.lines) add(one.label, middle_of(one), one.colour);
+  for (const SceneText& one : scene.texts) add(one.text, one.at, one.colour);
+  for (const SceneDrum& one : scene.drums) add(one.label, one.centre, ink::text);
+  for (const SceneBody& one : scene.bodies) add(one.label, 0.5 * (one.from + one.to), ink::text);
+  return captions;
+}
+
+/// Texts keep off solid parts and lines, but may stand on the floor and in a filled sector.
+Obstacles obstacles_of(const DrawList& list, const PixelBox& room) {
+  Obstacles taken{Occupancy(room), Occupancy(room)};
+  const PartMap parts(*list.scene, list.width, list.height);
+  constexpr int step = static_cast<int>(Occupancy::cell_px);
+  for (int y = 0; y < list.height; y += step) {
+    for (int x = 0; x < list.width; x += step) {
+      const std::uint16_t part = parts.at(x, y);
+      if (part == 0 || list.scene->meshes[part - 1U].finish == SceneMesh::Finish::flat) continue;
+      taken.solid.mark(PixelBox{x + 0.0, y + 0.0, x + 1.0, y + 1.0});
+    }
+  }
+  for (const Primitive& primitive : list.primitives) {
+    if (owner_of(primitive).role == Role::scene_line) taken.lines.mark(primitive);
+  }
+  return taken;
+}
+
+}  // namespace
+
+DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& faults) {
+  const Scene& scene = *figure.scene;
+  const FigureStyle style(figure);
+  DrawList list;
+  list.width = figure.width_px;
+  list.height = figure.height_px;
+  check_parts(scene);
+
+  FigureFrame frame;
+  bool cut = false;
+  const double width = figure.width_px - 2 * style.margin;
+  frame.title = wrap_lines(font, figure.title, style.figure_title, width, 3, faults, cut);
+  if (cut) list.warnings.push_back("a title was too long and was cut: " + figure.title);
+  const double title_height =
+      1.28 * style.figure_title.size_px * static_cast<double>(frame.title.size());
+  const PixelBox room{style.margin, style.margin + title_height + style.gap,
+                      figure.width_px - style.margin, figure.height_px - style.margin};
+  const double free_x = scene.camera.margin * room.width();
+  const double free_y = scene.camera.margin * room.height();
+  std::vector<Sphere> shown;
+  for (const Point3& p : scene.camera.fit) shown.push_back({p, 0.0});
+  if (shown.empty()) shown = reach_of(scene);
+  if (shown.empty()) throw FigureError("the scene is empty");
+
+  SceneGeometry geometry;
+  geometry.view =
+      fit_view(scene.camera, shown,
+               {room.left + free_x, room.top + free_y, room.right - free_x, room.bottom - free_y});
+  geometry.meshes = part_meshes(scene, geometry.view, style.unit);
+  list.scene = std::move(geometry);
+  draw_annotations(list, scene, list.scene->view, style);
+  const Obstacles taken = obstacles_of(list, room);
+  draw_captions(list, captions_of(scene, list.scene->view), room, taken, font, style, faults);
+  draw_figure_title(list, frame, style);
+  return list;
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,16 @@
+#pragma once
+// From the description of a scene to its draw list. Needs no graphics.
+
+#include "render/draw_list.h"
+#include "render/figure.h"
+#include "render/layout/figure_style.h"
+#include "render/text/font.h"
+
+namespace tribolog::render {
+
+/// @pre the figure has a scene.
+/// @throw tribolog::FigureError for a camera or a scene that cannot be shown (see fit_view()), or a
+/// part that has no direction.
+DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& faults);
+
+}  // namespace tribolog::render

@@ -1,0 +1,189 @@
+#include "render/scene/scene_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "error.h"
+#include "render/vector3.h"
+
+namespace tribolog::render {
+namespace {
+
+struct Extent {
+  double left{1e300}, right{-1e300}, low{1e300}, high{-1e300};
+  void add(double u, double v, double radius) {
+    left = std::min(left, u - radius);
+    right = std::max(right, u + radius);
+    low = std::min(low, v - radius);
+    high = std::max(high, v + radius);
+  }
+};
+
+bool is_finite(Point3 p) { return std::isfinite(dot(p, p)); }
+
+void check(const SceneCamera& camera) {
+  const Point3 side = cross(camera.towards, camera.up);
+  if (!is_finite(side) || length(side) < 1e-6 * length(camera.towards) * length(camera.up) ||
+      length(side) == 0) {
+    throw FigureError("the scene's camera has no direction, or its 'up' lies along it");
+  }
+  if (!(camera.opening_deg >= 0 && camera.opening_deg < 90)) {
+    throw FigureError("the scene's camera opens by " + std::to_string(camera.opening_deg) +
+                      " degrees; it must be 0 (parallel) to below 90");
+  }
+  if (!(camera.margin >= 0 && camera.margin < 0.45)) {
+    throw FigureError("the margin of a scene is " + std::to_string(camera.margin) +
+                      "; it must be 0 to below 0.45");
+  }
+}
+
+}  // namespace
+
+std::vector<Sphere> reach_of(const Scene& scene) {
+  std::vector<Sphere> all;
+  for (const SceneBody& body : scene.bodies) {
+    all.push_back({body.from, body.from_radius_m});
+    all.push_back({body.to, body.to_radius_m});
+  }
+  for (const SceneDrum& drum : scene.drums) {
+    if (length(drum.axis) == 0) continue;
+    const Point3 half = 0.5 * drum.length_m * unit(drum.axis);
+    all.push_back({drum.centre + half, drum.radius_m});
+    all.push_back({drum.centre - half, drum.radius_m});
+  }
+  for (const SceneArrow& arrow : scene.arrows) {
+    all.push_back({arrow.from, arrow.radius_m});
+    all.push_back({arrow.to, arrow.radius_m});
+  }
+  for (const SceneBall& ball : scene.balls) all.push_back({ball.centre, ball.radius_m});
+  for (const SceneSector& sector : scene.sectors) {
+    if (length(sector.normal) == 0 || length(sector.zero) == 0) continue;
+    constexpr int steps = 24;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = sector.from_rad + (sector.to_rad - sector.from_rad) * i / steps;
+      const Point3 arm = turned(unit(sector.zero), unit(sector.normal), angle);
+      all.push_back({sector.centre + sector.radius_m * arm, 0.0});
+    }
+  }
+  for (const SceneDimension& one : scene.dimensions) {
+    for (const Point3 end : {one.from, one.to}) all.push_back({end + one.shift, 0.0});
+  }
+  for (const SceneLine& line : scene.lines) {
+    for (const Point3 p : line.points) all.push_back({p, 0.0});
+  }
+  for (const SceneText& text : scene.texts) all.push_back({text.at, 0.0});
+  if (scene.ground) {
+    const double half = scene.ground->half_size_m;
+    for (const double x : {-half, half}) {
+      for (const double y : {-half, half}) {
+        all.push_back({scene.ground->centre + Point3{x, y, 0}, 0.0});
+      }
+    }
+  }
+  return all;
+}
+
+SceneView fit_view(const SceneCamera& camera, const std::vector<Sphere>& shown,
+                   const PixelBox& room) {
+  check(camera);
+  SceneView view;
+  view.forward = unit(camera.towards);
+  view.right = unit(cross(view.forward, camera.up));
+  view.up = cross(view.right, view.forward);
+  Point3 low = shown.front().centre;
+  Point3 high = low;
+  for (const Sphere& one : shown) {
+    const Point3 p = one.centre;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Point3 centre = 0.5 * (low + high);
+  double reach = 0;
+  for (const Sphere& one : shown) {
+    reach = std::max(reach, length(one.centre - centre) + one.radius_m);
+  }
+  if (!std::isfinite(reach) || !(reach > 0)) {
+    throw FigureError("the scene has no size, or is not finite");
+  }
+  view.parallel = camera.opening_deg == 0;
+  const double opening = camera.opening_deg * std::numbers::pi / 180;
+  const double away = view.parallel ? 4 * reach : reach / std::sin(opening / 2);
+  view.eye = centre - away * view.forward;
+  view.nearest_m = away - reach;
+  view.farthest_m = away + reach;
+
+  Extent extent;
+  for (const Sphere& one : shown) {
+    const Point3 p = one.centre - view.eye;
+    const double shrink = view.parallel ? 1.0 : 1.0 / dot(p, view.forward);
+    extent.add(dot(p, view.right) * shrink, dot(p, view.up) * shrink, one.radius_m * shrink);
+  }
+  const double width = std::max(extent.right - extent.left, 1e-9);
+  const double height = std::max(extent.high - extent.low, 1e-9);
+  view.scale = std::min(room.width() / width, room.height() / height);
+  view.origin = {room.centre().x - view.scale * (extent.left + extent.right) / 2,
+                 room.centre().y + view.scale * (extent.low + extent.high) / 2};
+  return view;
+}
+
+double SceneView::distance(Point3 p) const { return dot(p - eye, forward); }
+
+PixelPoint SceneView::pixel(Point3 p) const {
+  const double k = parallel ? scale : scale / distance(p);
+  return {origin.x + k * dot(p - eye, right), origin.y - k * dot(p - eye, up)};
+}
+
+double SceneView::metres_per_pixel(Point3 p) const {
+  return (parallel ? 1.0 : distance(p)) / scale;
+}
+
+Point3 SceneView::moved_to(Point3 p, double distance_m) const {
+  if (parallel) return p + (distance_m - distance(p)) * forward;
+  return eye + (distance_m / distance(p)) * (p - eye);
+}
+
+std::array<double, 16> SceneView::clip_matrix(int width, int top, int rows) const {
+  const double kx = 2 * scale / width;
+  const double ky = 2 * scale / rows;
+  const double dx = 2 * origin.x / width - 1;
+  const double dy = 1 - 2 * (origin.y - top) / rows;
+  const double n = 0.25 * nearest_m;
+  const double f = 1.05 * farthest_m;
+  if (parallel) {
+    return {kx,
+            0,
+            0,
+            dx,  //
+            0,
+            ky,
+            0,
+            dy,  //
+            0,
+            0,
+            -2 / (f - n),
+            -(f + n) / (f - n),  //
+            0,
+            0,
+            0,
+            1};
+  }
+  return {kx,
+          0,
+          -dx,
+          0,  //
+          0,
+          ky,
+          -dy,
+          0,  //
+          0,
+          0,
+          -(f + n) / (f - n),
+          -2 * f * n / (f - n),  //
+          0,
+          0,
+          -1,
+          0};
+}
+
+}  // namespace tribolog::render

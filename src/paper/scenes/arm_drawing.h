@@ -1,0 +1,45 @@
+#pragma once
+// An arm in a pose as solid parts of a scene.
+
+#include "robot/serial_arm.h"
+
+#include "render/scene.h"
+
+namespace tribolog::scenes {
+
+namespace paint {
+inline constexpr render::Colour standing{196, 203, 210};  ///< Links that the test does not move.
+inline constexpr render::Colour driven{228, 186, 104};    ///< Links that it does.
+inline constexpr render::Colour housing{138, 146, 155};   ///< Of joints.
+inline constexpr render::Colour axis{0, 90, 150};
+inline constexpr render::Colour tested_axis{190, 70, 0};
+}  // namespace paint
+
+struct ArmLook {
+  std::size_t first{0};         ///< The first link that is drawn.
+  std::size_t driven_from{99};  ///< The first in the colour of driven links.
+  std::uint8_t strength{255};   ///< Alpha of every colour: less for a pose that is not the present.
+  double slimness{1.0};         ///< Factor of all radii.
+};
+
+/// Adds links and housings, from the base or from link `first` on.
+void add_arm(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, const ArmLook& look);
+
+/// Adds the axis of a joint as an arrow that comes out of its housing on the side of positive turns
+/// by `ahead_m`, and on the other by `behind_m`. Where the link runs along the axis and would hide
+/// it, the arrow stands behind the link before, `ahead_m + behind_m` long, and points at the joint.
+void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, std::size_t joint,
+              double ahead_m, double behind_m, const std::string& label, render::Colour colour);
+
+/// How far the arrow of an axis must come out of its housing not to be hidden behind it; at least
+/// `wanted_m`.
+double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, const ArmPose& pose,
+                     std::size_t joint, double wanted_m);
+
+/// The base's frame, right-handed, at a point on the floor.
+void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m);
+
+/// All lengths of the chain laid end to end: a scale for what stands around the arm.
+double reach_m(const SerialArm& arm);
+
+}  // namespace tribolog::scenes

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "paper/scenes/arm_drawing.h"
+#include "paper/scenes/scene_figures.h"
+#include "paper/scenes/scene_words.h"
+
+#include "figures/number_text.h"
+
+namespace tribolog {
+namespace {
+
+/// Farthest that the centre of the wrist, the last joint but one, gets from the first axis while
+/// the second and third joint turn through their ranges.
+double wrist_reach_m(const RobotDescription& robot) {
+  const SerialArm& arm = robot.under_test.arm();
+  if (arm.size() < 4) return 0.0;
+  constexpr int steps = 60;
+  const auto share_of = [&](std::size_t joint, int i) {
+    const ArmJoint& one = arm.joints()[joint];
+    return one.lowest_rad + (one.highest_rad - one.lowest_rad) * i / steps;
+  };
+  std::vector<double> angles = robot.portrait_rad;
+  double reach = 0;
+  for (int i = 0; i <= steps; ++i) {
+    for (int k = 0; k <= steps; ++k) {
+      angles[1] = share_of(1, i);
+      angles[2] = share_of(2, k);
+      const ArmPose pose = arm.pose(angles);
+      const Eigen::Vector3d from =
+          pose.frames[arm.size() - 2].translation() - pose.frames.front().translation();
+      const Eigen::Vector3d axis = arm.axis(pose, 0);
+      reach = std::max(reach, (from - from.dot(axis) * axis).norm());
+    }
+  }
+  return reach;
+}
+
+/// " The wrist reaches 1.4 m from the first axis.", or nothing for an arm without a wrist.
+std::string reach_words(const RobotDescription& robot) {
+  const double reach = wrist_reach_m(robot);
+  if (!(reach > 0)) return {};
+  return fmt::format(" The wrist reaches {:.1f} m from the axis of joint {}.", reach,
+                     robot.under_test.arm().joints().front().name);
+}
+
+std::string turns_about(const Eigen::Vector3d& axis) {
+  if (std::abs(axis.z()) > 0.9) return "upright";
+  return std::abs(axis.x()) > 0.9 ? "along the link" : "level";
+}
+
+}  // namespace
+
+ReportFigure robot_figure(const RobotDescription& robot) {
+  using namespace scenes;
+  const SerialArm& arm = robot.under_test.arm();
+  const std::size_t tested = robot.under_test.setting().joint;
+  const ArmPose pose = arm.pose(robot.portrait_rad);
+  const double size = reach_m(arm);
+
+  render::Scene scene;
+  scene.camera.towards = {-0.62, 0.95, -0.40};
+  scene.camera.opening_deg = 22;
+  scene.camera.margin = 0.03;
+  render::SceneGround ground;
+  ground.half_size_m = 0.3 * size;
+  ground.spacing_m = 0.1 * size;
+  ground.centre = {0.05 * size, 0, 0};
+  scene.ground = ground;
+  ArmLook look;
+  look.driven_from = tested;
+  add_arm(scene, arm, pose, look);
+  std::vector<std::string> axes;
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[i];
+    const double ahead = (i == 0 ? 0.26 : 0.09) * size;
+    add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, ahead),
+             i == 0 ? 0.0 : 0.03 * size, "q_{" + joint.name + "}",
+             i == tested ? paint::tested_axis : paint::axis);
+    axes.push_back(fmt::format("joint {} {}, {} to {}", joint.name, turns_about(joint.axis),
+                               degrees_text(joint.lowest_rad, 0),
+                               degrees_text(joint.highest_rad, 0)));
+  }
+  add_base_frame(scene, {-0.15 * size, -0.2 * size, 0}, 0.09 * size);
+
+  ReportFigure out;
+  out.number = 9;
+  out.id = "fig-09-robot";
+  out.title = "The robot, " + arm.name();
+  out.caption = fmt::format(
+      "{} with its {} joints; joint {} is tested and moves the links in the warm colour.{}{}",
+      arm.name(), arm.size(), arm.joints()[tested].name, reach_words(robot),
+      dimensions_note(robot));
+  out.how_to_read =
+      "Each arrow is the axis of a joint: seen against its direction, a positive angle turns the "
+      "links behind it counter-clockwise. Links that the tested joint does not move stand grey.";
+  out.alt = fmt::format("Three-dimensional drawing of {}, axes at angle 0 of every joint: {}.",
+                        arm.name(), figures::listed(axes));
+  out.stage = "cog_sweep";
+  out.figure.height_px = 1200;
+  out.figure.scene = std::move(scene);
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "example_figures.h"
+#include "png_reading.h"
+
+#include "render/check/picture_check.h"
+#include "render/layout/figure_layout.h"
+#include "render/paint/painter.h"
+#include "render/renderer.h"
+
+namespace tribolog::render {
+namespace {
+
+DrawnFigure drawn(const Figure& figure) { return FigureRenderer(1).draw({figure}).at(0); }
+
+TEST(ScenePicture, IsWholeInBothProjections) {
+  for (const double opening : {0.0, 30.0}) {
+    const DrawnFigure result = drawn(examples::scene(opening));
+    EXPECT_EQ(result.error, "");
+    EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
+    EXPECT_FALSE(result.png.empty());
+  }
+}
+
+TEST(ScenePicture, ShowsPartsWhereTheyBelong) {
+  const Figure figure = examples::scene();
+  const DrawList list = lay_out(figure, Font());
+  const Picture picture = read_png(drawn(figure).png);
+  const SceneView& view = list.scene->view;
+  const auto colour_at = [&](Point3 p, double dy) {
+    const PixelPoint at = view.pixel(p);
+    return picture.at(static_cast<int>(at.x), static_cast<int>(at.y + dy));
+  };
+  const Colour orange = colour_at({0.55, 0, 1.18}, 0);
+  EXPECT_GT(orange.red, orange.green);
+  EXPECT_GT(orange.green, orange.blue + 60);
+  const Colour ball = colour_at({0.4, 0, 1.13}, 12);
+  EXPECT_GT(ball.red, ball.green + 30) << "shown though it lies inside of the link";
+  EXPECT_GT(ball.blue, ball.green + 10);
+  EXPECT_EQ(picture.at(5, 500), (Colour{255, 255, 255}));
+}
+
+// A chart has no depth buffer and a scene has one: neither may leave a trace in the other.
+TEST(ScenePicture, AndChartsDoNotChangeEachOther) {
+  const Figure chart = examples::hysteresis();
+  const Figure scene = examples::scene();
+  const auto mixed = FigureRenderer(1).draw({scene, chart, scene, examples::scene(30), chart});
+  EXPECT_EQ(mixed[0].error, "");
+  EXPECT_EQ(mixed[2].png, mixed[0].png);
+  EXPECT_EQ(mixed[4].png, mixed[1].png);
+  EXPECT_EQ(drawn(chart).png, mixed[1].png);
+  EXPECT_EQ(drawn(scene).png, mixed[0].png);
+  EXPECT_EQ(drawn(examples::scene(30)).png, mixed[3].png);
+}
+
+// In a process of its own, as every use of the graphics stack.
+TEST(ScenePicture, DoesNotDependOnItsStrips) {
+  const auto compare = [] {
+    for (const char* variable : {"MESA_SHADER_CACHE_DISABLE", "LIBGL_ALWAYS_SOFTWARE"}) {
+      setenv(variable, "true", 1);
+    }
+    setenv("LP_NUM_THREADS", "0", 1);
+    const Font font;
+    Painter painter(font);
+    for (const double opening : {0.0, 30.0}) {
+      const DrawList list = lay_out(examples::scene(opening), font);
+      const Picture usual = painter.paint(list);
+      for (const int rows : {100, 1000}) {
+        const Picture other = painter.paint(list, rows);
+        // Sub-pixel positions are rounded: an edge may move by a sample of the four of a pixel.
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < usual.rgb.size(); ++i) {
+          changed += std::abs(usual.rgb[i] - other.rgb[i]) > 8 ? 1U : 0U;
+        }
+        if (changed > usual.rgb.size() / 1000) {
+          std::fprintf(stderr, "%zu of %zu bytes differ\n", changed, usual.rgb.size());
+          std::_Exit(1);
+        }
+      }
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(compare(), testing::ExitedWithCode(0), "");
+}
+
+TEST(ScenePicture, IsRefusedWhereALabelledPartIsHidden) {
+  Figure figure = examples::scene();
+  figure.scene->balls[0].inside = false;
+  EXPECT_EQ(drawn(figure).error, "the part 'm_{3}' is hidden, or outside of the picture");
+}
+
+TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {
+  const Figure figure = examples::scene();
+  const DrawList list = lay_out(figure, Font());
+  const Picture whole = read_png(drawn(figure).png);
+  EXPECT_EQ(check_picture(list, figure, whole).error, "");
+
+  Picture grey = whole;  // as a driver that loses the colours
+  for (std::size_t i = 0; i < grey.rgb.size(); i += 3) {
+    grey.rgb[i] = grey.rgb[i + 2] = grey.rgb[i + 1];
+  }
+  EXPECT_NE(check_picture(list, figure, grey).error, "");
+
+  Picture flat = whole;  // as a driver that draws texts and lines only
+  for (std::size_t i = 0; i < flat.rgb.size(); ++i) {
+    if (std::max({whole.rgb[i - i % 3], whole.rgb[i - i % 3 + 1], whole.rgb[i - i % 3 + 2]}) >
+        120) {
+      flat.rgb[i] = 255;
+    }
+  }
+  EXPECT_NE(check_picture(list, figure, flat).error, "");
+}
+
+}  // namespace
+}  // namespace tribolog::render

@@ -1,0 +1,148 @@
+#include "paper/scenes/scene_figures.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "ingest/robot_file.h"
+#include "render/renderer.h"
+#include "render/vector3.h"
+
+namespace tribolog {
+namespace {
+
+RobotDescription example() {
+  return read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
+}
+
+void expect_part(const std::string& whole, const std::string& part) {
+  EXPECT_NE(whole.find(part), std::string::npos) << whole;
+}
+
+const render::SceneArrow& arrow(const ReportFigure& figure, const std::string& label) {
+  for (const render::SceneArrow& one : figure.figure.scene->arrows) {
+    if (one.label == label) return one;
+  }
+  throw std::runtime_error("no arrow " + label);
+}
+
+TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {
+  const auto figures = scene_figures(example());
+  ASSERT_EQ(figures.size(), 3U);
+  std::vector<render::Figure> plain;
+  for (const ReportFigure& one : figures) plain.push_back(one.figure);
+  const auto drawn = render::FigureRenderer(1).draw(plain);
+  const auto again = render::FigureRenderer(2).draw(plain);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    EXPECT_EQ(drawn[i].error, "") << drawn[i].id;
+    EXPECT_TRUE(drawn[i].warnings.empty()) << drawn[i].id << ": " << drawn[i].warnings[0];
+    EXPECT_EQ(drawn[i].png, again[i].png) << drawn[i].id;
+  }
+}
+
+TEST(SceneFigures, SayTheirNumbers) {
+  const auto figures = scene_figures(example());
+  EXPECT_EQ(figures[0].number, 9);
+  EXPECT_EQ(figures[1].number, 10);
+  EXPECT_EQ(figures[2].number, 12);
+  for (const ReportFigure& one : figures) {
+    EXPECT_EQ(one.figure.id, one.id);
+    EXPECT_FALSE(one.how_to_read.empty());
+    expect_part(one.caption, "Dimensions are approximate.");
+  }
+  EXPECT_EQ(figures[1].id, "fig-10-phenomenological-model");
+  expect_part(figures[1].alt, "mass 98.96 kg at 400 mm");
+  expect_part(figures[1].alt, "surrogate mass 79.17 kg at 500 mm");
+  expect_part(figures[2].alt, "joint 3 moves from −80° to 60°, 140° in all");
+  expect_part(figures[2].alt, "level at −22.23187°");
+}
+
+TEST(SceneFigures, PointAxesTheRightWay) {
+  for (const ReportFigure& one : scene_figures(example())) {
+    const auto direction = [&](const char* label) {
+      return render::unit(arrow(one, label).to - arrow(one, label).from);
+    };
+    const auto z = render::cross(direction("x"), direction("y"));
+    EXPECT_NEAR(render::length(z - direction("z")), 0.0, 1e-12) << one.id;
+  }
+  const auto figure = robot_figure(example());
+  std::set<std::string> axes;
+  for (const auto& one : figure.figure.scene->arrows) axes.insert(one.label);
+  for (const char* name : {"q_{1}", "q_{2}", "q_{3}", "q_{4}", "q_{5}", "q_{6}"}) {
+    EXPECT_EQ(axes.count(name), 1U) << name;
+  }
+  const auto third = arrow(figure, "q_{3}");
+  EXPECT_LT(third.to.y, third.from.y) << "a positive turn raises the forearm";
+}
+
+TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
+  const RobotDescription robot = example();
+  const auto model = mass_model_figure(robot);
+  const auto& balls = model.figure.scene->balls;
+  ASSERT_EQ(balls.size(), 2U);
+  const Eigen::Vector3d joint = robot.under_test.place_m();
+  const render::Point3 centre{joint.x(), joint.y(), joint.z()};
+  EXPECT_NEAR(render::length(balls[0].centre - centre), 0.4, 1e-12);
+  EXPECT_NEAR(render::length(balls[1].centre - centre), 0.5, 1e-12);
+  const auto& gravity = arrow(model, "g = 9.81 m/s²");
+  EXPECT_LT(gravity.to.z, gravity.from.z);
+  EXPECT_EQ(gravity.to.x, gravity.from.x);
+
+  const auto range = motion_range_figure(robot);
+  const auto& mass = range.figure.scene->balls.at(0);
+  EXPECT_NEAR(mass.centre.z, centre.z, 1e-12) << "level at q_peak";
+  const auto& sector = range.figure.scene->sectors.at(0);
+  EXPECT_NEAR(sector.to_rad - sector.from_rad, 140 * std::numbers::pi / 180, 1e-12);
+}
+
+/// The same robot with every length twice as long.
+RobotDescription doubled(const RobotDescription& robot) {
+  std::vector<ArmJoint> joints = robot.under_test.arm().joints();
+  for (ArmJoint& one : joints) {
+    one.offset_m *= 2;
+    for (Eigen::Vector3d& bend : one.link_bends_m) bend *= 2;
+    for (double* size : {&one.shape.radius_m, &one.shape.end_radius_m, &one.shape.bar_thickness_m,
+                         &one.shape.drum_radius_m, &one.shape.drum_length_m}) {
+      *size *= 2;
+    }
+  }
+  JointUnderTest::Setting setting = robot.under_test.setting();
+  setting.surrogate_distance_m *= 2;
+  const GravityLoad& load = robot.under_test.load();
+  setting.load = GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad());
+  SerialArm arm("large", joints, 2 * robot.under_test.arm().tool_m());
+  return {JointUnderTest(std::move(arm), setting), robot.portrait_rad, true};
+}
+
+TEST(SceneFigures, GrowWithTheRobot) {
+  const auto small = scene_figures(example());
+  const auto large = scene_figures(doubled(example()));
+  const auto expect_doubled = [](render::Point3 a, render::Point3 b) {
+    EXPECT_NEAR(render::length(b - 2.0 * a), 0.0, 1e-12);
+  };
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    const render::Scene& a = *small[i].figure.scene;
+    const render::Scene& b = *large[i].figure.scene;
+    ASSERT_EQ(a.arrows.size(), b.arrows.size());
+    for (std::size_t k = 0; k < a.arrows.size(); ++k) {
+      expect_doubled(a.arrows[k].from, b.arrows[k].from);
+      expect_doubled(a.arrows[k].to, b.arrows[k].to);
+      EXPECT_NEAR(b.arrows[k].radius_m, 2 * a.arrows[k].radius_m, 1e-12);
+    }
+    for (std::size_t k = 0; k < a.bodies.size(); ++k) {
+      expect_doubled(a.bodies[k].from, b.bodies[k].from);
+    }
+    for (std::size_t k = 0; k < a.balls.size(); ++k) {
+      expect_doubled(a.balls[k].centre, b.balls[k].centre);
+      EXPECT_NEAR(b.balls[k].radius_m, 2 * a.balls[k].radius_m, 1e-12);
+    }
+    for (std::size_t k = 0; k < a.dimensions.size(); ++k) {
+      expect_doubled(a.dimensions[k].shift, b.dimensions[k].shift);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tribolog
