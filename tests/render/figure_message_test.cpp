@@ -55,9 +55,7 @@ TEST(FigureMessage, WritesEveryField) {
   panel.error_bars.resize(1);
   panel.point_labels.resize(1);
   panel.reference_lines.resize(1);
-  const auto expect_change = [&](auto& field, auto value) {
-    expect_written(figure, field, value);
-  };
+  const auto expect_change = [&](auto& field, auto value) { expect_written(figure, field, value); };
   const std::vector<double> numbers{1.5, std::numeric_limits<double>::infinity()};
   const Colour colour{1, 2, 3, 4};
   expect_change(figure.id, "id");
@@ -121,9 +119,7 @@ TEST(FigureMessage, WritesEveryFieldOfADiagram) {
   diagram.arcs.resize(1);
   diagram.dimensions.resize(1);
   diagram.texts.resize(1);
-  const auto expect_change = [&](auto& field, auto value) {
-    expect_written(figure, field, value);
-  };
+  const auto expect_change = [&](auto& field, auto value) { expect_written(figure, field, value); };
   const std::vector<DiagramPoint> points{{1, 2}, {3, 4}};
   const DiagramPoint point{5, 6};
   const Colour colour{1, 2, 3, 4};
