@@ -1,0 +1,54 @@
+// Eq. (1) and (2): where they agree, where they do not, and what is impossible.
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
+
+namespace tribolog {
+namespace {
+
+const StribeckFriction stribeck({{1.0, 1.5, 0.1, 2.0}, 0.4});
+const ThresholdSpeedFriction threshold({1.0, 1.5, 20.0, 0.4, 1e-3});
+
+TEST(StaticLaws, FallFromStaticToCoulombTorqueAndRiseViscously) {
+  EXPECT_NEAR(stribeck.torque_Nm(1e-9), 1.5, 1e-6);
+  EXPECT_NEAR(stribeck.torque_Nm(10) - 0.4 * 10, 1.0, 1e-12);
+  EXPECT_NEAR(threshold.torque_Nm(10) - 0.4 * 10, 1.0, 1e-12);
+  EXPECT_LT(stribeck.torque_Nm(0.2), stribeck.torque_Nm(0.01));
+}
+
+TEST(StaticLaws, AreOdd) {
+  for (const double speed : {1e-6, 5e-4, 1e-3, 0.1, 3.0}) {
+    EXPECT_DOUBLE_EQ(stribeck.torque_Nm(-speed), -stribeck.torque_Nm(speed));
+    EXPECT_DOUBLE_EQ(threshold.torque_Nm(-speed), -threshold.torque_Nm(speed));
+  }
+}
+
+// Eq. (1) holds at rest whatever is applied, up to break-away; eq. (2) never holds.
+TEST(StaticLaws, AtRestOneHoldsAndTheOtherCreeps) {
+  EXPECT_EQ(stribeck.torque_Nm(0), 0);
+  EXPECT_EQ(stribeck.torque_at_rest_Nm(0.7), 0.7);
+  EXPECT_EQ(stribeck.torque_at_rest_Nm(-9), -1.5);
+  EXPECT_EQ(threshold.torque_Nm(0), 0);
+  EXPECT_NEAR(threshold.torque_Nm(5e-4) / threshold.torque_Nm(1e-3), 0.5, 1e-12);
+}
+
+// As printed both branches say |w| >= wth; the errata's reading makes them meet.
+TEST(StaticLaws, ThresholdBranchesMeet) {
+  const double at = threshold.parameters().threshold_rad_s;
+  EXPECT_NEAR(threshold.torque_Nm(std::nextafter(at, 0.0)), threshold.torque_Nm(at), 1e-12);
+}
+
+TEST(StaticLaws, RefuseWhatCannotBe) {
+  EXPECT_THROW(StribeckFriction({{1.6, 1.5, 0.1, 2.0}, 0.4}), std::invalid_argument);
+  EXPECT_THROW(StribeckFriction({{1.0, 1.5, 0.1, 2.0}, -0.4}), std::invalid_argument);
+  EXPECT_THROW(ThresholdSpeedFriction({1.0, 1.5, 20.0, 0.4, 0.0}), std::invalid_argument);
+  EXPECT_THROW(ThresholdSpeedFriction({1.6, 1.5, 20.0, 0.4, 1e-3}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tribolog
