@@ -16,7 +16,6 @@ DrawingServer::DrawingServer() {
 void DrawingServer::start(bool warm) {
   // Made in the new process, and never destroyed there: tearing a graphics stack down takes time.
   auto worker = std::make_shared<DrawingWorker*>(nullptr);
-  ready_ = false;
   server_ = std::make_unique<ForkServer>(
       [=] {
         *worker = new DrawingWorker;
@@ -35,14 +34,13 @@ void DrawingServer::wait_until_ready(std::chrono::milliseconds most) {
     start_error_ = error.what();
     throw;
   }
-  ready_ = true;
 }
 
 std::unique_ptr<ForkServer::Worker> DrawingServer::start_worker(std::chrono::milliseconds most) {
   if (!start_error_.empty()) throw FigureError(start_error_);
   try {
     if (!server_) start(true);
-    if (!ready_) wait_until_ready(most);
+    if (!server_->is_prepared()) wait_until_ready(most);
     return server_->start_worker();
   } catch (const FigureError&) {
     server_.reset();

@@ -26,7 +26,6 @@ class DrawingServer {
   void wait_until_ready(std::chrono::milliseconds most);
 
   std::unique_ptr<ForkServer> server_;
-  bool ready_{false};
   std::string start_error_;  ///< Of a stack that does not start: it is not tried again.
 };
 

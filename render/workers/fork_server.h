@@ -33,6 +33,8 @@ class ForkServer {
   /// Waits until `prepare` is done. To be called once, before the first start_worker().
   /// @throw tribolog::FigureError if it takes longer than `most`, or if the server was lost.
   Readiness wait(std::chrono::milliseconds most);
+  /// Has wait() returned?
+  [[nodiscard]] bool is_prepared() const { return is_prepared_; }
 
   /// A worker forked off the server. It ends when its owner goes and closes the socket, at the
   /// latest with the server.

@@ -77,13 +77,12 @@ void GmsFriction::advance(std::span<double> state, const SpeedStep& step) const 
       continue;
     }
     double low = 0;
-    double high = 1;
+    double high = excess(0) < 0 ? 1 : 0;
     constexpr int halvings = 52;
-    for (int k = 0; k < halvings && excess(0) < 0; ++k) {
+    for (int k = 0; k < halvings && high > 0; ++k) {
       const double middle = (low + high) / 2;
       (excess(middle) < 0 ? low : high) = middle;
     }
-    if (excess(0) >= 0) high = 0;
     torque += one.stiffness_Nm_rad * step.part(0, high).path_rad();
     slips = direction;
     slip(torque, one.share, step.part(high, 1));
