@@ -24,12 +24,16 @@ say() { printf 'tribolog: %s\n' "$*"; }
 
 installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
 
+offers_osmesa() { [ -n "$(apt-cache policy libosmesa6-dev 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+
 install_missing() {
   local missing=()
   for package in "${needed[@]}"; do installed "$package" || missing+=("$package"); done
-  # Off-screen drawing: OSMesa where Mesa still has it, else EGL.
-  if ! installed libosmesa6-dev && ! { installed libegl-dev && installed libegl1; }; then
-    missing+=(offscreen)
+  # Off-screen drawing: OSMesa where Mesa still has it, even if EGL is installed; else EGL.
+  if ! installed libosmesa6-dev; then
+    if offers_osmesa || ! { installed libegl-dev && installed libegl1; }; then
+      missing+=(offscreen)
+    fi
   fi
   [ ${#missing[@]} -eq 0 ] && return
   command -v apt-get >/dev/null || {
@@ -50,7 +54,7 @@ install_missing() {
   for package in "${missing[@]}"; do
     if [ "$package" != offscreen ]; then
       wanted+=("$package")
-    elif [ -n "$(apt-cache policy libosmesa6-dev 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; then
+    elif offers_osmesa; then
       wanted+=(libosmesa6-dev)
     else
       wanted+=(libegl-dev libegl1 libgl1-mesa-dri)

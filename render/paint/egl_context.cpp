@@ -60,6 +60,9 @@ class EglContext final : public GlContext {
     if (context_ == EGL_NO_CONTEXT || surface_ == EGL_NO_SURFACE || !make_current()) {
       fail("EGL gives no OpenGL 3.2 context");
     }
+    // Asked now: while VTK has another context current, or none, there is no answer.
+    gl_version_ = gl_text(gl_version_name);
+    gl_renderer_ = gl_text(gl_renderer_name);
   }
   ~EglContext() override { close(); }
   EglContext(const EglContext&) = delete;
@@ -73,8 +76,8 @@ class EglContext final : public GlContext {
     return reinterpret_cast<void*>(eglGetProcAddress(name));
   }
   [[nodiscard]] std::string back_end() const override { return "EGL"; }
-  [[nodiscard]] std::string gl_version() const override { return gl_text(gl_version_name); }
-  [[nodiscard]] std::string gl_renderer() const override { return gl_text(gl_renderer_name); }
+  [[nodiscard]] std::string gl_version() const override { return gl_version_; }
+  [[nodiscard]] std::string gl_renderer() const override { return gl_renderer_; }
 
  private:
   [[noreturn]] void fail(const std::string& what) {
@@ -98,6 +101,8 @@ class EglContext final : public GlContext {
   EGLDisplay display_{EGL_NO_DISPLAY};
   EGLContext context_{EGL_NO_CONTEXT};
   EGLSurface surface_{EGL_NO_SURFACE};
+  std::string gl_version_;
+  std::string gl_renderer_;
 };
 
 }  // namespace
