@@ -1,7 +1,7 @@
 {{%AUTOESCAPE context="HTML"}}
 <section id="errata" aria-labelledby="errata-title">
 <h2 id="errata-title">Errata of the paper <a class="self" href="#errata" aria-label="Link to this section">#</a></h2>
-<p>The method is that of “Viscous friction measurement technique in robot joint with the use of surrogate mass”. Its text has misprints; this program follows the corrected form. The evidence is computed from the paper's own table 2 when this report is made.</p>
+<p>The method is that of “Viscous friction measurement technique in robot joint with the use of surrogate mass”. Its text has misprints; this program follows the corrected form. The evidence is computed from the paper's own numbers and laws when this page is made.</p>
 <div class="table-box" id="table-errata" tabindex="0" role="region" aria-labelledby="table-errata-caption">
 <table class="errata">
 <caption id="table-errata-caption"><span>What is printed, what is meant, and what shows it</span></caption>
@@ -12,14 +12,15 @@
 <tr><th scope="row">eq. (12), cosine</th><td>cos(<i>q</i><sub>c</sub>), <i>q</i><sub>c</sub> = 22.23°</td><td>cosine of the angle away from the peak, about 1</td><td>cos 22.23187° = {{COS_Q_C}} would make row A {{MASS_A_COS_Q_C}} kg; printed are {{MASS_A_PRINTED}} kg.</td></tr>
 <tr><th scope="row">3.2, sign and digits of <i>q</i><sub>c</sub></th><td>−22° = 0.383 rad; −22.23187° = 0.38801 rad</td><td>the joint angle <i>q</i><sub>peak</sub> is negative, the link angle <i>q</i><sub>c</sub> = −<i>q</i><sub>peak</sub> positive</td><td>22° = {{RAD_OF_22}} rad (printed value {{CUT_OF_22}}, not rounded); 22.23187° = {{RAD_OF_PRECISE}} rad (printed value {{CUT_OF_PRECISE}}, not rounded).</td></tr>
 <tr><th scope="row">table 1</th><td>σ<sub>0</sub> = 1·10<sup>−5</sup> N/m, σ<sub>1</sub> = 1·10<sup>−10</sup> N·s/m</td><td>σ<sub>0</sub> = 10<sup>5</sup> N/m, σ<sub>1</sub> = √10<sup>5</sup> ≈ {{DAMPING_MEANT}}</td><td>The static force 1.5 N would need {{DEFLECTION_PRINTED}} of bristle deflection instead of {{DEFLECTION_MEANT}}. Canudas de Wit et al. 1995, table 1.</td></tr>
-<tr><th scope="row">eq. (1)</th><td>sgn(ω) on a line of its own</td><td>it multiplies the whole expression</td><td>Friction is odd in ω.</td></tr>
-<tr><th scope="row">eq. (2)</th><td>|ω| ≥ ω<sub>th</sub> in both branches</td><td>|ω| &lt; ω<sub>th</sub> in the second</td><td>As printed nothing is defined below ω<sub>th</sub>; as meant the branches meet at ω<sub>th</sub>.</td></tr>
-<tr><th scope="row">eq. (6)</th><td>exponents and dots lost in print</td><td><math><mrow><msub><mi>T</mi><mi mathvariant="normal">a</mi></msub><msup><mi>e</mi><mrow><mo>−</mo><msup><mrow><mo stretchy="false">(</mo><mi>ω</mi><mo>/</mo><msub><mi>ω</mi><mi mathvariant="normal">s</mi></msub><mo stretchy="false">)</mo></mrow><msub><mi>δ</mi><mi mathvariant="normal">a</mi></msub></msup></mrow></msup><mo>+</mo><msub><mi>c</mi><mi mathvariant="normal">v</mi></msub><msup><mi>ω</mi><mrow><mn>1</mn><mo>−</mo><msub><mi>δ</mi><mi mathvariant="normal">v</mi></msub></mrow></msup></mrow></math>, ω ≥ 0</td><td>Waiboer, Aarts and Jonker 2005.</td></tr>
+<tr><th scope="row">eq. (1)</th><td>sgn(ω) on a line of its own</td><td>it multiplies the whole expression</td><td>At {{BACKWARDS_SPEED}} with table 1 the printed line gives {{EQUATION_1_PRINTED}}, a friction that pushes along; as meant it gives {{EQUATION_1_MEANT}}, against the motion.</td></tr>
+<tr><th scope="row">eq. (2)</th><td>|ω| ≥ ω<sub>th</sub> in both branches</td><td>|ω| &lt; ω<sub>th</sub> in the second</td><td>As printed nothing is defined below ω<sub>th</sub>. As meant the branches meet: the jump at ω<sub>th</sub> is {{EQUATION_2_JUMP}}, and half of ω<sub>th</sub> gives {{EQUATION_2_HALF}} of the friction there.</td></tr>
+<tr><th scope="row">eq. (6)</th><td>exponents and dots lost in print</td><td><math><mrow><msub><mi>T</mi><mi mathvariant="normal">a</mi></msub><msup><mi>e</mi><mrow><mo>−</mo><msup><mrow><mo stretchy="false">(</mo><mi>ω</mi><mo>/</mo><msub><mi>ω</mi><mi mathvariant="normal">s</mi></msub><mo stretchy="false">)</mo></mrow><msub><mi>δ</mi><mi mathvariant="normal">a</mi></msub></msup></mrow></msup><mo>+</mo><msub><mi>c</mi><mi mathvariant="normal">v</mi></msub><msup><mi>ω</mi><mrow><mn>1</mn><mo>−</mo><msub><mi>δ</mi><mi mathvariant="normal">v</mi></msub></mrow></msup></mrow></math>, ω ≥ 0</td><td>In print an angle stands where its rate is meant. At the −80° of the sweep the printed power of it is {{EQUATION_6_PRINTED}}. Waiboer, Aarts and Jonker 2005 have the speed.</td></tr>
+<tr><th scope="row">eq. (10), (11)</th><td>cos(<i>q</i><sub>3</sub>)</td><td>cos(<i>q</i><sub>c</sub> + <i>q</i><sub>3</sub>), as in eq. (9)</td><td>At the gravity peak the joint's angle is −22.23187°. With cos(<i>q</i><sub>3</sub>) gravity's {{EQUATION_10_GRAVITY}} would be {{EQUATION_10_ERROR}} short, and friction as much too large.</td></tr>
 </tbody>
 </table>
 </div>
 <h3 id="pair-means">What the paper's table does not say</h3>
 <p>The six printed masses differ by {{SINGLE_SPREAD}} kg. The means of opposite points, (A + B)/2, (C + D)/2 and (E + F)/2 of the same table, are {{PAIR_MASSES}} kg: they differ by {{PAIR_SPREAD}} kg only. In a steady loop opposite points lie on either side of the true value, so the choice among A to F rests on the start-up stroke, and the pair means and the mid-line do not.</p>
-{{#TABLE_ABOVE}}<p>Table 2 recomputed, with the masses of this dataset beside it, is in <a href="#table-paper-2">stage 4</a>.</p>{{/TABLE_ABOVE}}
+{{#TABLE_ABOVE}}<p>Table 2 recomputed, with the masses of this dataset beside it, is in <a href="#table-paper-2">{{PLACE}}</a>.</p>{{/TABLE_ABOVE}}
 {{>TABLE}}
 </section>

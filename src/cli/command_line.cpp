@@ -133,6 +133,15 @@ ExitStatus run_command_line(int argc, char** argv) {
   models_command->add_option("-o,--output", models.output, "page (HTML) to write, with --compare");
   add_processes(*models_command, models.processes);
 
+  CLI::App* paper_command =
+      app.add_subcommand("paper", "regenerate the paper, and check it against its print");
+  PaperOptions paper;
+  paper_command->add_option("-o,--output", paper.output, "page (HTML) to write")->required();
+  add_processes(*paper_command, paper.processes);
+  paper_command->footer(
+      "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
+      "table and equation against what is printed. Status 1 if a check does not hold.");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& call) {
@@ -155,6 +164,7 @@ ExitStatus run_command_line(int argc, char** argv) {
     }
     return run_models(models, arguments, console);
   }
+  if (*paper_command) return run_paper(paper, arguments, console);
   std::cout << app.help();
   return ExitStatus::usage;
 }

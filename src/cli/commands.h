@@ -43,6 +43,11 @@ struct ModelsOptions {
   int processes{2};
 };
 
+struct PaperOptions {
+  std::string output;  ///< The page (HTML).
+  int processes{2};
+};
+
 /// @param arguments the whole command line, for the provenance.
 ExitStatus run_simulate(const SimulateOptions& options, Console& console);
 ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
@@ -53,6 +58,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
 /// Lists the friction models with what each can show, or compares them in one page.
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console);
+/// Regenerates the paper and checks it: status 1 if a check fails.
+ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
+                     Console& console);
 ExitStatus run_version(Console& console);
 
 }  // namespace tribolog

@@ -21,6 +21,7 @@ class StribeckFriction {
   explicit StribeckFriction(const Parameters& parameters);
 
   [[nodiscard]] const StribeckCurve& curve() const { return curve_; }
+  [[nodiscard]] double viscous_Nms_rad() const { return viscous_Nms_rad_; }
   /// Friction torque [N·m] in motion; 0 at rest, where the torque is not a function of speed.
   [[nodiscard]] double torque_Nm(double speed_rad_s) const;
   /// Friction torque [N·m] at rest against an applied torque: equal to it up to Ts.

@@ -18,7 +18,6 @@ constexpr double lower_bottom = 70;
 constexpr double bristle_length = 18;
 constexpr double mean_deflection = 7;
 constexpr double bristle_px = 4.0;
-constexpr render::Colour elastic = render::palette::blue;
 constexpr render::Colour rigid = render::palette::vermilion;
 constexpr render::Colour rest = render::palette::grey;
 
@@ -55,7 +54,7 @@ void add_contact(Diagram& diagram) {
   for (const double deflection : deflections) {
     const auto bristle = bent_bristle({root, upper_surface}, bristle_length, -deflection);
     const DiagramPoint touched = bristle[20];
-    add_line(diagram, bristle, elastic, bristle_px);
+    add_line(diagram, bristle, bristle_colour, bristle_px);
     const double beside = 0.5;
     add_line(diagram, {{touched.x + beside, touched.y}, {touched.x + beside, lower_surface}}, rigid,
              bristle_px);
@@ -79,14 +78,15 @@ void add_mean_bristle(Diagram& diagram) {
   const double root = 146;
   const double length = 24;
   const double tip_level = upper_surface + length;
-  const double tip = root - 2 * mean_deflection;
+  const double tip = root - enlargement_of_mean_bristle * mean_deflection;
   add_body(diagram, left, upper_top, right, upper_surface, upper_surface, ground::element);
   diagram.texts.push_back({"the mean bristle",
                            {(left + right) / 2, (upper_top + upper_surface) / 2},
                            TextPlace::centre});
   add_line(diagram, {{root, upper_surface}, {root, tip_level + 7}}, rest, 2.0, LineStyle::dash);
   add_line(diagram, {{tip, tip_level}, {tip, tip_level + 7}}, rest, 2.0, LineStyle::dash);
-  add_line(diagram, bent_bristle({root, upper_surface}, length, tip - root), elastic, bristle_px);
+  add_line(diagram, bent_bristle({root, upper_surface}, length, tip - root), bristle_colour,
+           bristle_px);
   render::Dimension z;
   z.from = {tip, tip_level + 5};
   z.to = {root, tip_level + 5};

@@ -5,6 +5,10 @@
 
 namespace tribolog::paper {
 
+/// Of the elastic bristles: five side by side, then the mean one, enlarged.
+inline constexpr render::Colour bristle_colour = render::palette::blue;
+inline constexpr double enlargement_of_mean_bristle = 2;
+
 ReportFigure bristle_sketch_figure();
 
 }  // namespace tribolog::paper

@@ -1,21 +1,21 @@
-// Evidence for the paper's misprints, computed from its own table 2.
+// Evidence for the paper's misprints, computed from its own numbers and laws.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "friction/catalogue.h"
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
 #include "joint/gravity_load.h"
-#include "report/paper_table.h"
+#include "paper/printed_paper.h"
 #include "report/units.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
 namespace {
 
-constexpr double printed_rough_deg = 22.0;
-constexpr double printed_precise_deg = 22.23187;
-constexpr double printed_rough_rad = 0.383;
-constexpr double printed_precise_rad = 0.38801;
+namespace printed = paper::printed;
 
 constexpr double to_rad = std::numbers::pi / 180.0;
 
@@ -24,43 +24,43 @@ std::string cut(double value, int decimals) {
   return fixed(std::trunc(value * unit) / unit, decimals);
 }
 
-const PaperRow& row(char point) {
-  return *std::find_if(paper_table_2.begin(), paper_table_2.end(),
-                       [point](const PaperRow& r) { return r.point == point; });
+const printed::TorqueRow& row(char point) {
+  return *std::find_if(printed::table_2.begin(), printed::table_2.end(),
+                       [point](const printed::TorqueRow& r) { return r.point == point; });
 }
 
 double pair_mass_kg(char one, char other) {
-  return recomputed_mass_kg((row(one).torque_Nm + row(other).torque_Nm) / 2);
+  return printed::mass_of_torque_kg((row(one).torque_Nm + row(other).torque_Nm) / 2);
 }
 
-void add_table_2(ErrataNumbers& e) {
-  const PaperRow& a = row('A');
-  const double mass_A = recomputed_mass_kg(a.torque_Nm);
+void add_equation_12(ErrataNumbers& e) {
+  const printed::TorqueRow& a = row('A');
+  const double mass_A = printed::mass_of_torque_kg(a.torque_Nm);
+  const double n = printed::gear_ratio;
   e.torque_A = fixed(a.torque_Nm, 3);
   e.mass_A_printed = fixed(a.mass_kg, 3);
   e.mass_A_with_500_mm = fixed(mass_A, 3);
-  constexpr double printed_distance_m = 500.0;
   e.mass_A_with_500_m = fixed(
-      surrogate_mass_kg(a.torque_Nm, paper_gear_ratio, printed_distance_m, paper_gravity_m_s2, 1.0),
+      surrogate_mass_kg(a.torque_Nm, n, printed::distance_printed_m, printed::gravity_m_s2, 1.0),
       3);
-  const double n = paper_gear_ratio;
   e.mass_A_with_n_below = fixed(mass_A / (n * n), 4);
   e.mass_A_arm_torque_with_n_below = fixed(mass_A / n, 3);
+  const double cosine = std::cos(printed::precise_angle_deg * to_rad);
+  e.cos_q_c = fixed(cosine, 4);
+  e.mass_A_with_cos_q_c = fixed(mass_A / cosine, 2);
+}
 
+void add_table_2(ErrataNumbers& e) {
   double largest = 0.0;
-  double lightest = paper_table_2.front().mass_kg;
+  double lightest = printed::table_2.front().mass_kg;
   double heaviest = lightest;
-  for (const PaperRow& r : paper_table_2) {
-    largest = std::max(largest, std::abs(recomputed_mass_kg(r.torque_Nm) - r.mass_kg));
+  for (const printed::TorqueRow& r : printed::table_2) {
+    largest = std::max(largest, std::abs(printed::mass_of_torque_kg(r.torque_Nm) - r.mass_kg));
     lightest = std::min(lightest, r.mass_kg);
     heaviest = std::max(heaviest, r.mass_kg);
   }
   e.largest_deviation = fixed(largest, 4);
-  e.allowed_deviation = fixed(printed_rounding_kg(), 4);
-  const double cosine = std::cos(printed_precise_deg * to_rad);
-  e.cos_q_c = fixed(cosine, 4);
-  e.mass_A_with_cos_q_c = fixed(mass_A / cosine, 2);
-
+  e.allowed_deviation = fixed(printed::rounding_kg(), 4);
   const double ab = pair_mass_kg('A', 'B');
   const double cd = pair_mass_kg('C', 'D');
   const double ef = pair_mass_kg('E', 'F');
@@ -69,29 +69,70 @@ void add_table_2(ErrataNumbers& e) {
   e.single_spread = fixed(heaviest - lightest, 2);
 }
 
+void add_angles(ErrataNumbers& e) {
+  const double rough = printed::rough_angle_deg * to_rad;
+  const double precise = printed::precise_angle_deg * to_rad;
+  e.rad_of_22 = fixed(rough, 5);
+  e.rad_of_precise = fixed(precise, 6);
+  const auto how = [](bool is_cut) { return is_cut ? "cut" : "misprinted"; };
+  e.cut_of_22 = how(cut(rough, 3) == fixed(printed::rough_angle_rad, 3));
+  e.cut_of_precise = how(cut(precise, 5) == fixed(printed::precise_angle_rad, 5));
+}
+
+/// The bristle deflection at which the static force of table 1 is reached is F_s / s0.
+void add_table_1(ErrataNumbers& e) {
+  const ContactParameters meant;
+  constexpr double to_km = 1e-3;
+  constexpr double to_um = 1e6;
+  e.table_1_deflection_printed =
+      with_unit(significant(meant.static_Nm / printed::table_1_stiffness_N_m * to_km, 3), "km");
+  e.table_1_deflection_meant =
+      with_unit(significant(meant.static_Nm / meant.stiffness_Nm_rad * to_um, 3), "µm");
+  e.table_1_damping = with_unit(significant(meant.damping_Nms_rad, 4), "N·s/m");
+}
+
+/// Eq. (1) and (2) with the numbers of table 1, moving backwards.
+void add_static_laws(ErrataNumbers& e) {
+  const ContactParameters c;
+  const StribeckFriction law(
+      {{c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, 2.0}, c.viscous_Nms_rad});
+  const double backwards = -c.stribeck_speed_rad_s;
+  const double meant = law.torque_Nm(backwards);
+  e.backwards_speed = with_unit(significant(backwards, 1), "m/s");
+  e.equation_1_meant = with_unit(significant(meant, 4), "N");
+  e.equation_1_printed = with_unit("+" + significant(law.torque_Nm(-backwards), 4), "N");
+  const double threshold = printed::largest_threshold_rad_s * c.stribeck_speed_rad_s;
+  const ThresholdSpeedFriction continuous(
+      {c.coulomb_Nm, c.static_Nm, 1 / c.stribeck_speed_rad_s, c.viscous_Nms_rad, threshold});
+  const double jump =
+      continuous.torque_Nm(threshold) - continuous.torque_Nm(std::nextafter(threshold, 0.0));
+  e.equation_2_jump = with_unit(significant(std::abs(jump), 2), "N");
+  e.equation_2_half =
+      fixed(continuous.torque_Nm(threshold / 2) / continuous.torque_Nm(threshold), 3);
+}
+
+/// Eq. (6) as printed, with the angle where its rate belongs, and eq. (10) without q_c.
+void add_angles_in_laws(ErrataNumbers& e) {
+  constexpr double lowest_deg = -80;
+  constexpr double stribeck_power = 0.7;
+  const double printed_term = std::pow(lowest_deg * to_rad, stribeck_power);
+  e.equation_6_printed = std::isnan(printed_term) ? "no real number" : significant(printed_term, 3);
+  constexpr double gravity_Nm = 3.88318571;  // at the motor, of the joint that gives table 2
+  const double lost = gravity_Nm * (1 - std::cos(printed::precise_angle_deg * to_rad));
+  e.equation_10_gravity = with_unit(fixed(gravity_Nm, 3), "N·m");
+  e.equation_10_error = with_unit(fixed(lost, 3), "N·m");
+}
+
 }  // namespace
 
 ErrataNumbers errata_numbers() {
   ErrataNumbers e;
+  add_equation_12(e);
   add_table_2(e);
-  e.rad_of_22 = fixed(printed_rough_deg * to_rad, 5);
-  e.rad_of_precise = fixed(printed_precise_deg * to_rad, 6);
-  const bool rough_is_cut = cut(printed_rough_deg * to_rad, 3) == fixed(printed_rough_rad, 3);
-  const bool precise_is_cut = cut(printed_precise_deg * to_rad, 5) == fixed(printed_precise_rad, 5);
-  e.cut_of_22 = rough_is_cut ? "cut" : "misprinted";
-  e.cut_of_precise = precise_is_cut ? "cut" : "misprinted";
-
-  // Table 1: the bristle deflection at which the static force 1.5 N is reached is F_s / s0.
-  constexpr double static_force_N = 1.5;
-  constexpr double printed_stiffness_N_m = 1e-5;
-  constexpr double meant_stiffness_N_m = 1e5;
-  constexpr double to_km = 1e-3;
-  constexpr double to_um = 1e6;
-  e.table_1_deflection_printed =
-      with_unit(significant(static_force_N / printed_stiffness_N_m * to_km, 3), "km");
-  e.table_1_deflection_meant =
-      with_unit(significant(static_force_N / meant_stiffness_N_m * to_um, 3), "µm");
-  e.table_1_damping = with_unit(significant(std::sqrt(meant_stiffness_N_m), 4), "N·s/m");
+  add_angles(e);
+  add_table_1(e);
+  add_static_laws(e);
+  add_angles_in_laws(e);
   return e;
 }
 

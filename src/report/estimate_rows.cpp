@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "report/paper_table.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {

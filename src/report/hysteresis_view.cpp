@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/paper_table.h"
+#include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
 

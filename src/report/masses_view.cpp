@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "report/paper_table.h"
+#include "paper/printed_paper.h"
+#include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
 
@@ -64,9 +65,9 @@ Table paper_comparison_table(const Calibration& c) {
     table.columns.push_back({"This dataset", "kg", true});
     table.columns.push_back({"This dataset against printed", "%", true});
   }
-  for (const PaperRow& printed : paper_table_2) {
+  for (const paper::printed::TorqueRow& printed : paper::printed::table_2) {
     constexpr int decimals = 3;
-    const double mass = recomputed_mass_kg(printed.torque_Nm);
+    const double mass = paper::printed::mass_of_torque_kg(printed.torque_Nm);
     const std::string name(1, printed.point);
     Row row{{name, fixed(printed.torque_Nm, decimals), fixed(printed.mass_kg, decimals),
              fixed(mass, decimals), fixed(mass - printed.mass_kg, decimals)},
@@ -82,7 +83,7 @@ Table paper_comparison_table(const Calibration& c) {
   table.note =
       "Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
       "printed figures alone allows " +
-      fixed(printed_rounding_kg(), 4) + " kg of difference.";
+      fixed(paper::printed::rounding_kg(), 4) + " kg of difference.";
   if (!is_same_joint) {
     table.note +=
         " The joint of this report is another one: its masses are in stage 4 and are not "

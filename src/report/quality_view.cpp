@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "report/paper_table.h"
+#include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
 

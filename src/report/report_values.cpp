@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "report/closing_values.h"
 #include "report/element_values.h"
 #include "report/view_parts.h"
 
@@ -57,41 +58,6 @@ void fill_missing(const std::vector<MissingResult>& missing, TemplateValues& val
   }
 }
 
-void fill_errata(const ReportView& view, TemplateValues& values) {
-  TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
-  const ErrataNumbers& e = view.errata;
-  out.set("TORQUE_A", e.torque_A);
-  out.set("MASS_A_PRINTED", e.mass_A_printed);
-  out.set("MASS_A_500_MM", e.mass_A_with_500_mm);
-  out.set("MASS_A_500_M", e.mass_A_with_500_m);
-  out.set("MASS_A_N_BELOW", e.mass_A_with_n_below);
-  out.set("MASS_A_ARM_N_BELOW", e.mass_A_arm_torque_with_n_below);
-  out.set("LARGEST_DEVIATION", e.largest_deviation);
-  out.set("ALLOWED_DEVIATION", e.allowed_deviation);
-  out.set("COS_Q_C", e.cos_q_c);
-  out.set("MASS_A_COS_Q_C", e.mass_A_with_cos_q_c);
-  out.set("RAD_OF_22", e.rad_of_22);
-  out.set("RAD_OF_PRECISE", e.rad_of_precise);
-  out.set("CUT_OF_22", e.cut_of_22);
-  out.set("CUT_OF_PRECISE", e.cut_of_precise);
-  out.set("DEFLECTION_PRINTED", e.table_1_deflection_printed);
-  out.set("DEFLECTION_MEANT", e.table_1_deflection_meant);
-  out.set("DAMPING_MEANT", e.table_1_damping);
-  out.set("PAIR_MASSES", e.pair_masses);
-  out.set("PAIR_SPREAD", e.pair_spread);
-  out.set("SINGLE_SPREAD", e.single_spread);
-  // The paper's own joint has the table, with its own masses beside it, in stage 4.
-  bool is_in_stage_4 = false;
-  for (const Section& section : view.sections) {
-    for (const Table& table : section.tables) is_in_stage_4 |= table.id == view.paper_table.id;
-  }
-  if (is_in_stage_4) {
-    out.add_section("TABLE_ABOVE");
-  } else {
-    fill_table(view.paper_table, "TABLE", out);
-  }
-}
-
 }  // namespace
 
 void fill_report(const ReportView& view, TemplateValues& values) {
@@ -119,17 +85,17 @@ void fill_report(const ReportView& view, TemplateValues& values) {
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");
   for (const Section& section : view.sections) fill_section(section, values);
-  fill_errata(view, values);
-
-  TemplateValues& provenance = values.add_include("PROVENANCE", "provenance.tpl");
-  provenance.set("COMMAND_LINE", view.command_line);
-  provenance.set("CREATED", view.created_utc);
-  if (!view.notes.empty()) {
-    TemplateValues& notes = provenance.add_section("INPUT_NOTES");
-    for (const std::string& note : view.notes)
-      notes.add_section("INPUT_NOTE").set("TEXT", or_dash(note));
+  // The paper's own joint has the table, with its own masses beside it, in stage 4.
+  bool is_in_stage_4 = false;
+  for (const Section& section : view.sections) {
+    for (const Table& table : section.tables) is_in_stage_4 |= table.id == view.paper_table.id;
   }
-  for (const Table& table : view.provenance_tables) fill_table(table, "TABLE", provenance);
+  if (is_in_stage_4) {
+    fill_errata(view.errata, "stage 4", values);
+  } else {
+    fill_errata(view.errata, view.paper_table, values);
+  }
+  fill_provenance(view.command_line, view.created_utc, view.notes, view.provenance_tables, values);
 }
 
 }  // namespace tribolog::report

@@ -81,7 +81,7 @@ struct MissingResult {
   std::string experiment;
 };
 
-/// The numbers that the errata section quotes, all computed from the printed table 2.
+/// The numbers that the errata section quotes, all computed from what is printed.
 struct ErrataNumbers {
   std::string torque_A, mass_A_printed, mass_A_with_500_mm, mass_A_with_500_m;
   std::string mass_A_with_n_below, mass_A_arm_torque_with_n_below;
@@ -90,6 +90,9 @@ struct ErrataNumbers {
   std::string rad_of_22, rad_of_precise, cut_of_22, cut_of_precise;
   std::string table_1_deflection_printed, table_1_deflection_meant, table_1_damping;
   std::string pair_masses, pair_spread, single_spread;
+  std::string backwards_speed, equation_1_meant, equation_1_printed;
+  std::string equation_2_jump, equation_2_half, equation_6_printed;
+  std::string equation_10_gravity, equation_10_error;
 };
 
 struct ReportView {

@@ -1,6 +1,6 @@
 // Stage 7.
 
-#include "report/paper_table.h"
+#include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
 

@@ -7,7 +7,7 @@
 
 #include "sample_calibration.h"
 
-#include "report/paper_table.h"
+#include "paper/printed_paper.h"
 #include "report/view_parts.h"
 
 namespace tribolog::test {
@@ -127,10 +127,11 @@ TEST(ReportView, ALongRunTableIsThinnedAndSaysSo) {
 }
 
 TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
-  for (const PaperRow& row : paper_table_2) {
-    EXPECT_NEAR(recomputed_mass_kg(row.torque_Nm), row.mass_kg, printed_rounding_kg());
+  for (const paper::printed::TorqueRow& row : paper::printed::table_2) {
+    EXPECT_NEAR(paper::printed::mass_of_torque_kg(row.torque_Nm), row.mass_kg,
+                paper::printed::rounding_kg());
   }
-  EXPECT_NEAR(printed_rounding_kg(), 0.0107, 5e-5);
+  EXPECT_NEAR(paper::printed::rounding_kg(), 0.0107, 5e-5);
 }
 
 TEST(PaperTable, PrintedColumnsSayWhoseTheyAre) {

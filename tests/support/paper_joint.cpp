@@ -2,8 +2,6 @@
 
 #include <numbers>
 
-#include "simulate/simulate_joint.h"
-
 namespace tribolog::test {
 namespace {
 
@@ -51,17 +49,6 @@ Scenario noisy_paper_joint(std::uint64_t seed) {
   s.oscillation->cycles = 10;
   s.oscillation->record_bristle = false;
   return s;
-}
-
-Dataset simulated_dataset(const Scenario& scenario) {
-  Dataset d;
-  d.manifest.robot = scenario.robot;
-  d.manifest.joint = scenario.joint;
-  d.manifest.drive = Drive(scenario.gear_ratio, EffortKind::motor_torque, Side::motor);
-  d.manifest.surrogate_distance_m = scenario.surrogate_distance_m;
-  d.manifest.reference = scenario.sliding;
-  d.recordings = simulate_joint(scenario);
-  return d;
 }
 
 }  // namespace tribolog::test

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "joint/dataset.h"
 #include "simulate/scenario.h"
+#include "simulate/simulated_dataset.h"
 
 namespace tribolog::test {
 
@@ -21,7 +21,6 @@ Scenario paper_joint();
 /// The same with the noise of a real drive, ten cycles, and no bristle deflection in the log.
 Scenario noisy_paper_joint(std::uint64_t seed);
 
-/// Simulated recordings with the manifest's facts, as reading the files would give them.
-Dataset simulated_dataset(const Scenario& scenario);
+using tribolog::simulated_dataset;
 
 }  // namespace tribolog::test

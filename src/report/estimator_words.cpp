@@ -1,20 +1,10 @@
-#include "report/paper_table.h"
+#include "report/estimator_words.h"
 
-#include <algorithm>
 #include <cctype>
 
-#include "joint/gravity_load.h"
+#include "paper/printed_paper.h"
 
 namespace tribolog::report {
-
-double recomputed_mass_kg(double torque_Nm) {
-  return surrogate_mass_kg(torque_Nm, paper_gear_ratio, paper_distance_m, paper_gravity_m_s2, 1.0);
-}
-
-double printed_rounding_kg() {
-  constexpr double half_of_last_place = 0.0005;
-  return recomputed_mass_kg(half_of_last_place) + half_of_last_place;
-}
 
 std::string point_meaning(const std::string& point) {
   if (point == "A") return "z = 0 while the arm rises";
@@ -38,7 +28,7 @@ bool is_papers_joint(const std::string& robot, double gear_ratio) {
       letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
   }
-  return letters.find("am100ib") != std::string::npos && gear_ratio == paper_gear_ratio;
+  return letters.find("am100ib") != std::string::npos && gear_ratio == paper::printed::gear_ratio;
 }
 
 }  // namespace tribolog::report

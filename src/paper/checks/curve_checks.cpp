@@ -1,0 +1,136 @@
+// Figures 18 to 22: viscous curves of the candidates, their errors, and the choice.
+
+#include <algorithm>
+
+#include "paper/checks/figure_checks.h"
+#include "paper/printed_paper.h"
+
+namespace tribolog::paper {
+namespace {
+
+/// Of the reconstructed joint from table 2 (method, section 4).
+constexpr double reconstruction_share = 0.0024;
+constexpr const char* reconstruction = "0.24 %: the reconstruction's largest deviation";
+constexpr double rounding_Nm = 1e-12;
+
+std::string nearest_to_the_truth(const PapersJoint& joint) {
+  const GravityLoad& load = joint.scenario.load;
+  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  std::string nearest;
+  double least = INFINITY;
+  for (const char name : loop_point_names) {
+    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
+    if (mass == nullptr || std::abs(mass->mass_kg.value - truth) >= least) continue;
+    least = std::abs(mass->mass_kg.value - truth);
+    nearest = name;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Checks check_candidate_curves(const PapersJoint& joint) {
+  const ViscousCurvesResult& viscous = joint.calibration.viscous;
+  const auto& speeds = joint.scenario.constant_speed.value().motor_speeds_rad_s;
+  double apart = 0;
+  for (const char name : loop_point_names) {
+    const ViscousCurve* curve = viscous.find(std::string(1, name));
+    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
+    const ViscousCurve* first = viscous.find("A");
+    const SurrogateMass* first_mass = joint.calibration.masses.find("A");
+    if (curve == nullptr || mass == nullptr || first == nullptr || first_mass == nullptr) {
+      return {vanishing(std::string("Candidate ") + name + " has no curve", NAN, 0, "", "")};
+    }
+    for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
+      const double gravity_apart = first_mass->gravity_Nm.value - mass->gravity_Nm.value;
+      const double shifted = first->friction_Nm[i] + gravity_apart * viscous.runs[i].mean_cos;
+      apart = std::max(apart, std::abs(curve->friction_Nm[i] - shifted));
+    }
+  }
+  return {law_value("Runs with a plateau: every speed in both directions",
+                    2.0 * static_cast<double>(speeds.size()),
+                    static_cast<double>(viscous.runs.size()), 0, "", ""),
+          vanishing("A candidate's mass only shifts its curve: six curves less curve A, less the "
+                    "difference of gravity: largest",
+                    apart, rounding_Nm, "N·m", "rounding")};
+}
+
+Checks check_reference_curve(const PapersJoint& joint) {
+  const ViscousCurvesResult& viscous = joint.calibration.viscous;
+  double apart = 0;
+  double two_ways = 0;
+  for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
+    const ConstantSpeedRun& run = viscous.runs[i];
+    const double analytic = joint.scenario.sliding.torque_Nm(run.speed_rad_s);
+    apart = std::max(apart, std::abs(joint.calibration.quality.reference_Nm.at(i) - analytic));
+    two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
+  }
+  return {
+      vanishing("The reference is eq. (6), (7) at the motor's speed: largest difference", apart,
+                rounding_Nm, "N·m", "rounding"),
+      vanishing("(T(+ω) − T(−ω))/2 at equal angle gives it without knowing it: largest difference",
+                two_ways, 1e-5, "N·m", "angles are compared in bins")};
+}
+
+Checks check_quality_errors(const PapersJoint& joint) {
+  const QualityErrorsResult& quality = joint.calibration.quality;
+  Checks out{in_words("Point with the smallest error", Origin::printed, "B",
+                      joint.calibration.selection.paper_rule)};
+  // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
+  const double truth = joint.scenario.load.amplitude_Nm() / joint.scenario.gear_ratio;
+  for (const char name : loop_point_names) {
+    const QualityError* error = quality.find(std::string(1, name));
+    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
+    if (error == nullptr || mass == nullptr) continue;
+    double squares = 0;
+    std::size_t counted = 0;
+    for (const ConstantSpeedRun& run : joint.calibration.viscous.runs) {
+      const double expected = 100 * (truth - mass->gravity_Nm.value) * run.mean_cos / run.torque_Nm;
+      squares += expected * expected;
+      ++counted;
+    }
+    out.push_back(law_value(std::string("Error of ") + name + ", root mean square over the runs",
+                            std::sqrt(squares / static_cast<double>(counted)), error->rms_percent,
+                            1e-6, "% of T", "rounding of the log"));
+  }
+  return out;
+}
+
+Checks check_selected_curve(const PapersJoint& joint) {
+  const printed::TorqueRow& row = printed::table_2[1];
+  const SurrogateMass* chosen =
+      joint.calibration.masses.find(joint.calibration.selection.paper_rule);
+  const SurrogateMass* midline = joint.calibration.masses.find("midline");
+  const ViscousCurve* best = joint.calibration.viscous.find("midline");
+  double apart = NAN;
+  if (best != nullptr) {
+    apart = 0;
+    for (std::size_t i = 0; i < best->friction_Nm.size(); ++i) {
+      apart = std::max(
+          apart, std::abs(best->friction_Nm[i] - joint.calibration.quality.reference_Nm.at(i)));
+    }
+  }
+  const GravityLoad& load = joint.scenario.load;
+  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  return {printed_value("Selected surrogate mass", row.mass_kg, 3,
+                        chosen != nullptr ? chosen->mass_kg.value : NAN,
+                        reconstruction_share * row.mass_kg, "kg", reconstruction),
+          law_value("The mid-line's mass, which this program recommends", truth,
+                    midline != nullptr ? midline->mass_kg.value : NAN, 1e-4 * truth, "kg",
+                    "what the program promises"),
+          vanishing("Its curve against the analytic one: largest difference", apart, 1e-6, "N·m",
+                    "a millionth of friction")};
+}
+
+Checks check_torque_choice(const PapersJoint& joint) {
+  const printed::TorqueRow& row = printed::table_2[1];
+  const LoopPoint& chosen = joint.point('B');
+  return {
+      printed_value("Selected torque", row.torque_Nm, 3, chosen.torque_Nm,
+                    reconstruction_share * row.torque_Nm, "N·m", reconstruction),
+      in_words("Which point that is", Origin::printed, "B", joint.calibration.selection.paper_rule),
+      in_words("Of the six, the nearest to the true mass", Origin::printed, "B",
+               nearest_to_the_truth(joint))};
+}
+
+}  // namespace tribolog::paper

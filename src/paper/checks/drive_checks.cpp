@@ -1,0 +1,117 @@
+// Equations (8) to (11) and (13): what the motor's torque is made of.
+
+#include <algorithm>
+#include <numbers>
+
+#include "paper/checks/equation_checks.h"
+#include "paper/drive_diagram.h"
+#include "paper/printed_paper.h"
+
+namespace tribolog::paper {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+/// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
+constexpr double log_rounding_Nm = 1e-9;
+
+/// Largest |deviation(run)| over the plateaus of constant speed.
+template <class Deviation>
+double largest_over_runs(const PapersJoint& joint, Deviation deviation) {
+  double largest = 0;
+  for (const ConstantSpeedRun& run : joint.calibration.viscous.runs) {
+    largest = std::max(largest, std::abs(deviation(run)));
+  }
+  return largest;
+}
+
+std::string runs_in_words(const PapersJoint& joint) {
+  return std::to_string(joint.calibration.viscous.runs.size()) + " plateaus of constant speed";
+}
+
+}  // namespace
+
+Checks check_equation_8(const PapersJoint& joint) {
+  const Scenario& s = joint.scenario;
+  const double n = s.gear_ratio;
+  const Recording& log = joint.recording(Role::oscillation);
+  double apart = 0;
+  double drawn_apart = 0;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const double speed = joint.oscillation_speed_rad_s(log.t_s[i]);
+    const double acceleration = joint.oscillation_acceleration_rad_s2(log.t_s[i]);
+    const double friction = s.presliding.torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
+    const double arm = s.arm_inertia_kgm2 * acceleration / n + s.load.torque_Nm(log.q_rad[i]);
+    const double left = n * (log.torque_Nm[i] - s.motor_inertia_kgm2 * acceleration - friction);
+    apart = std::max(apart, std::abs(left - arm));
+    const SignalGraph graph =
+        drive_graph({n, s.motor_inertia_kgm2, [friction](double) { return friction; }});
+    const double drawn = evaluate(graph, {{"motor torque", log.torque_Nm[i]},
+                                          {"motor speed", speed},
+                                          {"motor acceleration", acceleration}})
+                             .at("arm torque");
+    drawn_apart = std::max(drawn_apart, std::abs(drawn - arm));
+  }
+  return {
+      printed_value("Gear ratio n₃ of the scenario", printed::gear_ratio, 0, n, 0, "", ""),
+      vanishing("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest",
+                apart, n * log_rounding_Nm, "N·m", "rounding of the log"),
+      vanishing("The same through the block diagram of figure 6", drawn_apart, n * log_rounding_Nm,
+                "N·m", "rounding of the log")};
+}
+
+Checks check_equation_9(const PapersJoint& joint) {
+  const GravityLoad& load = joint.scenario.load;
+  const JointUnderTest& arm = joint.robot.under_test;
+  const double q_c = printed::precise_angle_deg * degree;
+  double apart = 0;
+  for (double q = arm.setting().lowest_rad; q <= arm.setting().highest_rad; q += degree / 4) {
+    const double printed =
+        load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
+    apart = std::max(apart, std::abs(arm.holding_torque_Nm(q) - printed));
+  }
+  return {vanishing("Equation against lever and weight of the arm in space (figure 12), "
+                    "over its range of motion: largest difference",
+                    apart, 1e-9, "N·m", "rounding"),
+          reconstructed_value("Largest torque at the arm, m g r", 388.318571, 6,
+                              load.amplitude_Nm(), 1e-5, "N·m", "digits of G/n")};
+}
+
+Checks check_equation_10(const PapersJoint& joint) {
+  const Scenario& s = joint.scenario;
+  return {
+      vanishing("n (T − T_f) less m g r cos(q + q_c), over " + runs_in_words(joint) + ": largest",
+                largest_over_runs(joint,
+                                  [&](const ConstantSpeedRun& run) {
+                                    const double friction = s.sliding.torque_Nm(run.speed_rad_s);
+                                    return s.gear_ratio * (run.torque_Nm - friction) -
+                                           s.load.amplitude_Nm() * run.mean_cos;
+                                  }),
+                s.gear_ratio * log_rounding_Nm, "N·m", "rounding of the log")};
+}
+
+Checks check_equation_11(const PapersJoint& joint) {
+  const Scenario& s = joint.scenario;
+  return {vanishing("T − m g r cos(q + q_c) / n less the analytic T_f, over " +
+                        runs_in_words(joint) + ": largest",
+                    largest_over_runs(joint,
+                                      [&](const ConstantSpeedRun& run) {
+                                        const double gravity = s.load.amplitude_Nm() / s.gear_ratio;
+                                        return run.torque_Nm - gravity * run.mean_cos -
+                                               s.sliding.torque_Nm(run.speed_rad_s);
+                                      }),
+                    log_rounding_Nm, "N·m", "rounding of the log")};
+}
+
+Checks check_equation_13(const PapersJoint& joint) {
+  const Scenario& s = joint.scenario;
+  const CogSweepResult& rough = joint.calibration.rough;
+  const double speed = s.gear_ratio * s.rough_sweep.value().speed_rad_s;
+  const double expected = s.sliding.torque_Nm(speed) + s.load.amplitude_Nm() / s.gear_ratio;
+  return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
+                    rough.argmax_torque_Nm, 1e-7, "N·m", "the peak lies between two samples"),
+          law_value("Its part m g r / n, told from friction by the two directions",
+                    s.load.amplitude_Nm() / s.gear_ratio, rough.gravity_Nm.value, 1e-5, "N·m",
+                    "what the program promises")};
+}
+
+}  // namespace tribolog::paper

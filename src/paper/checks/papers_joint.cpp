@@ -1,0 +1,82 @@
+#include "paper/checks/papers_joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "paper/printed_paper.h"
+#include "pipeline.h"
+#include "simulate/simulate_joint.h"
+#include "simulate/simulated_dataset.h"
+
+namespace tribolog::paper {
+namespace {
+
+/// The viscous part that figures 1 and 2 show; the joint's own would not be seen at their speeds.
+constexpr double shown_viscous_Nms_rad = 0.012;
+
+StribeckFriction discontinuous_friction(const LuGreFriction::Parameters& p) {
+  return StribeckFriction(
+      {{p.coulomb_Nm, p.static_Nm, p.stribeck_speed_rad_s, 2.0}, shown_viscous_Nms_rad});
+}
+
+ThresholdSpeedFriction continuous_friction(const LuGreFriction::Parameters& p) {
+  return ThresholdSpeedFriction({p.coulomb_Nm, p.static_Nm, 1 / p.stribeck_speed_rad_s,
+                                 shown_viscous_Nms_rad, printed::largest_threshold_rad_s});
+}
+
+std::vector<LoopPoint> plain_loop_points(const Scenario& whole, double q_peak_rad) {
+  Scenario plain = whole;
+  plain.rough_sweep.reset();
+  plain.precise_sweep.reset();
+  plain.constant_speed.reset();
+  plain.motor_inertia_kgm2 = 0;
+  plain.arm_inertia_kgm2 = 0;
+  LuGreFriction::Parameters p = whole.presliding.parameters();
+  p.coulomb_Nm = p.static_Nm;
+  plain.presliding = LuGreFriction(p);
+  const std::vector<Recording> recordings = simulate_joint(plain);
+  return identify_hysteresis({&recordings.at(0)}, {}, whole.gear_ratio,
+                             symmetric_estimate(q_peak_rad, 0, "known"))
+      .points;
+}
+
+}  // namespace
+
+PapersJoint::PapersJoint(const Scenario& given, RobotDescription description)
+    : scenario(given),
+      robot(std::move(description)),
+      dataset(simulated_dataset(given)),
+      calibration(identify(dataset)),
+      plain_points(plain_loop_points(given, given.load.q_peak_rad())),
+      discontinuous(discontinuous_friction(given.presliding.parameters())),
+      continuous(continuous_friction(given.presliding.parameters())) {}
+
+double PapersJoint::oscillation_speed_rad_s(double t_s) const {
+  const OscillationExperiment& e = scenario.oscillation.value();
+  const double omega = 2 * std::numbers::pi * e.frequency_Hz;
+  return scenario.gear_ratio * e.amplitude_rad * omega * std::cos(omega * t_s);
+}
+
+double PapersJoint::oscillation_acceleration_rad_s2(double t_s) const {
+  const OscillationExperiment& e = scenario.oscillation.value();
+  const double omega = 2 * std::numbers::pi * e.frequency_Hz;
+  return -scenario.gear_ratio * e.amplitude_rad * omega * omega * std::sin(omega * t_s);
+}
+
+const Recording& PapersJoint::recording(Role role) const {
+  const auto all = dataset.with_role(role);
+  if (all.empty()) throw std::invalid_argument("the paper's scenario lacks an experiment");
+  return *all.front();
+}
+
+const LoopPoint& PapersJoint::point(char name) const {
+  const auto& points = calibration.hysteresis.points;
+  const auto found = std::find_if(points.begin(), points.end(),
+                                  [name](const LoopPoint& p) { return p.name == name; });
+  if (found == points.end()) throw std::runtime_error("the paper's loop has lost a point");
+  return *found;
+}
+
+}  // namespace tribolog::paper

@@ -1,0 +1,40 @@
+#pragma once
+// What the checks of the paper are computed from: its joint simulated, identified, and varied.
+
+#include <memory>
+#include <vector>
+
+#include "robot/robot_description.h"
+
+#include "calibration.h"
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
+#include "joint/dataset.h"
+#include "simulate/scenario.h"
+
+namespace tribolog::paper {
+
+struct PapersJoint {
+  Scenario scenario;  ///< The paper's joint without noise.
+  RobotDescription robot;
+  Dataset dataset;          ///< Simulated from the scenario.
+  Calibration calibration;  ///< Identified from the dataset, which it refers to.
+  /// The loop's six points of the same joint without inertia and without Stribeck effect.
+  std::vector<LoopPoint> plain_points;
+  StribeckFriction discontinuous;     ///< Eq. (1) with the joint's parameters, and
+  ThresholdSpeedFriction continuous;  ///< eq. (2).
+
+  PapersJoint(const Scenario& scenario, RobotDescription robot);
+  PapersJoint(const PapersJoint&) = delete;
+  PapersJoint& operator=(const PapersJoint&) = delete;
+
+  /// Motor speed and acceleration of the ideal source during the oscillation [rad/s, rad/s²].
+  [[nodiscard]] double oscillation_speed_rad_s(double t_s) const;
+  [[nodiscard]] double oscillation_acceleration_rad_s2(double t_s) const;
+  /// The recording of a role; the first if there are several.
+  [[nodiscard]] const Recording& recording(Role role) const;
+  /// A point of the start-up stroke, as table 2 has it.
+  [[nodiscard]] const LoopPoint& point(char name) const;
+};
+
+}  // namespace tribolog::paper

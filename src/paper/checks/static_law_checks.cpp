@@ -1,0 +1,141 @@
+// Equations (1), (2), (6) and (7): friction as a function of speed.
+
+#include <numbers>
+
+#include "paper/checks/equation_checks.h"
+#include "paper/checks/speed_grid.h"
+#include "paper/printed_paper.h"
+
+namespace tribolog::paper {
+namespace {
+
+constexpr double slowest_rad_s = 1e-6;
+constexpr double fastest_rad_s = 300;
+/// A handful of operations on torques of about 1 N·m, each rounded once.
+constexpr double rounding_Nm = 1e-13;
+constexpr const char* rounding = "rounding";
+
+double sign(double x) { return x < 0 ? -1.0 : 1.0; }
+
+std::vector<double> grid() { return speeds_of_both_signs(slowest_rad_s, fastest_rad_s); }
+
+template <class Law>
+Check is_odd(const Law& law) {
+  return vanishing(
+      "Odd in ω: largest |T_f(ω) + T_f(−ω)|",
+      largest_over(grid(), [&](double w) { return law.torque_Nm(w) + law.torque_Nm(-w); }), 0,
+      "N·m", "");
+}
+
+template <class Law>
+Check dissipates(const Law& law) {
+  double least = 0;
+  for (const double w : grid()) least = std::min(least, law.torque_Nm(w) * w);
+  return vanishing("Friction takes power: least T_f ω, if negative", least, 0, "W", "");
+}
+
+}  // namespace
+
+Checks check_equation_1(const PapersJoint& joint) {
+  const StribeckFriction& law = joint.discontinuous;
+  const StribeckCurve::Parameters& p = law.curve().parameters();
+  const double viscous = law.viscous_Nms_rad();
+  const double broken = p.static_Nm;
+  const auto printed = [&](double w) {
+    const double fall = std::exp(-(w / p.stribeck_speed_rad_s) * (w / p.stribeck_speed_rad_s));
+    return (p.coulomb_Nm + (broken - p.coulomb_Nm) * fall + viscous * std::abs(w)) * sign(w);
+  };
+  return {vanishing("Equation against program, at 1000 speeds: largest difference",
+                    largest_over(grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
+                    rounding_Nm, "N·m", rounding),
+          law_value("Jump at rest, from −T_brk to T_brk", 2 * broken,
+                    law.torque_Nm(slowest_rad_s) - law.torque_Nm(-slowest_rad_s), 1e-7, "N·m",
+                    "read at ±10⁻⁶ rad/s"),
+          law_value("At rest, pushed with twice T_brk, friction holds", broken,
+                    law.torque_at_rest_Nm(2 * broken), 0, "N·m", ""),
+          is_odd(law), dissipates(law)};
+}
+
+Checks check_equation_2(const PapersJoint& joint) {
+  const ThresholdSpeedFriction& law = joint.continuous;
+  const ThresholdSpeedFriction::Parameters& p = law.parameters();
+  const double threshold = p.threshold_rad_s;
+  const auto sliding = [&](double w) {
+    return (p.coulomb_Nm +
+            (p.static_Nm - p.coulomb_Nm) * std::exp(-p.stribeck_decay_s_rad * std::abs(w))) *
+               sign(w) +
+           p.viscous_Nms_rad * w;
+  };
+  const auto meant = [&](double w) {
+    return std::abs(w) >= threshold ? sliding(w) : w * sliding(threshold) / threshold;
+  };
+  const double below = std::nextafter(threshold, 0.0);
+  return {vanishing("Equation against program, at 1000 speeds: largest difference",
+                    largest_over(grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
+                    rounding_Nm, "N·m", rounding),
+          vanishing("The branches meet: jump at ω_th",
+                    law.torque_Nm(threshold) - law.torque_Nm(below), rounding_Nm, "N·m", rounding),
+          law_value("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th",
+                    0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), rounding_Nm, "",
+                    rounding),
+          vanishing("It does not hold at rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
+          is_odd(law),
+          dissipates(law)};
+}
+
+Checks check_equation_6(const PapersJoint& joint) {
+  const WaiboerFriction& law = joint.scenario.sliding;
+  const WaiboerFriction::Parameters& p = law.parameters();
+  const auto meant = [&](double w) {
+    return p.asperity_torque_Nm *
+               std::exp(-std::pow(w / p.stribeck_speed_rad_s, p.stribeck_power)) +
+           p.viscous_coefficient * std::pow(w, 1 - p.viscous_power);
+  };
+  Checks out{vanishing("Equation against program, at 500 speeds: largest difference",
+                       largest_over(grid(),
+                                    [&](double w) {
+                                      const double size = std::abs(w);
+                                      return law.magnitude_Nm(size) - meant(size);
+                                    }),
+                       rounding_Nm, "N·m", rounding),
+             law_value("At rest friction is T_a", p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
+                       "N·m", "")};
+  const auto& fit = joint.calibration.friction.waiboer;
+  if (fit) {
+    constexpr double share = 1e-3;
+    const char* why = "a thousandth: 40 runs of a log without noise";
+    const auto found = [&](const char* what, double truth, const Estimate& ours, const char* unit) {
+      out.push_back(law_value(std::string("Found again from the simulated runs: ") + what, truth,
+                              ours.value, share * truth, unit, why));
+    };
+    found("T_a", p.asperity_torque_Nm, fit->asperity_torque_Nm, "N·m");
+    found("ω_s", p.stribeck_speed_rad_s, fit->stribeck_speed_rad_s, "rad/s");
+    found("δ_a", p.stribeck_power, fit->stribeck_power, "");
+    found("c_v, the viscous part at 1 rad/s", p.viscous_coefficient, fit->viscous_coefficient,
+          "N·m");
+    found("δ_v", p.viscous_power, fit->viscous_power, "");
+  }
+  return out;
+}
+
+Checks check_equation_7(const PapersJoint& joint) {
+  const WaiboerFriction& law = joint.scenario.sliding;
+  const double c = law.parameters().smoothing_s_rad;
+  const auto meant = [&](double w) {
+    return 2 / std::numbers::pi * std::atan(c * w) * law.magnitude_Nm(std::abs(w));
+  };
+  const double turn = printed::direction_change_rad_s;
+  return {
+      vanishing("Equation against program, at 1000 speeds: largest difference",
+                largest_over(grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
+                rounding_Nm, "N·m", rounding),
+      printed_value("The scale c of the scenario", printed::smoothing_s_rad, 0, c, 0, "s/rad", ""),
+      law_value("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there",
+                1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",
+                "the inverse tangent comes within 2/(π c ω) of its end"),
+      vanishing("Continuous through rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
+      is_odd(law),
+      dissipates(law)};
+}
+
+}  // namespace tribolog::paper

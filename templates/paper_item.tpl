@@ -1,0 +1,8 @@
+{{%AUTOESCAPE context="HTML"}}
+<div class="paper-item" id="{{ITEM_ID}}">
+{{#HEADING_IF}}<h3>{{HEADING}} <a class="self" href="#{{ITEM_ID}}" aria-label="Link to this item">#</a></h3>{{/HEADING_IF}}
+{{>EQUATION}}
+{{>FIGURE}}
+{{#REMARK_IF}}<p class="remark partial">{{REMARK:x-symbols}}</p>{{/REMARK_IF}}
+{{>CHECKS}}
+</div>
