@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "parameter_rules.h"
 
 #include "simulate/cvode_solver.h"
@@ -24,10 +26,15 @@ ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
   require_positive(setup.relative_tolerance, "relative tolerance", "");
   if (!setup.applied_Nm) throw std::invalid_argument("there is no applied torque");
 
+  const std::vector<double> contact =
+      setup.friction_state.empty() ? friction.unloaded() : setup.friction_state;
+  if (contact.size() != friction.states()) {
+    throw std::invalid_argument(fmt::format("the start state has {} numbers, the model needs {}",
+                                            contact.size(), friction.states()));
+  }
   std::vector<double> start{setup.angle_rad, setup.speed_rad_s};
-  const std::vector<double> unloaded = friction.unloaded();
-  start.insert(start.end(), unloaded.begin(), unloaded.end());
-  std::vector<double> scale(unloaded.size());
+  start.insert(start.end(), contact.begin(), contact.end());
+  std::vector<double> scale(contact.size());
   friction.state_scales(scale);
 
   CvodeSolver::Options options;
@@ -72,6 +79,8 @@ ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
     out.applied_Nm.push_back(setup.applied_Nm(t, y[angle], y[speed]));
     out.friction_Nm.push_back(friction.torque_Nm(y.subspan(first_state), y[speed]));
   }
+  const auto end = solver.unknowns().subspan(first_state);
+  out.end_state.assign(end.begin(), end.end());
   return out;
 }
 

@@ -21,6 +21,7 @@ struct ForcedMotion {
   std::vector<double> speed_rad_s;
   std::vector<double> applied_Nm;
   std::vector<double> friction_Nm;
+  std::vector<double> end_state;  ///< Of the friction model, at the last sample.
 };
 
 struct ForcedMotionSetup {
@@ -31,6 +32,8 @@ struct ForcedMotionSetup {
   double sample_s{};    ///< Interval dt > 0.
   double angle_rad{};   ///< At the start.
   double speed_rad_s{};
+  /// Of the friction model at the start, as many numbers as it has; none: an unloaded contact.
+  std::vector<double> friction_state{};
   double relative_tolerance{1e-9};
   /// Sizes below which errors do not count: of the angle, and of the speed.
   double least_angle_rad{1e-15};
@@ -38,7 +41,6 @@ struct ForcedMotionSetup {
   double largest_step_s{1e-3};
 };
 
-/// Starts with an unloaded contact.
 /// @throw std::invalid_argument for a value that is not allowed.
 /// @throw std::runtime_error if the solver gives up, saying when.
 ForcedMotion simulate_forced_motion(const DynamicFriction& friction,

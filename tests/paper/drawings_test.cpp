@@ -1,18 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <map>
-#include <set>
 
 #include <gtest/gtest.h>
+
+#include "figure_checks.h"
 
 #include "paper/drive_diagram.h"
 #include "paper/joint_diagram.h"
 #include "paper/lugre_diagram.h"
 #include "paper/paper_drawings.h"
 #include "render/layout/figure_layout.h"
-#include "render/renderer.h"
 
 namespace tribolog::paper {
 namespace {
@@ -22,50 +20,15 @@ render::DrawList laid_out(const render::Figure& figure) {
   return render::lay_out(figure, font);
 }
 
-/// Where TRIBOLOG_SAVE_DRAWINGS names a folder, the pictures are left there to be looked at.
-void save(const render::DrawnFigure& drawn) {
-  const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
-  if (folder == nullptr) return;
-  std::ofstream file(std::string(folder) + "/" + drawn.id + ".png", std::ios::binary);
-  file.write(reinterpret_cast<const char*>(drawn.png.data()),
-             static_cast<std::streamsize>(drawn.png.size()));
-}
-
 TEST(PaperDrawings, AreThePapersFigures) {
   std::vector<int> numbers;
   for (const ReportFigure& one : paper_drawings()) numbers.push_back(one.number);
   EXPECT_EQ(numbers, (std::vector<int>{3, 4, 6, 7, 8}));
 }
 
-TEST(PaperDrawings, AreCompleteInWords) {
-  const std::string safe = "abcdefghijklmnopqrstuvwxyz0123456789-";
-  std::set<std::string> ids;
-  for (const ReportFigure& one : paper_drawings()) {
-    SCOPED_TRACE(one.id);
-    EXPECT_TRUE(ids.insert(one.id).second);
-    EXPECT_EQ(one.id.find_first_not_of(safe), std::string::npos);
-    EXPECT_EQ(one.id, one.figure.id);
-    EXPECT_EQ(one.title, one.figure.title);
-    EXPECT_LE(one.title.size(), 60U);
-    EXPECT_FALSE(one.title.empty());
-    for (const std::string& text : {one.caption, one.how_to_read, one.alt}) {
-      ASSERT_FALSE(text.empty());
-      EXPECT_EQ(text.back(), '.') << text;
-      EXPECT_EQ(text.find("_{"), std::string::npos) << text;
-    }
-  }
-}
+TEST(PaperDrawings, AreCompleteInWords) { test::expect_complete_in_words(paper_drawings()); }
 
-TEST(PaperDrawings, ComeOutWholeAndWithoutAWarning) {
-  std::vector<render::Figure> figures;
-  for (const ReportFigure& one : paper_drawings()) figures.push_back(one.figure);
-  for (const render::DrawnFigure& drawn : render::FigureRenderer().draw(figures)) {
-    EXPECT_EQ(drawn.error, "") << drawn.id;
-    EXPECT_FALSE(drawn.png.empty()) << drawn.id;
-    for (const std::string& warning : drawn.warnings) ADD_FAILURE() << drawn.id << ": " << warning;
-    save(drawn);
-  }
-}
+TEST(PaperDrawings, ComeOutWholeAndWithoutAWarning) { test::expect_drawn_whole(paper_drawings()); }
 
 TEST(PaperDrawings, FillTheWidthOfTheirPicture) {
   constexpr double least_share = 0.85;  // of the width, between the outermost lines

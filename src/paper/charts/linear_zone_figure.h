@@ -1,0 +1,14 @@
+#pragma once
+// Figure 2: static friction made continuous by a linear zone around rest, eq. (2).
+
+#include "figures/report_figure.h"
+#include "friction/threshold_speed.h"
+
+namespace tribolog::paper {
+
+/// The whole curve above, the close-up of the linear zone below.
+/// @throw std::invalid_argument for a law without Stribeck effect (decay 0): its decay is the scale
+/// of the chart.
+ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction);
+
+}  // namespace tribolog::paper

@@ -1,0 +1,152 @@
+#include "paper/charts/presliding_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "figures/axis_scale.h"
+#include "figures/number_text.h"
+#include "figures/plot_data.h"
+
+namespace tribolog::paper {
+namespace {
+
+using figures::AxisScale;
+using figures::listed;
+using figures::prefixed;
+using figures::significant;
+using figures::with_unit;
+
+constexpr int head_px = 120;
+constexpr int panel_px = 560;
+
+std::string length_text(double length_m) { return with_unit(length_m, prefixed("m", length_m), 3); }
+
+std::string force_text(const PreslidingLoop& loop) {
+  return fmt::format("{} N at {} Hz", loop.amplitude_N, loop.frequency_Hz);
+}
+
+render::Panel panel_of(const PreslidingLoop& loop, double largest_N) {
+  constexpr double margin = 1.15;
+  const AxisScale lengths = prefixed("m", loop.width_m / 2);
+  render::Panel panel;
+  panel.title =
+      fmt::format("{}: {} wide, up to {} mm/s", force_text(loop), length_text(loop.width_m),
+                  significant(loop.largest_speed_m_s * 1e3, 3));
+  panel.x.title = figures::axis_title("displacement x", lengths);
+  panel.y.title = "force [N]";
+  panel.y.minimum = -margin * largest_N;
+  panel.y.maximum = margin * largest_N;
+  const std::vector<double> x = figures::shown(loop.cycle.angle_rad, lengths);
+  panel.series.push_back(figures::line("applied force", x, loop.cycle.applied_Nm,
+                                       render::palette::grey, 1.5, render::LineStyle::dash));
+  render::Series friction =
+      figures::line("friction T_{f}", x, loop.cycle.friction_Nm, render::palette::blue, 3.5);
+  friction.direction_arrows_at = {0.1, 0.35, 0.6, 0.85};
+  panel.series.push_back(std::move(friction));
+  return panel;
+}
+
+template <typename Text>
+std::string for_each_loop(const std::vector<PreslidingLoop>& loops, const Text& text) {
+  std::vector<std::string> words;
+  for (const PreslidingLoop& loop : loops) words.push_back(text(loop));
+  return listed(words);
+}
+
+/// Whether the loops are what the paper calls them.
+std::string regime_words(const std::vector<PreslidingLoop>& loops) {
+  const auto holding = std::count_if(loops.begin(), loops.end(), [](const PreslidingLoop& loop) {
+    return loop.largest_speed_m_s <= loop.stribeck_speed_m_s;
+  });
+  const auto all = static_cast<std::ptrdiff_t>(loops.size());
+  if (holding == all) return "the loops are pure pre-sliding";
+  if (holding == 0) return "none of the loops is pure pre-sliding";
+  return fmt::format("{} of the {} loops {} pure pre-sliding", holding, all,
+                     holding == 1 ? "is" : "are");
+}
+
+std::string caption(const std::vector<PreslidingLoop>& loops) {
+  const std::string widths = for_each_loop(loops, [](const PreslidingLoop& loop) {
+    return fmt::format("{} ({})", length_text(loop.width_m), force_text(loop));
+  });
+  const std::string speeds = for_each_loop(loops, [](const PreslidingLoop& loop) {
+    return significant(loop.largest_speed_m_s / loop.stribeck_speed_m_s, 2);
+  });
+  const std::string limits = for_each_loop(loops, [](const PreslidingLoop& loop) {
+    return fmt::format("{} N at {} Hz", significant(loop.largest_presliding_N, 3),
+                       loop.frequency_Hz);
+  });
+  return fmt::format(
+      "LuGre friction of a unit mass, Table 1 as meant; one period of the motion that repeats. "
+      "Widths are {}. Speeds reach {} times the Stribeck velocity: {}. Amplitudes up to {} "
+      "stay below that velocity.",
+      widths, speeds, regime_words(loops), limits);
+}
+
+std::string how_to_read(const std::vector<PreslidingLoop>& loops) {
+  const std::string slow = for_each_loop(loops, [](const PreslidingLoop& loop) {
+    return std::isfinite(loop.slow_width_m) ? length_text(loop.slow_width_m) : "no bound";
+  });
+  const std::string peaks = for_each_loop(loops, [](const PreslidingLoop& loop) {
+    return with_unit(loop.largest_friction_N, {1.0, "N"}, 4);
+  });
+  double gap = 0;
+  double shift = 0;
+  for (const PreslidingLoop& loop : loops) {
+    gap = std::max(gap, loop.gap);
+    shift = std::max(shift, loop.tolerance_shift);
+  }
+  return fmt::format(
+      "Mind the axes of displacement: each panel has its own. After a reversal friction climbs "
+      "while the bristles bend, which is pre-sliding; where it is level the mass slides, driven "
+      "by what the applied force (dashed) has more than friction. Friction peaks at {}; where the "
+      "mass breaks away that is short of the static force, the more so the faster the force rises. "
+      "Forces of the same amplitudes but so slow that neither rate nor inertia counts would give "
+      "widths of {}. The loops close to {} millionths of their size, and halving the solver's "
+      "tolerance moves them by at most {} millionths; a loop that gapes has not reached the motion "
+      "that repeats.",
+      peaks, slow, significant(gap * 1e6, 1), significant(shift * 1e6, 1));
+}
+
+std::string alt(const std::vector<PreslidingLoop>& loops) {
+  return fmt::format(
+      "Closed loops of friction force against displacement, run through clockwise, one panel "
+      "each: {}.",
+      for_each_loop(loops, [](const PreslidingLoop& loop) {
+        return fmt::format("{} ({} wide, friction up to {})", force_text(loop),
+                           length_text(loop.width_m),
+                           with_unit(loop.largest_friction_N, {1.0, "N"}, 4));
+      }));
+}
+
+}  // namespace
+
+ReportFigure presliding_hysteresis_figure(const std::vector<PreslidingLoop>& loops) {
+  if (loops.empty()) throw std::invalid_argument("there is no loop to draw");
+  ReportFigure out;
+  out.number = 5;
+  out.id = "fig-05-presliding-hysteresis";
+  out.title = "Hysteresis of friction under an oscillating force";
+  out.caption = caption(loops);
+  out.how_to_read = how_to_read(loops);
+  out.alt = alt(loops);
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  out.figure.height_px = head_px + panel_px * static_cast<int>(loops.size());
+  double largest = 0;
+  for (const PreslidingLoop& loop : loops) {
+    largest = std::max({largest, loop.amplitude_N, loop.largest_friction_N});
+  }
+  for (const PreslidingLoop& loop : loops) {
+    out.figure.panels.push_back(panel_of(loop, largest));
+    out.figure.panels.back().show_legend = &loop == &loops.front();
+  }
+  return out;
+}
+
+}  // namespace tribolog::paper
