@@ -5,13 +5,11 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
-#include "figures/figure_set.h"
 #include "files/atomic_file.h"
 #include "ingest/robot_file.h"
 #include "ingest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
-#include "paper/paper_drawings.h"
-#include "paper/scenes/scene_figures.h"
+#include "paper/checks/paper_figures.h"
 #include "report/paper_page.h"
 
 namespace tribolog {
@@ -23,18 +21,6 @@ constexpr const char* robot_file = "am100ib.toml";
 
 PaperSource source(const char* name) {
   return {std::string(directory) + name, std::string(text_of(embedded_examples(), name))};
-}
-
-/// All twenty-two, in the order of their numbers.
-std::vector<ReportFigure> paper_figures(const paper::PapersJoint& joint) {
-  std::vector<ReportFigure> figures = paper::paper_drawings(joint.scenario.gear_ratio);
-  for (const auto& more :
-       {scene_figures(joint.robot), figure_set(joint.dataset, joint.calibration)}) {
-    figures.insert(figures.end(), more.begin(), more.end());
-  }
-  std::sort(figures.begin(), figures.end(),
-            [](const ReportFigure& a, const ReportFigure& b) { return a.number < b.number; });
-  return figures;
 }
 
 void tell_outcome(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies,
@@ -61,7 +47,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   console.progress("simulating and identifying the paper's joint", 0, 1);
   const paper::PapersJoint joint(parse_scenario(paper.sources[0].text, paper.sources[0].name),
                                  parse_robot(paper.sources[1].text, paper.sources[1].name));
-  paper.figures = paper_figures(joint);
+  paper.figures = paper::paper_figures(joint);
   console.progress("checking it", 0, 1);
   paper.sections = paper::paper_items(joint, paper.figures);
   paper.golden_numbers = paper::golden_numbers(joint);

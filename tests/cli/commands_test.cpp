@@ -53,6 +53,25 @@ TEST(Commands, ModelsAreComparedInOnePage) {
   EXPECT_EQ(run_shell(program + "models -o '" + directory.file("models.html") + "'").status, 2);
 }
 
+TEST(Commands, ThePaperIsRegeneratedAndEveryCheckHolds) {
+  const SmallDataset directory;
+  const ProgramRun run = run_shell(program + "paper -o '" + directory.file("paper.html") + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err.find("note:"), std::string::npos) << run.err;
+  for (const char* line : {"figures: 22 of 22 regenerated, every check holds in 22",
+                           "tables: 2 of 2 regenerated, every check holds in 2",
+                           "equations: 14 of 14 regenerated, every check holds in 14"}) {
+    EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
+  }
+  const std::string page = read_text(directory.file("paper.html"));
+  EXPECT_NE(page.find("THE PAPER IS REPRODUCED"), std::string::npos);
+  EXPECT_EQ(page.find("is missing"), std::string::npos);
+  EXPECT_EQ(page.find("class=\"fails\""), std::string::npos);
+  EXPECT_LT(page.size(), 10U << 20);
+  EXPECT_EQ(run_shell(program + "paper").status, 2);
+  EXPECT_EQ(run_shell(program + "paper -o /no/such/directory/paper.html").status, 4);
+}
+
 TEST(Commands, WrongUsageIsStatus2) {
   for (const char* arguments :
        {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {

@@ -4,14 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "figures/figure_set.h"
 #include "ingest/robot_file.h"
 #include "ingest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
+#include "paper/checks/paper_figures.h"
 #include "paper/checks/paper_items.h"
-#include "paper/paper_drawings.h"
 #include "paper/printed_paper.h"
-#include "paper/scenes/scene_figures.h"
 
 namespace tribolog::paper {
 namespace {
@@ -23,12 +21,7 @@ class PaperChecks : public ::testing::Test {
   static void SetUpTestSuite() {
     joint_ = new PapersJoint(read_scenario(examples + "scenario.toml"),
                              read_robot(examples + "am100ib.toml"));
-    std::vector<ReportFigure> figures = paper_drawings(joint_->scenario.gear_ratio);
-    for (const auto& more :
-         {scene_figures(joint_->robot), figure_set(joint_->dataset, joint_->calibration)}) {
-      figures.insert(figures.end(), more.begin(), more.end());
-    }
-    sections_ = new std::vector<PaperSection>(paper_items(*joint_, figures));
+    sections_ = new std::vector<PaperSection>(paper_items(*joint_, paper_figures(*joint_)));
   }
   static void TearDownTestSuite() {
     delete sections_;
@@ -37,9 +30,6 @@ class PaperChecks : public ::testing::Test {
   static void expect_all(const std::string& where, const Checks& checks) {
     EXPECT_FALSE(checks.empty()) << where;
     for (const Check& check : checks) {
-        printf("%-14s %-90s %.9g %.9g %.2g %.2g %s %s|%s\n", where.c_str(), check.what.c_str(),
-               check.expected, check.ours, check.difference(), check.bound, check.unit.c_str(),
-               check.expected_words.c_str(), check.ours_words.c_str());
       EXPECT_TRUE(check.holds()) << where << ": " << check.what << ": expected " << check.expected
                                  << check.expected_words << ", ours " << check.ours
                                  << check.ours_words << ", off by " << check.difference() << " "
@@ -60,6 +50,80 @@ TEST_F(PaperChecks, AllHold) {
                      std::to_string(item.number),
                  item.checks);
     }
+  }
+}
+
+int failures(const Scenario& scenario) {
+  const PapersJoint joint(scenario, read_robot(examples + "am100ib.toml"));
+  int failed = 0;
+  const auto add = [&](const Checks& checks) {
+    const Tally tally = tally_checks(checks);
+    failed += tally.there - tally.hold;
+  };
+  for (const PaperSection& section : paper_items(joint, paper_figures(joint))) {
+    for (const PaperItem& item : section.items) add(item.checks);
+  }
+  add(golden_numbers(joint));
+  return failed;
+}
+
+// A check that cannot fail shows nothing: other joints than the paper's must be told from it.
+TEST_F(PaperChecks, FailForAnotherJoint) {
+  const Scenario& own = joint_->scenario;
+  EXPECT_EQ(failures(own), 0);
+
+  Scenario other = own;
+  LuGreFriction::Parameters p = own.presliding.parameters();
+  p.bristle_stiffness_Nm_rad *= 1.05;
+  other.presliding = LuGreFriction(p);
+  EXPECT_GT(failures(other), 5) << "stiffness";
+
+  other = own;
+  other.gear_ratio = 99;
+  EXPECT_GT(failures(other), 5) << "gear ratio";
+
+  other = own;
+  const GravityLoad& load = own.load;
+  other.load = GravityLoad(load.mass_kg() * 1.001, load.distance_m(), load.q_peak_rad());
+  EXPECT_GT(failures(other), 3) << "mass";
+
+  other = own;
+  other.load = GravityLoad(load.mass_kg(), load.distance_m(), load.q_peak_rad() + 1e-5);
+  EXPECT_GT(failures(other), 3) << "angle";
+
+  other = own;
+  WaiboerFriction::Parameters w = own.sliding.parameters();
+  w.smoothing_s_rad = 1e3;
+  other.sliding = WaiboerFriction(w);
+  EXPECT_GT(failures(other), 1) << "smoothing";
+}
+
+TEST_F(PaperChecks, ListTheWholePaperOnce) {
+  for (const auto& [kind, all] :
+       {std::pair{ItemKind::figure, printed::figures}, std::pair{ItemKind::table, printed::tables},
+        std::pair{ItemKind::equation, printed::equations}}) {
+    std::set<int> numbers;
+    for (const PaperSection& section : *sections_) {
+      for (const PaperItem& item : section.items) {
+        if (item.kind != kind) continue;
+        EXPECT_TRUE(numbers.insert(item.number).second) << item.number;
+      }
+    }
+    EXPECT_EQ(static_cast<int>(numbers.size()), all);
+    EXPECT_EQ(*numbers.begin(), 1);
+    EXPECT_EQ(*numbers.rbegin(), all);
+    EXPECT_EQ(tally_items(*sections_, kind).hold, all);
+  }
+}
+
+TEST_F(PaperChecks, AFigureThatIsMissingIsNamed) {
+  std::vector<ReportFigure> figures = paper_figures(*joint_);
+  std::erase_if(figures, [](const ReportFigure& figure) { return figure.number == 16; });
+  try {
+    paper_items(*joint_, figures);
+    FAIL() << "nothing was thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("figure 16"), std::string::npos) << error.what();
   }
 }
 

@@ -18,9 +18,8 @@ constexpr double beside_rest = 1e-9;
 
 StaticLevels levels_of(const StribeckFriction& friction) {
   const StribeckCurve::Parameters& curve = friction.curve().parameters();
-  const double speed = curve.stribeck_speed_rad_s;
-  const double viscous_Nm = friction.torque_Nm(speed) - friction.curve()(speed);
-  return {curve.static_Nm, curve.coulomb_Nm, viscous_Nm / speed, speed, "ω_{s}", "T_{ω}"};
+  return {curve.static_Nm, curve.coulomb_Nm, friction.viscous_Nms_rad(), curve.stribeck_speed_rad_s,
+          "ω_{s}",         "T_{ω}"};
 }
 
 render::Panel panel_of(const StribeckFriction& friction, const StaticLevels& levels) {

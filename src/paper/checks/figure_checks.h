@@ -9,6 +9,10 @@
 
 namespace tribolog::paper {
 
+/// Figures 1, 2 and 5: the points that are drawn.
+Checks check_static_chart(const PapersJoint& joint, const ReportFigure& drawn);
+Checks check_linear_zone_chart(const PapersJoint& joint, const ReportFigure& drawn);
+Checks check_presliding_chart(const PapersJoint& joint);
 /// Figure 3: from the lines that are drawn.
 Checks check_bristle_sketch(const ReportFigure& drawn);
 /// Figures 6 to 8: the diagrams' graphs against the simulation.

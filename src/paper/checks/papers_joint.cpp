@@ -5,26 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "paper/printed_paper.h"
+#include "paper/charts/joint_scale.h"
 #include "pipeline.h"
 #include "simulate/simulate_joint.h"
 #include "simulate/simulated_dataset.h"
 
 namespace tribolog::paper {
 namespace {
-
-/// The viscous part that figures 1 and 2 show; the joint's own would not be seen at their speeds.
-constexpr double shown_viscous_Nms_rad = 0.012;
-
-StribeckFriction discontinuous_friction(const LuGreFriction::Parameters& p) {
-  return StribeckFriction(
-      {{p.coulomb_Nm, p.static_Nm, p.stribeck_speed_rad_s, 2.0}, shown_viscous_Nms_rad});
-}
-
-ThresholdSpeedFriction continuous_friction(const LuGreFriction::Parameters& p) {
-  return ThresholdSpeedFriction({p.coulomb_Nm, p.static_Nm, 1 / p.stribeck_speed_rad_s,
-                                 shown_viscous_Nms_rad, printed::largest_threshold_rad_s});
-}
 
 std::vector<LoopPoint> plain_loop_points(const Scenario& whole, double q_peak_rad) {
   Scenario plain = whole;
@@ -50,8 +37,9 @@ PapersJoint::PapersJoint(const Scenario& given, RobotDescription description)
       dataset(simulated_dataset(given)),
       calibration(identify(dataset)),
       plain_points(plain_loop_points(given, given.load.q_peak_rad())),
-      discontinuous(discontinuous_friction(given.presliding.parameters())),
-      continuous(continuous_friction(given.presliding.parameters())) {}
+      discontinuous(stribeck_at_joint_scale()),
+      continuous(linear_zone_at_joint_scale()),
+      loops(presliding_loops({})) {}
 
 double PapersJoint::oscillation_speed_rad_s(double t_s) const {
   const OscillationExperiment& e = scenario.oscillation.value();

@@ -10,6 +10,7 @@
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 #include "joint/dataset.h"
+#include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::paper {
@@ -21,8 +22,9 @@ struct PapersJoint {
   Calibration calibration;  ///< Identified from the dataset, which it refers to.
   /// The loop's six points of the same joint without inertia and without Stribeck effect.
   std::vector<LoopPoint> plain_points;
-  StribeckFriction discontinuous;     ///< Eq. (1) with the joint's parameters, and
+  StribeckFriction discontinuous;     ///< Eq. (1) at the joint's size, and
   ThresholdSpeedFriction continuous;  ///< eq. (2).
+  std::vector<PreslidingLoop> loops;  ///< Figure 5: table 1 as meant.
 
   PapersJoint(const Scenario& scenario, RobotDescription robot);
   PapersJoint(const PapersJoint&) = delete;

@@ -1,0 +1,30 @@
+#include "paper/checks/paper_figures.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "figures/figure_set.h"
+#include "paper/charts/linear_zone_figure.h"
+#include "paper/charts/presliding_figure.h"
+#include "paper/charts/static_friction_figure.h"
+#include "paper/paper_drawings.h"
+#include "paper/scenes/scene_figures.h"
+
+namespace tribolog::paper {
+
+std::vector<ReportFigure> paper_figures(const PapersJoint& joint) {
+  std::vector<ReportFigure> figures{static_friction_figure(joint.discontinuous),
+                                    linear_zone_figure(joint.continuous),
+                                    presliding_hysteresis_figure(joint.loops)};
+  const auto add = [&](std::vector<ReportFigure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  add(paper_drawings(joint.scenario.gear_ratio));
+  add(scene_figures(joint.robot));
+  add(figure_set(joint.dataset, joint.calibration));
+  std::sort(figures.begin(), figures.end(),
+            [](const ReportFigure& a, const ReportFigure& b) { return a.number < b.number; });
+  return figures;
+}
+
+}  // namespace tribolog::paper

@@ -1,0 +1,14 @@
+#pragma once
+// The paper's figures, regenerated.
+
+#include <vector>
+
+#include "figures/report_figure.h"
+#include "paper/checks/papers_joint.h"
+
+namespace tribolog::paper {
+
+/// In the order of their numbers: charts, drawings and scenes, and those of the identification.
+std::vector<ReportFigure> paper_figures(const PapersJoint& joint);
+
+}  // namespace tribolog::paper

@@ -1,0 +1,132 @@
+// The page of the regenerated paper: what it counts, and what it says of a check that fails.
+
+#include "report/paper_page.h"
+
+#include <gtest/gtest.h>
+
+#include "sample_calibration.h"
+
+#include "report/check_rows.h"
+
+namespace tribolog {
+namespace {
+
+using paper::Check;
+using paper::ItemKind;
+
+struct SmallPaper {
+  RegeneratedPaper paper;
+  std::vector<render::DrawnFigure> drawn;
+
+  SmallPaper() {
+    const Check holds = paper::law_value("two and two", 4, 4, 0, "N·m", "");
+    paper.sections = {{"3.3",
+                       "Loops",
+                       {{ItemKind::figure, 15, "Loop", "", {holds}},
+                        {ItemKind::equation, 4, "Rate", "", {holds}},
+                        {ItemKind::statement, 0, "Words", "", {holds}}}}};
+    paper.golden_numbers = {holds};
+    ReportFigure figure;
+    figure.number = 15;
+    figure.id = "fig-15-loop";
+    figure.title = "Loop";
+    figure.alt = "a loop";
+    paper.figures = {figure};
+    paper.sources = {{"examples/paper/scenario.toml", "# <b>not bold</b>\n"}};
+    paper.provenance.tool_version = "0.1.0";
+    paper.provenance.created_utc = "2026-01-01T00:00:00Z";
+    paper.provenance.command_line = "tribolog paper";
+    render::DrawnFigure picture;
+    picture.id = figure.id;
+    picture.png = {std::byte{1}};
+    picture.width_px = 2;
+    picture.height_px = 1;
+    drawn = {picture};
+  }
+  [[nodiscard]] std::string page() const {
+    return paper_page(paper, test::complete_calibration(), drawn);
+  }
+  [[nodiscard]] PaperTally tally(const std::string& kind) const {
+    for (const PaperTally& one : tally_of(paper, drawn)) {
+      if (one.kind == kind) return one;
+    }
+    return {};
+  }
+};
+
+TEST(PaperPage, CountsWhatIsThereAgainstWhatThePaperHas) {
+  const SmallPaper small;
+  EXPECT_EQ(small.tally("figures").printed, 22);
+  EXPECT_EQ(small.tally("figures").here, 1);
+  EXPECT_EQ(small.tally("figures").well, 1);
+  EXPECT_EQ(small.tally("tables").well, 0);
+  EXPECT_EQ(small.tally("equations").well, 1);
+  const std::string page = small.page();
+  EXPECT_NE(page.find("NOT ALL OF IT IS REPRODUCED"), std::string::npos);
+  EXPECT_NE(page.find("1 of 22 figures, 0 of 2 tables, 1 of 14 equations"), std::string::npos);
+  EXPECT_NE(page.find("3 of 3 checks hold, and 1 of 1 golden numbers"), std::string::npos);
+}
+
+TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
+  SmallPaper small;
+  small.drawn[0].png.clear();
+  small.drawn[0].error = "the stack is gone";
+  EXPECT_EQ(small.tally("figures").here, 0);
+  EXPECT_EQ(small.tally("figures").well, 0);
+  EXPECT_NE(small.page().find("The stack is gone."), std::string::npos);
+}
+
+TEST(PaperPage, NamesTheCheckThatFails) {
+  SmallPaper small;
+  small.paper.sections[0].items[1].checks.push_back(
+      paper::printed_value("mass of row A", 79.999, 3, 80.5, 0.0107, "kg", "rounding"));
+  EXPECT_EQ(small.tally("equations").well, 0);
+  const std::string page = small.page();
+  EXPECT_NE(page.find("Equation 4: mass of row A"), std::string::npos);
+  EXPECT_EQ(test::occurrences(page, "<tr class=\"fails\">"), 1U);
+  EXPECT_NE(page.find("\"holds\":false"), std::string::npos);
+}
+
+TEST(PaperPage, AskNothingOfTheOutsideAndEscapesItsSources) {
+  const std::string page = SmallPaper().page();
+  EXPECT_EQ(page.find("://"), std::string::npos);
+  EXPECT_EQ(page.find("<b>not bold"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;not bold"), std::string::npos);
+  EXPECT_EQ(test::occurrences(page, "<script"), 1U);  // the JSON
+}
+
+TEST(PaperPage, ShowsTheEquationThatIsMeantOnly) {
+  const std::string page = SmallPaper().page();
+  EXPECT_EQ(test::occurrences(page, "id=\"equation-"), 1U);
+  EXPECT_EQ(test::occurrences(page, "<mi>z</mi></mrow></math>"), 1U);  // eq. (4) ends in z
+}
+
+TEST(CheckTexts, ShowAsMuchAsTheBoundLetsMean) {
+  const auto mass = paper::printed_value("", 78.811, 3, 78.81753313, 0.0106936, "kg", "");
+  const report::CheckTexts texts = report::check_texts(mass);
+  EXPECT_EQ(texts.expected, "78.811");
+  EXPECT_EQ(texts.ours, "78.8175");
+  EXPECT_EQ(texts.difference, "0.0065");
+  EXPECT_EQ(texts.allowed, "0.011");
+  EXPECT_EQ(texts.origin, "print");
+}
+
+TEST(CheckTexts, RaiseExponentsAndKeepZero) {
+  const report::CheckTexts texts =
+      report::check_texts(paper::vanishing("", -1.25e-12, 1e-9, "rad", ""));
+  EXPECT_EQ(texts.expected, "0");
+  EXPECT_EQ(texts.ours, "−1.2×10⁻¹²");
+  EXPECT_EQ(texts.allowed, "1.0×10⁻⁹");
+  const report::CheckTexts exact = report::check_texts(paper::law_value("", 0.5, 0.5, 0, "", ""));
+  EXPECT_EQ(exact.expected, "0.5");
+  EXPECT_EQ(exact.difference, "0");
+}
+
+TEST(Check, ANumberThatIsNoneDoesNotHold) {
+  EXPECT_FALSE(paper::vanishing("", NAN, 1, "", "").holds());
+  EXPECT_TRUE(paper::vanishing("", -1, 1, "", "").holds());
+  EXPECT_FALSE(paper::in_words("", paper::Origin::printed, "B", "A").holds());
+}
+
+}  // namespace
+}  // namespace tribolog
