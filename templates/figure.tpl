@@ -4,8 +4,8 @@
 {{#PICTURE}}<div class="card"><img src="{{PNG:x-png}}" alt="{{ALT}}" width="{{WIDTH}}" height="{{HEIGHT}}" loading="{{LOADING}}" decoding="async"></div>{{/PICTURE}}
 {{#NO_PICTURE}}<div class="card no-picture" role="note"><p><b>This figure is missing.</b> <bdi>{{ERROR}}</bdi></p><p>It would show: <bdi>{{ALT}}</bdi></p></div>{{/NO_PICTURE}}
 <figcaption>
-{{#FIGURE_CAPTION_IF}}<p><bdi>{{FIGURE_CAPTION}}</bdi></p>{{/FIGURE_CAPTION_IF}}
-{{#HOW_TO_READ_IF}}<p class="how"><b>How to read this.</b> <bdi>{{HOW_TO_READ}}</bdi></p>{{/HOW_TO_READ_IF}}
+{{#FIGURE_CAPTION_IF}}<p><bdi>{{FIGURE_CAPTION:x-symbols}}</bdi></p>{{/FIGURE_CAPTION_IF}}
+{{#HOW_TO_READ_IF}}<p class="how"><b>How to read this.</b> <bdi>{{HOW_TO_READ:x-symbols}}</bdi></p>{{/HOW_TO_READ_IF}}
 {{#WARNING}}<p class="warning"><b>Drawn with a remark:</b> <bdi>{{TEXT}}</bdi></p>{{/WARNING}}
 </figcaption>
 </figure>

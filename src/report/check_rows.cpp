@@ -10,21 +10,7 @@ namespace {
 
 constexpr int most_digits = 8;
 
-/// "1.2×10^-9" with a raised exponent.
-std::string raised(const std::string& number) {
-  const std::size_t hat = number.find('^');
-  if (hat == std::string::npos) return number;
-  static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out = number.substr(0, hat);
-  const std::string exponent = number.substr(hat + 1);
-  if (exponent.front() < '0' || exponent.front() > '9') out += "⁻";
-  for (const char c : exponent) {
-    if (c >= '0' && c <= '9') out += digits[c - '0'];
-  }
-  return out;
-}
-
-std::string small(double value) { return value == 0 ? "0" : raised(significant(value, 2)); }
+std::string small(double value) { return value == 0 ? "0" : significant(value, 2); }
 
 std::string without_end_zeros(std::string number) {
   if (number.find('.') == std::string::npos) return number;
@@ -36,7 +22,7 @@ std::string without_end_zeros(std::string number) {
 /// As many decimals as show the second digit of what is allowed, and one more; no more digits than
 /// a double means.
 std::string seen_against(double bound, double value, int least_places) {
-  if (bound <= 0 || value == 0) return raised(as_stated(value));
+  if (bound <= 0 || value == 0) return as_stated(value);
   const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   const int places = std::max(decimals_for(bound) + 1, least_places);
   return fixed(value, std::clamp(places, 0, std::max(0, most_digits - before_point)));

@@ -194,7 +194,7 @@ void fill_item(const PaperItem& item, const std::vector<ReportFigure>& figures,
               out);
 }
 
-/// Section 3.4 in full: masses, errors, choice.
+/// Section 3.4 in full: curves, masses, errors, choice.
 void fill_selection(const Calibration& calibration, TemplateValues& section) {
   const auto add = [&](const char* id, void (*describe)(const Calibration&, Section&)) {
     Section stage;
@@ -202,6 +202,7 @@ void fill_selection(const Calibration& calibration, TemplateValues& section) {
     describe(calibration, stage);
     for (const Table& table : stage.tables) fill_table(table, "TABLE", section);
   };
+  add("curves", describe_viscous_curves);
   add("masses", describe_surrogate_masses);
   add("errors", describe_quality_errors);
   add("choice", describe_selection);

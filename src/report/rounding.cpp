@@ -21,6 +21,14 @@ std::string with_minus_sign(std::string digits) {
   return is_zero ? digits : "\u2212" + digits;
 }
 
+/// An exponent in superscript: "⁻⁹".
+std::string raised(int exponent) {
+  static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = exponent < 0 ? "⁻" : "";
+  for (const char c : std::to_string(std::abs(exponent))) out += digits[c - '0'];
+  return out;
+}
+
 }  // namespace
 
 int decimals_for(double half_width) {
@@ -47,7 +55,7 @@ std::string significant(double value, int digits) {
     const std::string text = fmt::format("{:.{}e}", value, std::max(digits - 1, 0));
     const std::size_t e = text.find('e');
     const int exponent = std::stoi(text.substr(e + 1));
-    return with_minus_sign(text.substr(0, e)) + "×10^" + with_minus_sign(std::to_string(exponent));
+    return with_minus_sign(text.substr(0, e)) + "×10" + raised(exponent);
   }
   int decimals = digits - 1 - exponent_of(value);
   if (std::round(size * std::pow(10.0, decimals)) >= std::pow(10.0, digits)) --decimals;

@@ -42,7 +42,7 @@ int decimals_for(double half_width);
 /// "unknown" if the value is not finite; minus zero loses its sign.
 std::string fixed(double value, int decimals);
 
-/// So many significant digits, in fixed notation between 1e-6 and 1e9, else "1.2×10^-9".
+/// So many significant digits, in fixed notation between 1e-6 and 1e9, else "1.2×10⁻⁹".
 std::string significant(double value, int digits);
 
 /// A number as somebody stated it, with up to ten significant digits and no zeros behind:

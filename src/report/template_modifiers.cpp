@@ -55,20 +55,25 @@ bool joins_words(char c) {
          c == '/' || c == '\\';
 }
 
+/// Bytes of the Greek letter that the text starts with; 0: it starts with none.
+std::size_t greek_bytes(std::string_view text) {
+  if (text.empty()) return 0;
+  const Utf8Character letter = first_utf8_character(text);
+  return letter.code_point >= U'Α' && letter.code_point <= U'ω' ? letter.bytes : 0;
+}
+
 /// Bytes of the letter, Latin or Greek, that the text starts with; 0: it starts with none.
 std::size_t symbol_bytes(std::string_view text) {
   const char first = text.front();
   if (is_small_letter(first) || (first >= 'A' && first <= 'Z')) return 1;
-  const Utf8Character letter = first_utf8_character(text);
-  const bool is_greek = letter.code_point >= U'Α' && letter.code_point <= U'ω';
-  return is_greek ? letter.bytes : 0;
+  return greek_bytes(text);
 }
 
 /// Bytes of the index in `_index` that the text starts with; 0: none.
 std::size_t index_bytes(std::string_view text) {
   constexpr std::size_t longest = 9;
   if (text.empty() || text.front() != '_') return 0;
-  std::size_t end = 1;
+  std::size_t end = 1 + greek_bytes(text.substr(1));
   while (end < text.size() && is_small_letter(text[end])) ++end;
   if (end == 1 || end > longest + 1) return 0;
   if (end < text.size() && joins_words(text[end])) return 0;

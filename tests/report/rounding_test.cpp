@@ -67,7 +67,7 @@ TEST(Rounding, SignificantDigits) {
   EXPECT_EQ(significant(0.0, 3), "0");
   EXPECT_EQ(significant(0.99996, 4), "1.000");
   EXPECT_EQ(significant(1234567.0, 3), "1230000");
-  EXPECT_EQ(significant(-1.5e-9, 2), "−1.5×10^−9");
+  EXPECT_EQ(significant(-1.5e-9, 2), "−1.5×10⁻⁹");
   EXPECT_EQ(as_stated(100.0), "100");
   EXPECT_EQ(as_stated(9.81), "9.81");
 }

@@ -44,6 +44,7 @@ TEST(Symbols, GetTheirIndexAndNothingElseDoes) {
   EXPECT_EQ(html_with_symbols("cos(q - q_peak)."), "cos(q - " + peak + ").");
   EXPECT_EQ(html_with_symbols("power δ_a"), "power <i>δ</i><sub>a</sub>");
   EXPECT_EQ(html_with_symbols("at q_peak."), "at " + peak + ".");
+  EXPECT_EQ(html_with_symbols("slope T_ω, "), "slope <i>T</i><sub>ω</sub>, ");
   for (const char* plain : {"constant_speed", "q_peak.csv", "a/q_peak", "q_peak_rad", "joint_q_c",
                             "2q_c", "q_", "_c", "q_2", "q_C", "x_averylongindex", "é_c"}) {
     EXPECT_EQ(html_with_symbols(plain), plain);

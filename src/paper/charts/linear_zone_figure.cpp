@@ -96,7 +96,8 @@ ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction) {
       "from rest friction falls exponentially with speed, so sooner but longer than in figure 1. "
       "Below, the same enlarged {} times along the speed. The law never holds: a torque of half "
       "the "
-      "break-away torque, at which a real joint stands still, turns the shaft at ω_th/2, {} in a "
+      "break-away torque, at which a real joint stands still, turns the shaft at half of ω_th, {} "
+      "in a "
       "minute.",
       figures::significant(shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s),
                            2),

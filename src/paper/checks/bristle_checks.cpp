@@ -86,7 +86,7 @@ Checks check_equation_4(const PapersJoint& joint) {
                 1e-12, "rad/s", rounding),
       vanishing("The oscillation's z(t), program against CVODE: largest difference by largest z",
                 apart / largest, 1e-8, "", "what the program promises"),
-      vanishing("z never exceeds T_s/σ₀: by how much, as a share of it",
+      vanishing("z never exceeds g(0): by how much, as a share of it",
                 std::max(0.0, largest / friction.steady_deflection_rad(0) - 1), 0, "",
                 "proved for LuGre")};
 }

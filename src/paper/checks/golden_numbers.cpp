@@ -108,12 +108,12 @@ double largest_from_table_2(const Torques& torques) {
 void add_deviations(const PapersJoint& joint, Checks& out) {
   std::array<double, 6> ours{};
   for (std::size_t i = 0; i < std::size(names); ++i) ours[i] = joint.point(names[i]).torque_Nm;
-  const char* stated = "stated: within 0.24 %, rounded";
+  const char* stated = "as stated, within 0.24 %, rounded";
   constexpr double stated_percent = 0.245;
   out.push_back(
       vanishing("Table 2 against the torques given without inertia and Stribeck effect: "
                 "largest deviation",
-                largest_from_table_2(plain), 0.20, "%", "stated: within 0.20 %"));
+                largest_from_table_2(plain), 0.20, "%", "as stated, within 0.20 %"));
   out.push_back(vanishing("The same against their closed form",
                           largest_from_table_2(plain_loop_torques_Nm(joint.scenario)),
                           stated_percent, "%",

@@ -79,6 +79,8 @@ Checks check_rate_loop(const PapersJoint& joint) {
   const LoopTrace& trace = trace_of(joint);
   return {is_extreme(joint, 'F', trace.dz_rad_s, {0.25, 0.75}, false, joint.point('F').dz_rad_s,
                      "smallest dz/dt", "rad/s"),
+          is_extreme(joint, 'E', trace.dz_rad_s, {0.75, 1.25}, true, joint.point('E').dz_rad_s,
+                     "largest dz/dt after the first quarter", "rad/s"),
           in_words("E: sign of z, while dz/dt is largest", Origin::law, "−",
                    joint.point('E').z_rad < 0 ? "−" : "+"),
           in_words("F: sign of z, while dz/dt is smallest", Origin::law, "+",
