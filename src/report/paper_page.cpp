@@ -99,6 +99,10 @@ void fill_outcome_of(const RegeneratedPaper& paper, const std::vector<PaperTally
   verdict.set("WORD", all_well ? "THE PAPER IS REPRODUCED" : "NOT ALL OF IT IS REPRODUCED");
   verdict.set("SENTENCE", sentence);
   fill_outcome(all_well ? Outcome::good : Outcome::bad, verdict);
+  const PaperTally& figures = tallies.front();
+  const int missing = figures.printed - figures.here;
+  verdict.set_optional("FIGURES_MISSING",
+                       missing > 0 ? of(missing, figures.printed, "figures missing") : "");
   TemplateValues* list = nullptr;
   const auto tell = [&](const std::string& where, const paper::Checks& failed) {
     for (const paper::Check& check : failed) {

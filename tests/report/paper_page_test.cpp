@@ -74,6 +74,7 @@ TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
   EXPECT_EQ(small.tally("figures").here, 0);
   EXPECT_EQ(small.tally("figures").well, 0);
   EXPECT_NE(small.page().find("The stack is gone."), std::string::npos);
+  EXPECT_NE(small.page().find("22 of 22 figures missing"), std::string::npos);
 }
 
 TEST(PaperPage, NamesTheCheckThatFails) {
