@@ -13,6 +13,16 @@ enum Member : std::size_t { deflection, lagged_speed, stuck_time, stribeck, slid
 
 }  // namespace
 
+ParameterSlots ArmstrongFriction::Parameters::by_name() {
+  return {{"stiffness_Nm_rad", "kt > 0", &stiffness_Nm_rad},
+          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"viscous_Nms_rad", "Tv >= 0", &viscous_Nms_rad},
+          {"rested_stribeck_Nm", "Ts,inf >= 0, beyond Tc after a long rest", &rested_stribeck_Nm},
+          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
+          {"lag_s", "tL > 0, frictional lag", &lag_s},
+          {"rise_time_s", "gamma > 0, of static friction at rest", &rise_time_s}};
+}
+
 ArmstrongFriction::ArmstrongFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");

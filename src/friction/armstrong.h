@@ -27,12 +27,15 @@ class ArmstrongFriction final : public DynamicFriction {
     double stribeck_speed_rad_s{1.0};  ///< ws > 0
     double lag_s{};                    ///< tL > 0
     double rise_time_s{};              ///< gamma > 0
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit ArmstrongFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "armstrong"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   /// Torque [N·m] at which a contact breaks away that has rested so long since sliding, at whose
   /// end the Stribeck torque was `last_stribeck_Nm`.
   [[nodiscard]] double break_away_Nm(double rest_s, double last_stribeck_Nm = 0.0) const;
@@ -46,6 +49,7 @@ class ArmstrongFriction final : public DynamicFriction {
              std::span<double> rates) const override;
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
+  /// After a long rest; after a shorter one the Stribeck torque is smaller.
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
   /// Exact but for the moment of break-away, which bisection finds.
   void advance(std::span<double> state, const SpeedStep& step) const override;

@@ -9,6 +9,14 @@
 
 namespace tribolog {
 
+ParameterSlots BlimanSorineFriction::Parameters::by_name() {
+  return {{"fast_torque_Nm", "f1 > 0", &fast_torque_Nm},
+          {"slow_torque_Nm", "0 <= f2 < f1; Coulomb torque is f1 - f2", &slow_torque_Nm},
+          {"slow_way_rad", "e > 0", &slow_way_rad},
+          {"way_ratio", "0 < eta < 1", &way_ratio, true},
+          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+}
+
 BlimanSorineFriction::BlimanSorineFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.fast_torque_Nm, "torque f1", "N·m");
   require_not_negative(p_.slow_torque_Nm, "torque f2", "N·m");

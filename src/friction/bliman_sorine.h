@@ -22,12 +22,15 @@ class BlimanSorineFriction final : public DynamicFriction {
     double slow_way_rad{};     ///< e > 0
     double way_ratio{0.5};     ///< 0 < eta < 1
     double viscous_Nms_rad{};  ///< >= 0; added to the torque
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit BlimanSorineFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "bliman_sorine"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   /// Largest torque [N·m] on the way from an unloaded contact to steady sliding.
   [[nodiscard]] double break_away_Nm() const;
 

@@ -12,11 +12,12 @@
 #include "friction/leuven.h"
 #include "friction/lugre.h"
 #include "friction/reset_integrator.h"
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
+#include "friction/waiboer.h"
 
 namespace tribolog {
 namespace {
-
-using Model = std::unique_ptr<DynamicFriction>;
 
 constexpr int elements = 10;
 constexpr double lag_s = 0.003;  // of the size measured in lubricated contacts (Armstrong 1994)
@@ -25,31 +26,27 @@ StribeckCurve::Parameters curve(const ContactParameters& c) {
   return {c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, 2.0};
 }
 
-Model dahl(const ContactParameters& c) {
-  return std::make_unique<DahlFriction>(
-      DahlFriction::Parameters{c.stiffness_Nm_rad, c.coulomb_Nm, 1.0, c.viscous_Nms_rad});
+DahlFriction::Parameters dahl(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, c.coulomb_Nm, 1.0, c.viscous_Nms_rad};
 }
 
 /// Its stiffness appears over the bonds' average stretch, its Coulomb torque is a third of what all
 /// of them could carry.
-Model haessig_bristles(const ContactParameters& c) {
-  return std::make_unique<HaessigBristleFriction>(HaessigBristleFriction::Parameters{
-      c.stiffness_Nm_rad, 3 * c.coulomb_Nm / c.stiffness_Nm_rad, 500, c.viscous_Nms_rad, 1});
+HaessigBristleFriction::Parameters haessig_bristles(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, 3 * c.coulomb_Nm / c.stiffness_Nm_rad, 500, c.viscous_Nms_rad, 1};
 }
 
-Model reset_integrator(const ContactParameters& c) {
-  return std::make_unique<ResetIntegratorFriction>(ResetIntegratorFriction::Parameters{
-      c.stiffness_Nm_rad, c.damping_Nms_rad, c.coulomb_Nm / c.stiffness_Nm_rad,
-      c.static_Nm / c.coulomb_Nm - 1, c.viscous_Nms_rad});
+ResetIntegratorFriction::Parameters reset_integrator(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, c.damping_Nms_rad, c.coulomb_Nm / c.stiffness_Nm_rad,
+          c.static_Nm / c.coulomb_Nm - 1, c.viscous_Nms_rad};
 }
 
-Model hess_soom(const ContactParameters& c) {
-  return std::make_unique<HessSoomFriction>(HessSoomFriction::Parameters{
-      c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, c.viscous_Nms_rad, lag_s});
+HessSoomFriction::Parameters hess_soom(const ContactParameters& c) {
+  return {c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, c.viscous_Nms_rad, lag_s};
 }
 
 /// f1 and f2 such that the peak is the break-away torque; the initial stiffness then sets the ways.
-Model bliman_sorine(const ContactParameters& c) {
+BlimanSorineFriction::Parameters bliman_sorine(const ContactParameters& c) {
   constexpr double eta = 0.5;
   const auto with = [&](double slow) {
     const double fast = c.coulomb_Nm + slow;
@@ -64,89 +61,100 @@ Model bliman_sorine(const ContactParameters& c) {
     const bool too_small = BlimanSorineFriction(with(middle)).break_away_Nm() < c.static_Nm;
     (too_small ? low : high) = middle;
   }
-  return std::make_unique<BlimanSorineFriction>(with((low + high) / 2));
+  return with((low + high) / 2);
 }
 
-Model armstrong(const ContactParameters& c) {
-  return std::make_unique<ArmstrongFriction>(ArmstrongFriction::Parameters{
-      c.stiffness_Nm_rad, c.coulomb_Nm, c.viscous_Nms_rad, c.static_Nm - c.coulomb_Nm,
-      c.stribeck_speed_rad_s, lag_s, 0.1});
+ArmstrongFriction::Parameters armstrong(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad,
+          c.coulomb_Nm,
+          c.viscous_Nms_rad,
+          c.static_Nm - c.coulomb_Nm,
+          c.stribeck_speed_rad_s,
+          lag_s,
+          0.1};
 }
 
-Model lugre(const ContactParameters& c) {
-  return std::make_unique<LuGreFriction>(
-      LuGreFriction::Parameters{c.stiffness_Nm_rad, c.damping_Nms_rad, c.viscous_Nms_rad,
-                                c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s});
+LuGreFriction::Parameters lugre(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, c.damping_Nms_rad, c.viscous_Nms_rad,
+          c.coulomb_Nm,       c.static_Nm,       c.stribeck_speed_rad_s};
 }
 
-Model leuven(const ContactParameters& c) {
-  return std::make_unique<LeuvenFriction>(LeuvenFriction::Parameters{
-      maxwell_elements(c.stiffness_Nm_rad, LeuvenFriction::reserve * c.static_Nm, elements),
-      curve(c), 4.0, c.damping_Nms_rad, c.viscous_Nms_rad});
+LeuvenFriction::Parameters leuven(const ContactParameters& c) {
+  return {maxwell_elements(c.stiffness_Nm_rad, LeuvenFriction::reserve * c.static_Nm, elements),
+          curve(c), 4.0, c.damping_Nms_rad, c.viscous_Nms_rad};
 }
 
-Model elasto_plastic(const ContactParameters& c) {
-  return std::make_unique<ElastoPlasticFriction>(
-      ElastoPlasticFriction::Parameters{c.stiffness_Nm_rad, c.damping_Nms_rad, c.viscous_Nms_rad,
-                                        curve(c), 0.7 * c.coulomb_Nm / c.stiffness_Nm_rad});
+ElastoPlasticFriction::Parameters elasto_plastic(const ContactParameters& c) {
+  return {c.stiffness_Nm_rad, c.damping_Nms_rad, c.viscous_Nms_rad, curve(c),
+          0.7 * c.coulomb_Nm / c.stiffness_Nm_rad};
 }
 
 /// The attraction gives the same time constant s(w)/C as the lag of lubricated contacts.
-Model gms(const ContactParameters& c) {
-  return std::make_unique<GmsFriction>(
-      GmsFriction::Parameters{maxwell_elements(c.stiffness_Nm_rad, c.static_Nm, elements), curve(c),
-                              c.coulomb_Nm / lag_s, c.viscous_Nms_rad});
+GmsFriction::Parameters gms(const ContactParameters& c) {
+  return {maxwell_elements(c.stiffness_Nm_rad, c.static_Nm, elements), curve(c),
+          c.coulomb_Nm / lag_s, c.viscous_Nms_rad};
+}
+
+/// @param example only its name counts.
+template <class Kind, class Model>
+ModelRecipe<Kind> recipe(const Model& example, std::string title, std::string source) {
+  using Parameters = typename Model::Parameters;
+  return {example.name(), std::move(title), std::move(source), named(Parameters{}),
+          [](const NamedParameters& values) -> std::unique_ptr<Kind> {
+            Parameters parameters;
+            set_values(parameters.by_name(), values);
+            return std::make_unique<Model>(parameters);
+          }};
+}
+
+template <class Model>
+FrictionModelEntry model(std::string title, std::string source, FrictionTraits traits,
+                         typename Model::Parameters (*match)(const ContactParameters&)) {
+  return {recipe<DynamicFriction>(Model(match({})), std::move(title), std::move(source)), traits,
+          [match](const ContactParameters& c) { return named(match(c)); }};
 }
 
 }  // namespace
 
 const std::vector<FrictionModelEntry>& dynamic_friction_models() {
-  // break-away, Stribeck, lag, pre-sliding, non-local memory, drifts, rate independent, random
+  // break-away, Stribeck, lag, pre-sliding, non-local memory, drifts, rate independent, random,
+  // remembers rest
   static const std::vector<FrictionModelEntry> models{
-      {"dahl", "Dahl", "Dahl 1968", {0, 0, 0, 1, 0, 1, 1, 0}, dahl},
-      {"haessig_bristles",
-       "Bristle",
-       "Haessig and Friedland 1990",
-       {0, 0, 0, 1, 0, 0, 1, 1},
-       haessig_bristles},
-      {"reset_integrator",
-       "Reset integrator",
-       "Haessig and Friedland 1990",
-       {1, 0, 0, 1, 0, 0, 0, 0},
-       reset_integrator},
-      {"hess_soom", "Hess and Soom", "Hess and Soom 1990", {0, 1, 1, 0, 0, 0, 0, 0}, hess_soom},
-      {"bliman_sorine",
-       "Bliman and Sorine",
-       "Bliman and Sorine 1991, 1995",
-       {1, 0, 0, 1, 0, 1, 1, 0},
-       bliman_sorine},
-      {"armstrong",
-       "Armstrong's seven parameters",
-       "Armstrong-Hélouvry, Dupont, Canudas de Wit 1994",
-       {1, 1, 1, 1, 0, 0, 0, 0},
-       armstrong},
-      {"lugre",
-       "LuGre",
-       "Canudas de Wit, Olsson, Åström, Lischinsky 1995, eq. (3) to (5)",
-       {1, 1, 1, 1, 0, 1, 0, 0},
-       lugre},
-      {"leuven",
-       "Leuven",
-       "Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002",
-       {1, 1, 1, 1, 1, 1, 0, 0},
-       leuven},
-      {"elasto_plastic",
-       "Elasto-plastic",
-       "Dupont, Hayward, Armstrong, Altpeter 2002",
-       {1, 1, 1, 1, 0, 0, 0, 0},
-       elasto_plastic},
-      {"gms",
-       "Generalised Maxwell slip",
-       "Al-Bender, Lampaert, Swevers 2005",
-       {1, 1, 1, 1, 1, 0, 0, 0},
-       gms},
+      model<DahlFriction>("Dahl", "Dahl 1968", {0, 0, 0, 1, 0, 1, 1, 0}, dahl),
+      model<HaessigBristleFriction>("Bristle", "Haessig and Friedland 1990",
+                                    {0, 0, 0, 1, 0, 0, 1, 1}, haessig_bristles),
+      model<ResetIntegratorFriction>("Reset integrator", "Haessig and Friedland 1990",
+                                     {1, 0, 0, 1, 0, 0, 0, 0}, reset_integrator),
+      model<HessSoomFriction>("Hess and Soom", "Hess and Soom 1990", {0, 1, 1, 0, 0, 0, 0, 0},
+                              hess_soom),
+      model<BlimanSorineFriction>("Bliman and Sorine", "Bliman and Sorine 1991, 1995",
+                                  {1, 0, 0, 1, 0, 1, 1, 0}, bliman_sorine),
+      model<ArmstrongFriction>("Armstrong's seven parameters",
+                               "Armstrong-Hélouvry, Dupont, Canudas de Wit 1994",
+                               {1, 1, 1, 1, 0, 0, 0, 0, 1}, armstrong),
+      model<LuGreFriction>("LuGre",
+                           "Canudas de Wit, Olsson, Åström, Lischinsky 1995, eq. (3) to (5)",
+                           {1, 1, 1, 1, 0, 1, 0, 0}, lugre),
+      model<LeuvenFriction>("Leuven",
+                            "Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002",
+                            {1, 1, 1, 1, 1, 1, 0, 0}, leuven),
+      model<ElastoPlasticFriction>("Elasto-plastic", "Dupont, Hayward, Armstrong, Altpeter 2002",
+                                   {1, 1, 1, 1, 0, 0, 0, 0}, elasto_plastic),
+      model<GmsFriction>("Generalised Maxwell slip", "Al-Bender, Lampaert, Swevers 2005",
+                         {1, 1, 1, 1, 1, 0, 0, 0}, gms),
   };
   return models;
+}
+
+const std::vector<StaticLawEntry>& static_friction_laws() {
+  static const std::vector<StaticLawEntry> laws{
+      recipe<StaticFriction>(StribeckFriction({{1, 1, 1, 2}, 0}), "Coulomb, viscous and Stribeck",
+                             "eq. (1)"),
+      recipe<StaticFriction>(ThresholdSpeedFriction({1, 1, 0, 0, 1}), "Threshold speed", "eq. (2)"),
+      recipe<StaticFriction>(WaiboerFriction({}), "Waiboer",
+                             "Waiboer, Aarts, Jonker 2005, eq. (6), (7)"),
+  };
+  return laws;
 }
 
 const FrictionModelEntry& dynamic_friction_model(const std::string& name) {

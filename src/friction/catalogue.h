@@ -1,11 +1,14 @@
 #pragma once
-// All dynamic friction models by name, and each with parameters that match those of the others.
+// All friction models by name: those with memory, each with parameters that match those of the
+// others, and the static laws.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "friction/dynamic_friction.h"
+#include "friction/static_friction.h"
 
 namespace tribolog {
 
@@ -31,18 +34,37 @@ struct FrictionTraits {
   bool drifts{};            ///< Creeps under an oscillating torque below break-away.
   bool rate_independent{};  ///< Without its viscous part torque depends on the way alone.
   bool is_random{};         ///< Forward and backward are not mirror images.
+  bool remembers_rest{};    ///< Steady torque depends on the rest before it, not on speed alone.
 };
 
-struct FrictionModelEntry {
-  std::string name;    ///< As a scenario says it: "lugre".
-  std::string title;   ///< "LuGre"
-  std::string source;  ///< Authors and year, and the paper's equation if it has one.
-  FrictionTraits traits;
-  std::unique_ptr<DynamicFriction> (*matched)(const ContactParameters&);
+/// A model by name, and how to make one from named parameters.
+template <class Model>
+struct ModelRecipe {
+  std::string name;            ///< As files say it: "lugre".
+  std::string title;           ///< "LuGre"
+  std::string source;          ///< Authors and year, and the paper's equation if it has one.
+  NamedParameters parameters;  ///< All that it has; only the usual values mean something.
+  /// What is not among the parameters given keeps the value that it has in `parameters`.
+  /// @throw std::invalid_argument quoting value and rule, or for a name that is not known.
+  std::function<std::unique_ptr<Model>(const NamedParameters&)> make;
 };
+
+struct FrictionModelEntry : ModelRecipe<DynamicFriction> {
+  FrictionTraits traits;
+  std::function<NamedParameters(const ContactParameters&)> matched_parameters;
+
+  [[nodiscard]] std::unique_ptr<DynamicFriction> matched(const ContactParameters& contact) const {
+    return make(matched_parameters(contact));
+  }
+};
+
+using StaticLawEntry = ModelRecipe<StaticFriction>;
 
 /// In the order in which the models were published.
 const std::vector<FrictionModelEntry>& dynamic_friction_models();
+
+/// In the order of the paper's equations.
+const std::vector<StaticLawEntry>& static_friction_laws();
 
 /// @throw std::invalid_argument naming the models that there are.
 const FrictionModelEntry& dynamic_friction_model(const std::string& name);

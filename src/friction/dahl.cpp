@@ -6,6 +6,13 @@
 #include "parameter_rules.h"
 
 namespace tribolog {
+ParameterSlots DahlFriction::Parameters::by_name() {
+  return {{"stiffness_Nm_rad", "s0 > 0, at zero torque", &stiffness_Nm_rad},
+          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"exponent", "i >= 0; ductile above 1, brittle below", &exponent, true},
+          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+}
+
 DahlFriction::DahlFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");

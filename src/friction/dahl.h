@@ -18,12 +18,15 @@ class DahlFriction final : public DynamicFriction {
     double coulomb_Nm{};        ///< Tc > 0
     double exponent{1.0};       ///< i >= 0; ductile above 1, brittle below
     double viscous_Nms_rad{};   ///< >= 0; added to the torque
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit DahlFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "dahl"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 1; }
   void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,

@@ -9,14 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "friction/friction_model.h"
 #include "friction/speed_step.h"
 
 namespace tribolog {
 
-class DynamicFriction {
+class DynamicFriction : public FrictionModel {
  public:
-  virtual ~DynamicFriction() = default;
-
   /// How many numbers the state has.
   [[nodiscard]] virtual std::size_t states() const = 0;
 

@@ -13,6 +13,15 @@
 
 namespace tribolog {
 
+ParameterSlots ElastoPlasticFriction::Parameters::by_name() {
+  return joined({ParameterSlots{{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
+                                {"bristle_damping_Nms_rad", "s1 >= 0", &bristle_damping_Nms_rad},
+                                {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad}},
+                 curve.by_name(),
+                 ParameterSlots{{"break_away_deflection_rad", "0 < zba < Tc/s0",
+                                 &break_away_deflection_rad}}});
+}
+
 ElastoPlasticFriction::ElastoPlasticFriction(const Parameters& parameters)
     : p_(parameters), curve_(parameters.curve) {
   require_positive(p_.bristle_stiffness_Nm_rad, "bristle stiffness", "N·m/rad");

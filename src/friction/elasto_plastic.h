@@ -21,12 +21,15 @@ class ElastoPlasticFriction final : public DynamicFriction {
     double viscous_Nms_rad{};            ///< s2 >= 0
     StribeckCurve::Parameters curve;     ///< s(w)
     double break_away_deflection_rad{};  ///< 0 < zba < Tc/s0, so that it is below every g(w)
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit ElastoPlasticFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "elasto_plastic"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 1; }
   void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,

@@ -23,12 +23,15 @@ class GmsFriction final : public DynamicFriction {
     StribeckCurve::Parameters curve;       ///< s(w)
     double attraction_Nm_s{};              ///< C > 0: how fast slipping torque follows s(w)
     double viscous_Nms_rad{};              ///< s2 >= 0
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit GmsFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "gms"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 2 * p_.elements.size(); }
   void state_scales(std::span<double> scales) const override;
   [[nodiscard]] std::size_t events() const override { return p_.elements.size(); }

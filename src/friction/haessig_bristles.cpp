@@ -21,25 +21,33 @@ double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) 
 
 }  // namespace
 
+ParameterSlots HaessigBristleFriction::Parameters::by_name() {
+  return {{"stiffness_Nm_rad", "s0 > 0, of all bonds together", &stiffness_Nm_rad},
+          {"snap_deflection_rad", "ds > 0; Coulomb torque is s0 ds/3", &snap_deflection_rad},
+          {"bristles", "N, 1 to 100000", &bristles, true},
+          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad},
+          {"seed", "of the places where bonds form", &seed, true}};
+}
+
 HaessigBristleFriction::HaessigBristleFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(p_.snap_deflection_rad, "deflection at which a bond snaps", "rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
-  if (p_.bristles < 1) {
+  if (p_.bristles < 1 || p_.bristles > most_bristles) {
     throw std::invalid_argument(
-        fmt::format("number of bristles {} is not allowed; it must be >= 1", p_.bristles));
+        fmt::format("number of bristles {} is not allowed; it must be from 1 to {}", p_.bristles,
+                    most_bristles));
   }
 }
 
-std::size_t HaessigBristleFriction::states() const {
-  return 2 * static_cast<std::size_t>(p_.bristles);
-}
+std::size_t HaessigBristleFriction::states() const { return 2 * p_.bristles; }
 
 std::vector<double> HaessigBristleFriction::unloaded() const {
   std::vector<double> state(states(), 0.0);
-  for (int i = 0; i < p_.bristles; ++i) {
-    const double share = (2.0 * i + 1) / p_.bristles - 1;
-    state[static_cast<std::size_t>(i)] = share * p_.snap_deflection_rad;
+  const auto n = static_cast<double>(p_.bristles);
+  for (std::size_t i = 0; i < p_.bristles; ++i) {
+    const double share = (2.0 * static_cast<double>(i) + 1) / n - 1;
+    state[i] = share * p_.snap_deflection_rad;
   }
   return state;
 }

@@ -20,15 +20,21 @@ class HaessigBristleFriction final : public DynamicFriction {
   struct Parameters {
     double stiffness_Nm_rad{};     ///< s0 > 0, of all bonds together
     double snap_deflection_rad{};  ///< ds > 0
-    int bristles{50};              ///< N >= 1
+    std::uint64_t bristles{50};    ///< N, from 1 to most_bristles
     double viscous_Nms_rad{};      ///< >= 0; added to the torque
     std::uint64_t seed{1};
+    ParameterSlots by_name();
   };
+
+  /// Bounds memory and time.
+  static constexpr std::uint64_t most_bristles = 100'000;
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit HaessigBristleFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "haessig_bristles"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override;
   /// Deflections spread evenly between -ds and ds: no torque.
   [[nodiscard]] std::vector<double> unloaded() const override;

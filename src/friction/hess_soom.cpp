@@ -8,6 +8,14 @@
 
 namespace tribolog {
 
+ParameterSlots HessSoomFriction::Parameters::by_name() {
+  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"static_Nm", "Ts >= Tc", &static_Nm},
+          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
+          {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad},
+          {"lag_s", "t > 0, frictional lag", &lag_s}};
+}
+
 HessSoomFriction::HessSoomFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");

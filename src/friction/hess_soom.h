@@ -21,12 +21,15 @@ class HessSoomFriction final : public DynamicFriction {
     double stribeck_speed_rad_s{1.0};  ///< ws > 0
     double viscous_Nms_rad{};          ///< s2 >= 0
     double lag_s{};                    ///< t > 0
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit HessSoomFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "hess_soom"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 1; }
   void state_scales(std::span<double> scales) const override;
   void rates(std::span<const double> state, double speed_rad_s,

@@ -11,6 +11,17 @@
 #include "friction/path_steps.h"
 
 namespace tribolog {
+
+ParameterSlots LeuvenFriction::Parameters::by_name() {
+  return joined(
+      {ParameterSlots{{"elements", "of each stiffness_Nm_rad > 0 and share > 0; shares add up to 1",
+                       &elements}},
+       curve.by_name(),
+       ParameterSlots{{"transition_power", "n >= 1", &transition_power, true},
+                      {"micro_damping_Nms_rad", "s1 >= 0", &micro_damping_Nms_rad},
+                      {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad}}});
+}
+
 LeuvenFriction::LeuvenFriction(const Parameters& parameters)
     : p_(parameters), curve_(parameters.curve) {
   require_maxwell_elements(p_.elements);

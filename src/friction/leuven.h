@@ -24,6 +24,7 @@ class LeuvenFriction final : public DynamicFriction {
     double transition_power{2.0};     ///< n >= 1
     double micro_damping_Nms_rad{};   ///< s1 >= 0
     double viscous_Nms_rad{};         ///< s2 >= 0
+    ParameterSlots by_name();
   };
 
   /// The elements could carry `reserve` times the static torque, so that the hysteresis torque is
@@ -34,6 +35,8 @@ class LeuvenFriction final : public DynamicFriction {
   explicit LeuvenFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "leuven"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 1 + p_.elements.size(); }
   void state_scales(std::span<double> scales) const override;
   [[nodiscard]] std::size_t events() const override { return p_.elements.size(); }

@@ -8,6 +8,15 @@
 
 namespace tribolog {
 
+ParameterSlots LuGreFriction::Parameters::by_name() {
+  return {{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
+          {"bristle_damping_Nms_rad", "s1 >= 0", &bristle_damping_Nms_rad},
+          {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad},
+          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"static_Nm", "Ts >= Tc, break-away torque", &static_Nm},
+          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s}};
+}
+
 LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.bristle_stiffness_Nm_rad, "bristle stiffness", "N·m/rad");
   require_not_negative(p_.bristle_damping_Nms_rad, "bristle damping", "N·m·s/rad");

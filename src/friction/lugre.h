@@ -21,6 +21,7 @@ class LuGreFriction final : public DynamicFriction {
     double coulomb_Nm{};                ///< Tc > 0
     double static_Nm{};                 ///< Ts >= Tc, break-away torque
     double stribeck_speed_rad_s{1.0};   ///< ws > 0
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule, e.g. "Coulomb torque 1.4 N·m
@@ -28,6 +29,8 @@ class LuGreFriction final : public DynamicFriction {
   explicit LuGreFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "lugre"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   /// g(w) [rad]: the bristle deflection in steady sliding at this speed, always > 0.
   [[nodiscard]] double steady_deflection_rad(double speed_rad_s) const;
   /// dz/dt [rad/s], eq. (4).

@@ -9,6 +9,7 @@ namespace tribolog {
 struct MaxwellElement {
   double stiffness_Nm_rad{};  ///< > 0
   double share{};             ///< Of the whole torque at which it slips, > 0; all add up to 1.
+  friend bool operator==(const MaxwellElement&, const MaxwellElement&) = default;
 };
 
 /// Elements that slip one after the other on the first loading, at equal distances: the virgin

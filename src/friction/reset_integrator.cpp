@@ -7,6 +7,14 @@
 
 namespace tribolog {
 
+ParameterSlots ResetIntegratorFriction::Parameters::by_name() {
+  return {{"stiffness_Nm_rad", "s0 > 0", &stiffness_Nm_rad},
+          {"damping_Nms_rad", "s1 >= 0", &damping_Nms_rad},
+          {"largest_deflection_rad", "z0 > 0; Coulomb torque is s0 z0", &largest_deflection_rad},
+          {"stiction_gain", "a >= 0; break-away torque is (1 + a) s0 z0", &stiction_gain},
+          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+}
+
 ResetIntegratorFriction::ResetIntegratorFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_not_negative(p_.damping_Nms_rad, "damping", "N·m·s/rad");

@@ -20,12 +20,15 @@ class ResetIntegratorFriction final : public DynamicFriction {
     double largest_deflection_rad{};  ///< z0 > 0; Coulomb torque is s0 z0
     double stiction_gain{};           ///< a >= 0; break-away torque is (1 + a) s0 z0
     double viscous_Nms_rad{};         ///< >= 0; added to the torque
+    ParameterSlots by_name();
   };
 
   /// @throw std::invalid_argument quoting the value and the rule.
   explicit ResetIntegratorFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
+  [[nodiscard]] std::string name() const override { return "reset_integrator"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
   [[nodiscard]] std::size_t states() const override { return 1; }
   void state_scales(std::span<double> scales) const override;
   [[nodiscard]] std::size_t events() const override { return 1; }

@@ -8,14 +8,19 @@
 
 namespace tribolog {
 
+ParameterSlots StribeckFriction::Parameters::by_name() {
+  return joined(
+      {curve.by_name(), ParameterSlots{{"viscous_Nms_rad", "Tw >= 0", &viscous_Nms_rad}}});
+}
+
 StribeckFriction::StribeckFriction(const Parameters& parameters)
-    : curve_(parameters.curve), viscous_Nms_rad_(parameters.viscous_Nms_rad) {
-  require_not_negative(viscous_Nms_rad_, "viscous coefficient", "N·m·s/rad");
+    : p_(parameters), curve_(parameters.curve) {
+  require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
 }
 
 double StribeckFriction::torque_Nm(double speed_rad_s) const {
   const double sign = direction_of(speed_rad_s);
-  return sign * curve_(speed_rad_s) + viscous_Nms_rad_ * speed_rad_s;
+  return sign * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
 double StribeckFriction::torque_at_rest_Nm(double applied_Nm) const {

@@ -6,6 +6,13 @@
 
 namespace tribolog {
 
+ParameterSlots StribeckCurve::Parameters::by_name() {
+  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"static_Nm", "Ts >= Tc, break-away torque", &static_Nm},
+          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
+          {"stribeck_power", "d > 0", &power, true}};
+}
+
 StribeckCurve::StribeckCurve(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");

@@ -6,6 +6,14 @@
 
 namespace tribolog {
 
+ParameterSlots ThresholdSpeedFriction::Parameters::by_name() {
+  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
+          {"static_Nm", "Ts >= Tc", &static_Nm},
+          {"stribeck_decay_s_rad", "cw >= 0", &stribeck_decay_s_rad},
+          {"viscous_Nms_rad", "f >= 0", &viscous_Nms_rad},
+          {"threshold_rad_s", "wth > 0", &threshold_rad_s, true}};
+}
+
 ThresholdSpeedFriction::ThresholdSpeedFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");

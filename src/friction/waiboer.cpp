@@ -10,6 +10,15 @@
 
 namespace tribolog {
 
+ParameterSlots WaiboerFriction::Parameters::by_name() {
+  return {{"asperity_torque_Nm", "Ta >= 0", &asperity_torque_Nm},
+          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
+          {"stribeck_power", "da > 0", &stribeck_power},
+          {"viscous_coefficient", "cv >= 0 [N·m (s/rad)^(1-dv)]", &viscous_coefficient},
+          {"viscous_power", "0 <= dv < 1", &viscous_power},
+          {"smoothing_s_rad", "c > 0 of eq. (7)", &smoothing_s_rad, true}};
+}
+
 WaiboerFriction::WaiboerFriction(const Parameters& parameters) : p_(parameters) {
   require_not_negative(p_.asperity_torque_Nm, "asperity torque", "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");

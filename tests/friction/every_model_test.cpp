@@ -57,6 +57,63 @@ std::vector<double> by_rates(const DynamicFriction& model, const Motion& motion,
   return torque;
 }
 
+TEST_P(EveryModel, IsMadeAgainFromItsNamedParameters) {
+  const auto model = entry_.matched(contact);
+  EXPECT_EQ(model->name(), entry_.name);
+  const NamedParameters values = model->named_parameters();
+  EXPECT_EQ(values, entry_.matched_parameters(contact));
+  const auto again = entry_.make(values);
+  EXPECT_EQ(again->named_parameters(), values);
+  EXPECT_EQ(test::under_sine(*again, 1e-4, 1.0, 100, 2),
+            test::under_sine(*model, 1e-4, 1.0, 100, 2));
+  for (const NamedParameter& one : values) EXPECT_FALSE(one.meaning.empty()) << one.key;
+}
+
+// Each parameter has a key of its own that reaches the model, and no other.
+TEST_P(EveryModel, EveryNamedParameterCounts) {
+  const NamedParameters values = entry_.matched_parameters(contact);
+  const auto model = entry_.make(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    NamedParameters changed = values;
+    if (auto* number = std::get_if<double>(&changed[i].value)) *number *= 0.99;
+    if (auto* count = std::get_if<std::uint64_t>(&changed[i].value)) *count += 1;
+    if (auto* elements = std::get_if<std::vector<MaxwellElement>>(&changed[i].value)) {
+      for (MaxwellElement& one : *elements) one.stiffness_Nm_rad *= 0.99;
+    }
+    if (values[i].key == "static_Nm" || values[i].key == "stiction_gain") {
+      std::get<double>(changed[i].value) *= 1.02;  // not below the Coulomb torque
+    }
+    // A stroke into sliding, fast enough for the Stribeck curve, lag and damping to be felt.
+    EXPECT_NE(test::under_sine(*entry_.make(changed), 1e-4, 5.0, 200, 2),
+              test::under_sine(*model, 1e-4, 5.0, 200, 2))
+        << values[i].key;
+  }
+}
+
+TEST_P(EveryModel, RefusesNamesAndKindsItDoesNotHave) {
+  EXPECT_THROW((void)entry_.make({{"colour", "", false, 1.0}}), std::invalid_argument);
+  NamedParameters values = entry_.matched_parameters(contact);
+  values.back().value = std::vector<MaxwellElement>{{1.0, 1.0}};
+  EXPECT_THROW((void)entry_.make(values), std::invalid_argument);
+}
+
+TEST_P(EveryModel, SlidesAlikeAfterAnyRestUnlessItRemembersRest) {
+  if (entry_.traits.is_random) return;
+  const auto after = [&](double rest_s) {
+    Specimen one(entry_, contact);
+    one.move(1e-3, 0.002);
+    one.rest(rest_s);
+    return one.move(1e-3, 0.002);
+  };
+  const double difference_Nm = after(10.0) - after(0.01);
+  constexpr double forgotten_Nm = 1e-9;
+  if (entry_.traits.remembers_rest) {
+    EXPECT_GT(difference_Nm, 0.01);
+  } else {
+    EXPECT_NEAR(difference_Nm, 0, forgotten_Nm);
+  }
+}
+
 TEST_P(EveryModel, SlidesSteadilyOnItsStaticCurve) {
   for (const double speed : {-0.01, -0.0005, 0.0002, 0.001, 0.003, 0.05}) {
     Specimen s(entry_);

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "friction/catalogue.h"
+#include "friction/lugre.h"
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
+#include "friction/waiboer.h"
 
 namespace tribolog {
 namespace {
@@ -41,6 +44,32 @@ TEST(StaticLaws, AtRestOneHoldsAndTheOtherCreeps) {
 TEST(StaticLaws, ThresholdBranchesMeet) {
   const double at = threshold.parameters().threshold_rad_s;
   EXPECT_NEAR(threshold.torque_Nm(std::nextafter(at, 0.0)), threshold.torque_Nm(at), 1e-12);
+}
+
+TEST(StaticLaws, AreMadeByNameFromNamedParameters) {
+  const WaiboerFriction waiboer({0.8844, 5.0, 0.7, 0.12, 0.6, 1e5});
+  const std::vector<const StaticFriction*> originals{&stribeck, &threshold, &waiboer};
+  ASSERT_EQ(static_friction_laws().size(), originals.size());
+  for (std::size_t i = 0; i < originals.size(); ++i) {
+    EXPECT_EQ(static_friction_laws()[i].name, originals[i]->name());
+    const auto made = static_friction_laws()[i].make(originals[i]->named_parameters());
+    EXPECT_EQ(made->named_parameters(), originals[i]->named_parameters());
+    for (const double speed : {-2.0, 0.0, 5e-4, 0.3}) {
+      EXPECT_EQ(made->torque_Nm(speed), originals[i]->torque_Nm(speed));
+    }
+  }
+}
+
+TEST(StaticLaws, SteadyFrictionIsTheDynamicModelsOwn) {
+  const auto lugre =
+      std::make_shared<LuGreFriction>(LuGreFriction::Parameters{500, 0.5, 0.4, 1.0, 1.5, 0.1});
+  const SteadyFriction steady(lugre);
+  EXPECT_EQ(steady.name(), "lugre");
+  EXPECT_EQ(steady.named_parameters(), lugre->named_parameters());
+  for (const double speed : {-3.0, -0.05, 1e-6, 0.1, 4.0}) {  // eq. (5) is the curve of eq. (1)
+    EXPECT_NEAR(steady.torque_Nm(speed), stribeck.torque_Nm(speed), 1e-12);
+  }
+  EXPECT_THROW(SteadyFriction(nullptr), std::invalid_argument);
 }
 
 TEST(StaticLaws, RefuseWhatCannotBe) {

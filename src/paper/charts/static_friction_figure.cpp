@@ -18,8 +18,12 @@ constexpr double beside_rest = 1e-9;
 
 StaticLevels levels_of(const StribeckFriction& friction) {
   const StribeckCurve::Parameters& curve = friction.curve().parameters();
-  return {curve.static_Nm, curve.coulomb_Nm, friction.viscous_Nms_rad(), curve.stribeck_speed_rad_s,
-          "ω_{s}",         "T_{ω}"};
+  return {curve.static_Nm,
+          curve.coulomb_Nm,
+          friction.parameters().viscous_Nms_rad,
+          curve.stribeck_speed_rad_s,
+          "ω_{s}",
+          "T_{ω}"};
 }
 
 render::Panel panel_of(const StribeckFriction& friction, const StaticLevels& levels) {

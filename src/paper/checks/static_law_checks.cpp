@@ -39,7 +39,7 @@ Check dissipates(const Law& law) {
 Checks check_equation_1(const PapersJoint& joint) {
   const StribeckFriction& law = joint.discontinuous;
   const StribeckCurve::Parameters& p = law.curve().parameters();
-  const double viscous = law.viscous_Nms_rad();
+  const double viscous = law.parameters().viscous_Nms_rad;
   const double broken = p.static_Nm;
   const auto printed = [&](double w) {
     const double fall = std::exp(-(w / p.stribeck_speed_rad_s) * (w / p.stribeck_speed_rad_s));

@@ -1,0 +1,12 @@
+#include "friction/static_friction.h"
+
+#include <stdexcept>
+
+namespace tribolog {
+
+SteadyFriction::SteadyFriction(std::shared_ptr<const DynamicFriction> model)
+    : model_(std::move(model)) {
+  if (!model_) throw std::invalid_argument("there is no friction model to slide steadily");
+}
+
+}  // namespace tribolog
