@@ -47,7 +47,7 @@ Calibration identify(const Dataset& dataset, const StageProgress& progress) {
                                       c.q_peak_rad, n);
 
   begin("quality errors");
-  c.quality = identify_quality_errors(c.viscous, m.reference);
+  c.quality = identify_quality_errors(c.viscous, m.reference.get());
 
   begin("selection");
   c.selection = select_estimator(c.masses, c.quality, c.hysteresis, c.q_peak_rad);

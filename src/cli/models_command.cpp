@@ -36,19 +36,42 @@ std::string limits_of(const FrictionTraits& traits) {
   if (traits.drifts) words.emplace_back("drifts under an oscillating torque below break-away");
   if (traits.rate_independent) words.emplace_back("rate independent");
   if (traits.is_random) words.emplace_back("random");
+  if (traits.remembers_rest) words.emplace_back("sliding torque depends on the rest before it");
   return words.empty() ? "" : fmt::format("\n    {}", fmt::join(words, "; "));
 }
 
+std::string parameter_lines(const NamedParameters& parameters) {
+  std::string lines;
+  for (const NamedParameter& one : parameters) {
+    const double* number = std::get_if<double>(&one.value);
+    const auto* count = std::get_if<std::uint64_t>(&one.value);
+    const std::string usual = !one.has_usual      ? ""
+                              : number != nullptr ? fmt::format(" [{:g}]", *number)
+                              : count != nullptr  ? fmt::format(" [{}]", *count)
+                                                  : "";
+    lines += fmt::format("      {:<27}{}{}\n", one.key, one.meaning, usual);
+  }
+  return lines;
+}
+
 void list_models(Console& console) {
-  console.say("dynamic friction models, as a scenario names them (friction.presliding.model):\n");
+  console.say(
+      "dynamic friction models, as a scenario names them (friction.model), and their own\n"
+      "parameters (table [friction.<model>], each matched to [friction.presliding] if not "
+      "stated):\n");
   for (const FrictionModelEntry& one : dynamic_friction_models()) {
-    console.say(fmt::format("  {:<18}{} ({})\n    shows {}{}\n", one.name, one.title, one.source,
-                            shown_by(one.traits), limits_of(one.traits)));
+    console.say(fmt::format("  {:<18}{} ({})\n    shows {}{}\n{}", one.name, one.title, one.source,
+                            shown_by(one.traits), limits_of(one.traits),
+                            parameter_lines(one.parameters)));
   }
   console.say(
-      "static laws: eq. (1) Coulomb, viscous and Stribeck; eq. (2) with a threshold speed; eq. "
-      "(6),\n"
-      "(7) Waiboer (friction.sliding.model = \"waiboer\")");
+      "static laws for sweeps and runs at constant speed (friction.sliding.model), in table\n"
+      "[friction.sliding]; \"dynamic\" is the dynamic model there too:\n");
+  for (const StaticLawEntry& one : static_friction_laws()) {
+    console.say(fmt::format("  {:<18}{} ({})\n{}", one.name, one.title, one.source,
+                            parameter_lines(one.parameters)));
+  }
+  console.say("[ ]: the usual value, where neither the file nor a match gives one");
 }
 
 }  // namespace

@@ -33,18 +33,30 @@ std::string toml_text(std::string_view text) {
   return quoted += '"';
 }
 
-std::string reference(const WaiboerFriction::Parameters& p) {
+std::string toml_value(double value) { return number(value); }
+
+std::string toml_value(std::uint64_t value) { return fmt::format("{}", value); }
+
+std::string toml_value(const std::vector<MaxwellElement>& elements) {
+  std::string text = "[";
+  for (const MaxwellElement& one : elements) {
+    text += fmt::format("\n  {{stiffness_Nm_rad = {}, share = {}}},", number(one.stiffness_Nm_rad),
+                        number(one.share));
+  }
+  return text += "\n]";
+}
+
+std::string reference(const StaticFriction* friction) {
+  if (friction == nullptr) {
+    return "\n# No known curve: the simulated friction depends on the rest before the motion "
+           "too.\n";
+  }
   std::string text = "\n# The friction that was simulated: sweeps and runs at constant speed.\n";
-  text += "[reference.waiboer]\n";
-  const auto add = [&](const char* key, double value) {
-    text += fmt::format("{} = {}\n", key, number(value));
-  };
-  add("asperity_torque_Nm", p.asperity_torque_Nm);
-  add("stribeck_speed_rad_s", p.stribeck_speed_rad_s);
-  add("stribeck_power", p.stribeck_power);
-  add("viscous_coefficient", p.viscous_coefficient);
-  add("viscous_power", p.viscous_power);
-  add("smoothing_s_rad", p.smoothing_s_rad);
+  text += fmt::format("[reference.{}]\n", friction->name());
+  for (const NamedParameter& one : friction->named_parameters()) {
+    const auto value = [](const auto& known) { return toml_value(known); };
+    text += fmt::format("{} = {}\n", one.key, std::visit(value, one.value));
+  }
   return text;
 }
 
@@ -85,7 +97,7 @@ std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>&
       std::all_of(recordings.begin(), recordings.end(),
                   [](const Recording& recording) { return !recording.dq_rad_s.empty(); });
   if (speed_is_common) text += fmt::format("{}\n", speed_column);
-  text += reference(scenario.sliding.parameters());
+  text += reference(scenario.known_curve().get());
   for (const Recording& recording : recordings) {
     text += fmt::format("\n[[recording]]\nrole = \"{}\"\nfile = {}\n", to_string(recording.role),
                         toml_text(recording.name));

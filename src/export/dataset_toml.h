@@ -10,8 +10,8 @@
 namespace tribolog {
 
 /// A manifest that read_dataset accepts, for recordings written by recording_csv() beside it under
-/// their names. It states the torque as motor torque before the gear, and the sliding friction of
-/// the scenario as the known reference.
+/// their names. It states the torque as motor torque before the gear, and the friction of the
+/// scenario's sweeps and runs as the known reference, where speed alone says it.
 std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>& recordings);
 
 }  // namespace tribolog

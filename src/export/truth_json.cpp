@@ -7,24 +7,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json contact(const std::string& model, const LuGreFriction::Parameters& p) {
-  return {{"model", model},
-          {"bristle_stiffness_Nm_rad", p.bristle_stiffness_Nm_rad},
-          {"bristle_damping_Nms_rad", p.bristle_damping_Nms_rad},
-          {"viscous_Nms_rad", p.viscous_Nms_rad},
-          {"coulomb_Nm", p.coulomb_Nm},
-          {"static_Nm", p.static_Nm},
-          {"stribeck_speed_rad_s", p.stribeck_speed_rad_s}};
+Json json_of(const std::vector<MaxwellElement>& elements) {
+  Json list = Json::array();
+  for (const MaxwellElement& one : elements) {
+    list.push_back(Json{{"stiffness_Nm_rad", one.stiffness_Nm_rad}, {"share", one.share}});
+  }
+  return list;
 }
 
-Json waiboer(const WaiboerFriction::Parameters& p) {
-  return {{"model", "waiboer"},
-          {"asperity_torque_Nm", p.asperity_torque_Nm},
-          {"stribeck_speed_rad_s", p.stribeck_speed_rad_s},
-          {"stribeck_power", p.stribeck_power},
-          {"viscous_coefficient", p.viscous_coefficient},
-          {"viscous_power", p.viscous_power},
-          {"smoothing_s_rad", p.smoothing_s_rad}};
+template <class Number>
+Json json_of(Number number) {
+  return number;
+}
+
+Json friction(const FrictionModel& model) {
+  Json json;
+  json["model"] = model.name();
+  for (const NamedParameter& one : model.named_parameters()) {
+    json[one.key] = std::visit([](const auto& value) { return json_of(value); }, one.value);
+  }
+  return json;
 }
 
 Json noise(const Noise& n) {
@@ -47,29 +49,28 @@ Json noise(const Noise& n) {
 std::string truth_json(const Scenario& scenario) {
   const GravityLoad& load = scenario.load;
   const double motor_torque_Nm = load.amplitude_Nm() / scenario.gear_ratio;
-  const Json truth = {
-      {"schema", "tribolog-truth-1"},
-      {"scenario", scenario.name},
-      {"robot", scenario.robot},
-      {"serial", scenario.serial},
-      {"joint", scenario.joint},
-      {"gear_ratio", scenario.gear_ratio},
-      {"q_peak_rad", load.q_peak_rad()},
-      {"q_c_rad", -load.q_peak_rad()},
-      {"mass_kg", load.mass_kg()},
-      {"distance_m", load.distance_m()},
-      {"gravity_m_s2", load.gravity_m_s2()},
-      {"gravity_torque_joint_Nm", load.amplitude_Nm()},
-      {"gravity_torque_motor_Nm", motor_torque_Nm},
-      {"surrogate_distance_m", scenario.surrogate_distance_m},
-      {"surrogate_mass_kg",
-       surrogate_mass_kg(motor_torque_Nm, scenario.gear_ratio, scenario.surrogate_distance_m,
-                         load.gravity_m_s2(), 1.0)},
-      {"motor_inertia_kgm2", scenario.motor_inertia_kgm2},
-      {"arm_inertia_kgm2", scenario.arm_inertia_kgm2},
-      {"presliding", contact(scenario.presliding_model, scenario.presliding.parameters())},
-      {"sliding", waiboer(scenario.sliding.parameters())},
-      {"noise", noise(scenario.noise)}};
+  const Json truth = {{"schema", "tribolog-truth-1"},
+                      {"scenario", scenario.name},
+                      {"robot", scenario.robot},
+                      {"serial", scenario.serial},
+                      {"joint", scenario.joint},
+                      {"gear_ratio", scenario.gear_ratio},
+                      {"q_peak_rad", load.q_peak_rad()},
+                      {"q_c_rad", -load.q_peak_rad()},
+                      {"mass_kg", load.mass_kg()},
+                      {"distance_m", load.distance_m()},
+                      {"gravity_m_s2", load.gravity_m_s2()},
+                      {"gravity_torque_joint_Nm", load.amplitude_Nm()},
+                      {"gravity_torque_motor_Nm", motor_torque_Nm},
+                      {"surrogate_distance_m", scenario.surrogate_distance_m},
+                      {"surrogate_mass_kg",
+                       surrogate_mass_kg(motor_torque_Nm, scenario.gear_ratio,
+                                         scenario.surrogate_distance_m, load.gravity_m_s2(), 1.0)},
+                      {"motor_inertia_kgm2", scenario.motor_inertia_kgm2},
+                      {"arm_inertia_kgm2", scenario.arm_inertia_kgm2},
+                      {"presliding", friction(*scenario.presliding)},
+                      {"sliding", friction(scenario.sliding_model())},
+                      {"noise", noise(scenario.noise)}};
   return truth.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

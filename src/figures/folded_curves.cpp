@@ -82,7 +82,7 @@ void add_folded_reference(render::Panel& panel, const Calibration& calibration,
       const double share = static_cast<double>(i) / line_points;
       const double speed = speeds.low * std::pow(speeds.high / speeds.low, share);
       series.x.push_back(speed);
-      series.y.push_back(scale(analytic->magnitude_Nm(speed)));
+      series.y.push_back(scale(analytic->torque_Nm(speed)));
     }
   } else {
     series = folded(calibration.viscous, calibration.quality.reference_Nm, true, scale);

@@ -1,16 +1,27 @@
 #pragma once
-// Friction models as tables of a TOML file: one key a parameter, named as in the model's header.
+// The friction of a scenario, and the known curve of a manifest.
 
-#include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include <memory>
+
+#include "friction/dynamic_friction.h"
+#include "friction/static_friction.h"
 #include "ingest/toml_table.h"
 
 namespace tribolog {
 
-/// @throw InputError for a parameter that is missing, impossible or unknown.
-LuGreFriction read_lugre(const TomlTable& table);
+/// As Scenario has them: `sliding` is null where the dynamic model drives sweeps and runs too.
+struct JointFriction {
+  std::shared_ptr<const DynamicFriction> presliding;
+  std::shared_ptr<const StaticFriction> sliding;
+};
 
-/// smoothing_s_rad may be left out: 1e6. @throw InputError as above.
-WaiboerFriction read_waiboer(const TomlTable& table);
+/// [friction] of a scenario (scenario_file.h).
+/// @throw InputError for what is missing, impossible, unknown, or of a model that is not chosen.
+JointFriction read_friction(const TomlTable& friction);
+
+/// [reference] of a manifest: one table named after a static law, or after a dynamic model, of
+/// which the torque at constant speed is meant. Null where it has none.
+/// @throw InputError as above, and where there are two.
+std::shared_ptr<const StaticFriction> read_known_curve(const TomlTable& reference);
 
 }  // namespace tribolog

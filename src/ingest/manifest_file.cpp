@@ -76,10 +76,7 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
     surrogate->refuse_unknown_keys();
   }
   if (const auto reference = top.find_table("reference")) {
-    if (const auto curve = reference->find_table("waiboer")) {
-      manifest.reference = read_waiboer(*curve);
-    }
-    reference->refuse_unknown_keys();
+    manifest.reference = read_known_curve(*reference);
   }
 }
 

@@ -13,8 +13,9 @@
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate (optional);
 //                 angle and speed: side = "joint" (default) | "motor"
-//   [reference.waiboer]  asperity_torque_Nm, stribeck_speed_rad_s, stribeck_power,
-//                 viscous_coefficient, viscous_power, smoothing_s_rad = 1e6 (optional; motor side)
+//   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
+//                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
+//                 the torque at constant speed is meant
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed",
 //                 file (relative to the manifest); from_s, to_s, columns, note (optional)
 

@@ -5,7 +5,6 @@
 
 #include "error.h"
 #include "files/file_contents.h"
-#include "friction/catalogue.h"
 #include "ingest/experiment_tables.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
@@ -38,18 +37,6 @@ GravityLoad read_load(const TomlTable& load) {
   load.refuse_unknown_keys();
   return guarded(load, "mass_kg",
                  [&] { return GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
-}
-
-void read_friction(const TomlTable& friction, Scenario& scenario) {
-  const TomlTable presliding = friction.table("presliding");
-  std::vector<std::string> models;
-  for (const FrictionModelEntry& one : dynamic_friction_models()) models.push_back(one.name);
-  scenario.presliding_model = models[presliding.choice("model", models)];
-  scenario.presliding = read_lugre(presliding);
-  const TomlTable sliding = friction.table("sliding");
-  (void)sliding.choice("model", {"waiboer"});
-  scenario.sliding = read_waiboer(sliding);
-  friction.refuse_unknown_keys();
 }
 
 /// A misplaced point in a speed or a rate asks for more samples than there is memory for.
@@ -107,7 +94,9 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
         surrogate->number_or("distance_m", scenario.surrogate_distance_m, Sign::positive);
     surrogate->refuse_unknown_keys();
   }
-  read_friction(top.table("friction"), scenario);
+  const JointFriction friction = read_friction(top.table("friction"));
+  scenario.presliding = friction.presliding;
+  scenario.sliding = friction.sliding;
   read_experiments(top, scenario);
   if (const auto noise = top.find_table("noise")) scenario.noise = read_noise(*noise);
   top.refuse_unknown_keys();

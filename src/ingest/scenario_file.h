@@ -7,8 +7,15 @@
 //   [joint]       name, gear_ratio, motor_inertia_kgm2, arm_inertia_kgm2
 //   [load]        mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81
 //   [surrogate]   distance_m = 0.5 (optional)
-//   [friction.presliding]  model = "lugre" and its six parameters (lugre.h)
-//   [friction.sliding]     model = "waiboer" and its parameters (waiboer.h)
+//   [friction]    model = "lugre", or another one of dynamic_friction_models(): drives the
+//                 oscillation
+//   [friction.presliding]  the contact, by LuGre's six parameters (lugre.h); those of any other
+//                 model are matched to it
+//   [friction.<model>]     the chosen model's own parameters, named as its by_name() says; each
+//                 replaces the matched one, and where all are given, presliding may be left out.
+//                 elements = [{stiffness_Nm_rad, share}, ...]
+//   [friction.sliding]     drives sweeps and runs: model = "waiboer", "stribeck" or
+//                 "threshold_speed" and its parameters, or model = "dynamic" for the model above
 //   [rough_sweep], [precise_sweep]  from, to, speed; both_directions = true, acceleration = 1
 //   rad/s2,
 //                 sample_rate_Hz = 1000

@@ -219,13 +219,15 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   if (node == nullptr) return {};
   const auto* array = node->as_array();
   if (array == nullptr) {
-    refuse(key, {"wrong type", describe(*node), "an array of tables", "write [[" + key + "]]"});
+    refuse(key, {"wrong type", describe(*node), "an array of tables",
+                 "write [[" + view_->path + key + "]]"});
   }
   std::vector<TomlTable> tables;
   for (const toml::node& element : *array) {
     const auto* table = element.as_table();
     if (table == nullptr) {
-      refuse(key, {"wrong type", describe(element), "a table", "write [[" + key + "]]"});
+      refuse(key,
+             {"wrong type", describe(element), "a table", "write [[" + view_->path + key + "]]"});
     }
     tables.push_back(view_->below(*table, key));
   }

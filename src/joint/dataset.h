@@ -2,11 +2,12 @@
 // A dataset: the manifest's facts about one joint, and its recordings.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "friction/waiboer.h"
+#include "friction/static_friction.h"
 #include "joint/drive.h"
 #include "joint/recording.h"
 
@@ -37,7 +38,7 @@ struct Manifest {
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
-  std::optional<WaiboerFriction> reference;  ///< Known curve (simulation), motor side.
+  std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
 };
 
 struct Dataset {

@@ -77,7 +77,9 @@ Table manifest_table(const Manifest& m) {
       m.temperature_C ? with_unit(as_stated(*m.temperature_C), "°C") : "not stated");
   add(table, "Surrogate distance r", with_unit(as_stated(m.surrogate_distance_m), "m"));
   add(table, "Gravity g", with_unit(as_stated(m.gravity_m_s2), "m/s²"));
-  add(table, "Known friction curve", m.reference ? "yes: the data are simulated" : "none");
+  add(table, "Known friction curve",
+      m.reference ? "yes, of the model " + m.reference->name() + ": the data are simulated"
+                  : "none");
   return table;
 }
 

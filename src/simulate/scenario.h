@@ -2,12 +2,13 @@
 // What to simulate: one joint, its friction, the experiments, and the noise of its drive.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "friction/lugre.h"
-#include "friction/waiboer.h"
+#include "friction/static_friction.h"
 #include "joint/gravity_load.h"
 
 namespace tribolog {
@@ -22,17 +23,17 @@ struct SweepExperiment {
   double sample_rate_Hz{1000.0};
 };
 
-/// q = centre + amplitude sin(2 pi f t), from z = 0 at t = 0 (eq. (3) to (5) for the friction).
+/// q = centre + amplitude sin(2 pi f t), from an unloaded contact at t = 0.
 struct OscillationExperiment {
   double centre_rad{};
   double amplitude_rad{};  ///< > 0, joint side
   double frequency_Hz{};   ///< > 0
   double cycles{};         ///< >= 1
   double sample_rate_Hz{1000.0};
-  bool record_bristle{true};  ///< Write z and dz/dt, which no real drive can.
+  bool record_bristle{true};  ///< Write z and dz/dt of LuGre, which no real drive can.
 };
 
-/// One recording per speed, each with one plateau in each direction (eq. (6), (7)).
+/// One recording per speed, each with one plateau in each direction.
 struct ConstantSpeedExperiment {
   std::vector<double> motor_speeds_rad_s;  ///< > 0 each
   bool both_directions{true};
@@ -68,17 +69,24 @@ struct Scenario {
   double motor_inertia_kgm2{};  ///< J of motor and gear, at the motor shaft, >= 0.
   double arm_inertia_kgm2{};    ///< I about the joint's axis, >= 0.
   GravityLoad load{1.0, 1.0, 0.0};
-  LuGreFriction presliding{{1.0, 0.0, 0.0, 1.0, 1.0, 1.0}};  ///< Drives the oscillation.
-  /// One of dynamic_friction_models(), with parameters that match those above. Only "lugre" records
-  /// its bristle: the others have none that would compare.
-  std::string presliding_model{"lugre"};
-  WaiboerFriction sliding{{1.0, 1.0, 1.0, 0.0, 0.0, 1e6}};  ///< Drives sweeps and runs.
+  /// Drives the oscillation; one of dynamic_friction_models(), never null. Only LuGre records its
+  /// bristle: the others have none that would compare.
+  std::shared_ptr<const DynamicFriction> presliding =
+      std::make_shared<LuGreFriction>(LuGreFriction::Parameters{1.0, 0.0, 0.0, 1.0, 1.0, 1.0});
+  /// Drives sweeps and runs; null: the model above does, unloaded at the start of each recording.
+  std::shared_ptr<const StaticFriction> sliding;
   double surrogate_distance_m{0.5};
   std::optional<SweepExperiment> rough_sweep;
   std::optional<SweepExperiment> precise_sweep;
   std::optional<OscillationExperiment> oscillation;
   std::optional<ConstantSpeedExperiment> constant_speed;
   Noise noise;
+
+  /// The model that drives sweeps and runs.
+  [[nodiscard]] const FrictionModel& sliding_model() const;
+  /// Its torque at constant speed: what an identification should find. Null where that depends on
+  /// more than the speed (FrictionTraits::remembers_rest).
+  [[nodiscard]] std::shared_ptr<const StaticFriction> known_curve() const;
 };
 
 }  // namespace tribolog

@@ -8,7 +8,7 @@
 
 #include "parameter_rules.h"
 
-#include "friction/catalogue.h"
+#include "friction/lugre.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
 #include "simulate/friction_response.h"
@@ -35,23 +35,51 @@ double driving_torque(const Scenario& s, double q, double ddq, double friction) 
          (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / s.gear_ratio;
 }
 
-/// A there-and-back travel with eq. (6), (7) for the friction.
+/// A motion of the joint as its motor sees it.
+class MotorSide final : public Motion {
+ public:
+  MotorSide(const Motion& joint, double gear_ratio) : joint_(joint), n_(gear_ratio) {}
+  [[nodiscard]] double angle(double t) const override { return n_ * joint_.angle(t); }
+  [[nodiscard]] double speed(double t) const override { return n_ * joint_.speed(t); }
+  [[nodiscard]] double acceleration(double t) const override { return n_ * joint_.acceleration(t); }
+
+ private:
+  const Motion& joint_;
+  double n_;
+};
+
+/// Friction torque of sliding, by the static law or by the dynamic model.
+std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, double dt,
+                                   std::size_t samples) {
+  const MotorSide motor(joint, s.gear_ratio);
+  std::vector<double> torque(samples);
+  if (s.sliding) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      torque[i] = s.sliding->torque_Nm(motor.speed(static_cast<double>(i) * dt));
+    }
+  } else {
+    std::vector<double> state = s.presliding->unloaded();
+    friction_response(*s.presliding, motor, 0.0, dt, state, torque);
+  }
+  return torque;
+}
+
+/// A there-and-back travel.
 Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
                  std::string name, Role role) {
   require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
   const TravelMotion motion(plan);
   const auto samples =
       static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
+  const std::vector<double> friction = sliding_torque(s, motion, 1 / sample_rate_Hz, samples);
   Recording r = empty_recording(std::move(name), role, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / sample_rate_Hz;
     const double q = motion.angle(t);
-    const double dq = motion.speed(t);
-    const double friction = s.sliding.torque_Nm(s.gear_ratio * dq);
     r.t_s.push_back(t);
     r.q_rad.push_back(q);
-    r.dq_rad_s.push_back(dq);
-    r.torque_Nm.push_back(driving_torque(s, q, motion.acceleration(t), friction));
+    r.dq_rad_s.push_back(motion.speed(t));
+    r.torque_Nm.push_back(driving_torque(s, q, motion.acceleration(t), friction[i]));
   }
   return r;
 }
@@ -59,15 +87,6 @@ Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sampl
 Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, Role role) {
   return travel(s, {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions},
                 e.sample_rate_Hz, std::move(name), role);
-}
-
-ContactParameters contact_of(const LuGreFriction::Parameters& p) {
-  return {p.bristle_stiffness_Nm_rad,
-          p.bristle_damping_Nms_rad,
-          p.viscous_Nms_rad,
-          p.coulomb_Nm,
-          p.static_Nm,
-          p.stribeck_speed_rad_s};
 }
 
 Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
@@ -81,30 +100,28 @@ Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
   const auto samples =
       static_cast<std::size_t>(std::floor(e.cycles / e.frequency_Hz * e.sample_rate_Hz + 1e-9)) + 1;
   const double dt = 1 / e.sample_rate_Hz;
-  const bool is_lugre = s.presliding_model == "lugre";
-  std::vector<double> z(is_lugre ? samples : 0);
+  const auto* lugre = dynamic_cast<const LuGreFriction*>(s.presliding.get());
+  std::vector<double> z(lugre != nullptr ? samples : 0);
   std::vector<double> dz(z.size());
-  std::vector<double> torque(is_lugre ? 0 : samples);
-  if (is_lugre) {
-    integrate_bristle(s.presliding, motor, 0.0, dt, 0.0, z, dz);
+  std::vector<double> torque(lugre != nullptr ? 0 : samples);
+  if (lugre != nullptr) {
+    integrate_bristle(*lugre, motor, 0.0, dt, 0.0, z, dz);
   } else {
-    const auto model =
-        dynamic_friction_model(s.presliding_model).matched(contact_of(s.presliding.parameters()));
-    std::vector<double> state = model->unloaded();
-    friction_response(*model, motor, 0.0, dt, state, torque);
+    std::vector<double> state = s.presliding->unloaded();
+    friction_response(*s.presliding, motor, 0.0, dt, state, torque);
   }
   Recording r = empty_recording("oscillation.csv", Role::oscillation, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
     const double q = motor.angle(t) / n;
     const double w = motor.speed(t);
-    const double friction = is_lugre ? s.presliding.torque_Nm(z[i], dz[i], w) : torque[i];
+    const double friction = lugre != nullptr ? lugre->torque_Nm(z[i], dz[i], w) : torque[i];
     r.t_s.push_back(t);
     r.q_rad.push_back(q);
     r.dq_rad_s.push_back(w / n);
     r.torque_Nm.push_back(driving_torque(s, q, motor.acceleration(t) / n, friction));
   }
-  if (e.record_bristle && is_lugre) {
+  if (e.record_bristle && lugre != nullptr) {
     r.z_rad = std::move(z);
     r.dz_rad_s = std::move(dz);
   }
@@ -129,6 +146,7 @@ Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, st
 }  // namespace
 
 std::vector<Recording> simulate_joint(const Scenario& scenario) {
+  if (!scenario.presliding) throw std::invalid_argument("the scenario has no friction model");
   require_positive(scenario.gear_ratio, "gear ratio", "");
   require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
   require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");

@@ -3,7 +3,9 @@
 //
 //   T = J phi'' + Tf + (I q'' + m g r cos(q - q_peak)) / n,      phi = n q
 //
-// with the noise of a real drive laid on top.
+// with the noise of a real drive laid on top. A shaft at rest may hold back any torque up to static
+// friction, and what is applied is the answer here, not the question: a static law gives 0 then, a
+// model with memory what its state holds.
 
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace tribolog {
 /// The recordings in the order rough, precise, oscillation, constant speeds (as asked for by the
 /// scenario). Names are file names such as "rough_sweep.csv" and "constant_speed_07.csv".
 /// The same scenario, seed included, gives the same numbers on every machine.
-/// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key.
+/// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or
+/// where there is no friction model.
 std::vector<Recording> simulate_joint(const Scenario& scenario);
 
 }  // namespace tribolog

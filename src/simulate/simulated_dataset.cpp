@@ -14,7 +14,7 @@ Dataset simulated_dataset(const Scenario& scenario) {
   manifest.drive = Drive(scenario.gear_ratio, EffortKind::motor_torque, Side::motor);
   manifest.surrogate_distance_m = scenario.surrogate_distance_m;
   manifest.gravity_m_s2 = scenario.load.gravity_m_s2();
-  manifest.reference = scenario.sliding;
+  manifest.reference = scenario.known_curve();
   dataset.recordings = simulate_joint(scenario);
   return dataset;
 }

@@ -22,7 +22,7 @@ const QualityError* QualityErrorsResult::find(const std::string& estimator) cons
 }
 
 QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
-                                            const std::optional<WaiboerFriction>& analytic) {
+                                            const StaticFriction* analytic) {
   QualityErrorsResult out;
   out.stage = {"quality_errors", StageState::skipped, ""};
   if (curves.runs.empty() || curves.curves.empty()) {
@@ -33,7 +33,7 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
   double largest = 0;
   for (const ConstantSpeedRun& run : curves.runs) {
     const double reference =
-        analytic ? analytic->torque_Nm(run.speed_rad_s) : run.direction_difference_Nm;
+        analytic != nullptr ? analytic->torque_Nm(run.speed_rad_s) : run.direction_difference_Nm;
     out.reference_Nm.push_back(reference);
     any = any || std::isfinite(reference);
     largest = std::max(largest, std::abs(run.torque_Nm));
@@ -46,7 +46,7 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
         "give one";
     return out;
   }
-  out.reference = analytic ? "analytic" : "direction_difference";
+  out.reference = analytic != nullptr ? "analytic" : "direction_difference";
   const auto usable = [&](std::size_t i) {
     return std::isfinite(out.reference_Nm[i]) &&
            std::abs(curves.runs[i].torque_Nm) > smallest_torque_share * largest;

@@ -2,11 +2,10 @@
 // Stage 6: how far each candidate's curve is from a reference, in % of the driving torque:
 // 100 (Tf,candidate - Tf,reference) / T.
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "friction/waiboer.h"
+#include "friction/static_friction.h"
 #include "stages/estimate.h"
 #include "stages/viscous_curves.h"
 
@@ -28,8 +27,8 @@ struct QualityErrorsResult {
   [[nodiscard]] const QualityError* find(const std::string& estimator) const;
 };
 
-/// @param analytic the true curve, known in simulation; where given it is the reference.
+/// @param analytic the true curve, known in simulation; where not null it is the reference.
 QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
-                                            const std::optional<WaiboerFriction>& analytic);
+                                            const StaticFriction* analytic);
 
 }  // namespace tribolog

@@ -32,8 +32,12 @@ TEST(Commands, ModelsAreListedAsScenariosNameThem) {
   EXPECT_EQ(run.status, 0);
   for (const char* model :
        {"dahl", "haessig_bristles", "reset_integrator", "hess_soom", "bliman_sorine", "armstrong",
-        "lugre", "leuven", "elasto_plastic", "gms"}) {
+        "lugre", "leuven", "elasto_plastic", "gms", "stribeck", "threshold_speed", "waiboer"}) {
     EXPECT_NE(run.out.find(std::string("\n  ") + model + " "), std::string::npos) << model;
+  }
+  for (const char* key : {"attraction_Nm_s", "break_away_deflection_rad", "rise_time_s", "elements",
+                          "threshold_rad_s            wth > 0 [0.0001]"}) {
+    EXPECT_NE(run.out.find(std::string("\n      ") + key), std::string::npos) << key;
   }
 }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "friction/catalogue.h"
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
+#include "friction/waiboer.h"
 #include "ingest/manifest_file.h"
 
 namespace tribolog {
@@ -35,7 +39,8 @@ TEST(DatasetToml, SaysWhatTheScenarioSays) {
   s.gear_ratio = 100.5;
   s.load = GravityLoad(1, 1, 0, 9.80665);
   s.surrogate_distance_m = 0.4;
-  s.sliding = WaiboerFriction({0.8844, 5, 0.7, 0.12, 0.6, 1e5});
+  s.sliding = std::make_shared<WaiboerFriction>(
+      WaiboerFriction::Parameters{0.8844, 5, 0.7, 0.12, 0.6, 1e5});
   const ManifestFile m = written_and_read(s, {recording("a.csv", Role::rough_sweep, true, false)});
   EXPECT_EQ(m.manifest.robot, "robot");
   EXPECT_EQ(m.manifest.serial, "S");
@@ -45,13 +50,47 @@ TEST(DatasetToml, SaysWhatTheScenarioSays) {
   EXPECT_EQ(m.manifest.drive.motor_torque_per_effort(), 1.0);
   EXPECT_EQ(m.manifest.surrogate_distance_m, 0.4);
   EXPECT_EQ(m.manifest.gravity_m_s2, 9.80665);
-  const auto& p = m.manifest.reference.value().parameters();
-  EXPECT_EQ(p.asperity_torque_Nm, 0.8844);
-  EXPECT_EQ(p.stribeck_speed_rad_s, 5);
-  EXPECT_EQ(p.stribeck_power, 0.7);
-  EXPECT_EQ(p.viscous_coefficient, 0.12);
-  EXPECT_EQ(p.viscous_power, 0.6);
-  EXPECT_EQ(p.smoothing_s_rad, 1e5);
+  ASSERT_TRUE(m.manifest.reference);
+  EXPECT_EQ(m.manifest.reference->name(), "waiboer");
+  EXPECT_EQ(m.manifest.reference->named_parameters(), s.sliding->named_parameters());
+}
+
+// Whatever friction was simulated, the manifest says it to the last digit.
+TEST(DatasetToml, StatesEveryModelsFriction) {
+  const auto states = [](const Scenario& s) {
+    const auto simulated = s.known_curve();
+    ASSERT_TRUE(simulated);
+    const auto stated = written_and_read(s, {recording("a.csv", Role::rough_sweep, true, false)})
+                            .manifest.reference;
+    ASSERT_TRUE(stated);
+    EXPECT_EQ(stated->name(), simulated->name());
+    EXPECT_EQ(stated->named_parameters(), simulated->named_parameters());
+    for (const double speed : {-30.0, -0.1, 0.0, 1e-3, 2.0}) {
+      EXPECT_EQ(stated->torque_Nm(speed), simulated->torque_Nm(speed)) << stated->name();
+    }
+  };
+  Scenario s = named_scenario();
+  const ContactParameters contact{465.42, 0.7708, 0.001, 0.6, 0.88437633, 5.0};
+  for (const FrictionModelEntry& model : dynamic_friction_models()) {
+    s.presliding = model.matched(contact);
+    if (!model.traits.remembers_rest) states(s);
+  }
+  s.sliding = std::make_shared<StribeckFriction>(
+      StribeckFriction::Parameters{{0.6, 0.9, 1.0 / 3, 1.5}, 0.01});
+  states(s);
+  s.sliding = std::make_shared<ThresholdSpeedFriction>(
+      ThresholdSpeedFriction::Parameters{0.6, 0.9, 1.0 / 3, 0.01, 1e-5});
+  states(s);
+}
+
+// After a short rest it slides with less torque than after a long one: no curve is the true one.
+TEST(DatasetToml, StatesNoCurveWhereSpeedDoesNotSayTheTorque) {
+  Scenario s = named_scenario();
+  s.presliding = dynamic_friction_model("armstrong").matched({});
+  const auto log = recording("a.csv", Role::rough_sweep, true, false);
+  EXPECT_FALSE(written_and_read(s, {log}).manifest.reference);
+  s.sliding = std::make_shared<WaiboerFriction>(WaiboerFriction::Parameters{1, 1, 1, 0, 0, 1e6});
+  EXPECT_TRUE(written_and_read(s, {log}).manifest.reference);
 }
 
 TEST(DatasetToml, StatesTheColumnsThatEachRecordingHas) {

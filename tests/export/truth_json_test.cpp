@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "friction/catalogue.h"
 #include "ingest/scenario_file.h"
 
 namespace tribolog {
@@ -23,6 +24,40 @@ TEST(TruthJson, HoldsThePapersTruth) {
   EXPECT_EQ(truth.at("noise").at("ripple").size(), 2U);
   EXPECT_EQ(truth.at("noise").at("seed"), 1);
   EXPECT_EQ(truth.at("robot"), "FANUC AM100iB");
+}
+
+/// Named parameters as JSON would have them, read back.
+NamedParameters read_back(const nlohmann::json& stated, NamedParameters parameters) {
+  for (NamedParameter& one : parameters) {
+    const auto& value = stated.at(one.key);
+    if (auto* number = std::get_if<double>(&one.value)) *number = value.get<double>();
+    if (auto* count = std::get_if<std::uint64_t>(&one.value)) *count = value.get<std::uint64_t>();
+    if (auto* elements = std::get_if<std::vector<MaxwellElement>>(&one.value)) {
+      elements->clear();
+      for (const auto& element : value) {
+        elements->push_back({element.at("stiffness_Nm_rad"), element.at("share")});
+      }
+    }
+  }
+  return parameters;
+}
+
+// From truth.json alone the very models that were simulated can be made again.
+TEST(TruthJson, HoldsEveryModelWhole) {
+  const ContactParameters contact{465.42, 0.7708, 0.001, 0.6, 0.88437633, 5.0};
+  for (const FrictionModelEntry& model : dynamic_friction_models()) {
+    Scenario s = read_scenario(example + "scenario.toml");
+    s.presliding = model.matched(contact);
+    const auto whole = nlohmann::json::parse(truth_json(s));
+    EXPECT_EQ(whole.at("presliding").at("model"), model.name);
+    EXPECT_EQ(whole.at("presliding").size(), 1 + model.parameters.size());
+    EXPECT_EQ(read_back(whole.at("presliding"), model.parameters),
+              s.presliding->named_parameters());
+    EXPECT_EQ(whole.at("sliding").at("model"), "waiboer");
+    s.sliding = nullptr;
+    const auto dynamic = nlohmann::json::parse(truth_json(s));
+    EXPECT_EQ(dynamic.at("sliding"), whole.at("presliding"));
+  }
 }
 
 TEST(TruthJson, TakesTextsThatAreNotUtf8) {

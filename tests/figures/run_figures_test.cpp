@@ -11,6 +11,7 @@
 #include "figures/friction_curves.h"
 #include "figures/quality_error.h"
 #include "figures/selected_curve.h"
+#include "friction/waiboer.h"
 
 namespace tribolog::figures {
 namespace {
@@ -102,7 +103,8 @@ TEST_F(RunFigures, ErrorCaptionNamesBothSelections) {
 
 TEST_F(RunFigures, AnalyticReferenceIsDrawnAsACurve) {
   calibration_.quality.reference = "analytic";
-  calibration_.manifest.reference = WaiboerFriction({0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
+  calibration_.manifest.reference =
+      std::make_shared<WaiboerFriction>(WaiboerFriction::Parameters{0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
   const auto figure = friction_against_reference_figure(calibration_);
   ASSERT_TRUE(figure);
   const auto& series = figure->figure.panels[0].series;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "files/temporary_directory.h"
+#include "friction/waiboer.h"
 
 namespace tribolog {
 namespace {
@@ -112,8 +113,10 @@ columns = {angle = {name = "q1", unit = "rad"}}
   EXPECT_EQ(m.manifest.temperature_C, 21.5);
   EXPECT_EQ(m.manifest.surrogate_distance_m, 0.4);
   EXPECT_EQ(m.manifest.gravity_m_s2, 9.8);
-  ASSERT_TRUE(m.manifest.reference.has_value());
-  EXPECT_EQ(m.manifest.reference->parameters().viscous_power, 0.6);
+  ASSERT_TRUE(m.manifest.reference);
+  EXPECT_EQ(m.manifest.reference->name(), "waiboer");
+  EXPECT_EQ(m.manifest.reference->named_parameters(),
+            named(WaiboerFriction::Parameters{1, 2, 0.5, 0.1, 0.6, 1e6}));
   ASSERT_EQ(m.recordings.size(), 2U);
   EXPECT_EQ(m.recordings[0].from_s, 5.0);
   EXPECT_EQ(m.recordings[0].note, "warm");
@@ -210,6 +213,26 @@ TEST(Manifest, RefusesImpossibleValues) {
                         "viscous_coefficient = 1\nviscous_power = 1\n"),
       "m.toml:22:17: key 'reference.waiboer.viscous_power': viscous power 1 is not allowed; it "
       "must be < 1");
+}
+
+TEST(Manifest, KnownCurveIsOneOfAnyModel) {
+  const std::string dahl =
+      "[reference.dahl]\nstiffness_Nm_rad = 400\ncoulomb_Nm = 0.6\n"
+      "viscous_Nms_rad = 0.01\n";
+  const auto curve = parse_manifest(minimal + dahl, "m.toml").manifest.reference;
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->name(), "dahl");
+  EXPECT_DOUBLE_EQ(curve->torque_Nm(-10), -0.7);
+  EXPECT_EQ(refusal(minimal + dahl +
+                    "[reference.threshold_speed]\ncoulomb_Nm = 1\nstatic_Nm = 1\n"
+                    "stribeck_decay_s_rad = 0\nviscous_Nms_rad = 0\n"),
+            "m.toml:17:1: key 'reference.dahl': is a second known curve, expected one, "
+            "'threshold_speed'");
+  EXPECT_EQ(refusal(minimal + "[reference.dahl]\nstiffness_Nm_rad = 400\n"),
+            "m.toml:17:1: key 'reference.dahl.coulomb_Nm' is missing; hint: Tc > 0");
+  EXPECT_EQ(refusal(minimal + "[reference.waibor]\n"),
+            "m.toml:17:1: unknown key 'reference.waibor'; hint: did you mean 'waiboer'?");
+  EXPECT_FALSE(parse_manifest(minimal + "[reference]\n", "m.toml").manifest.reference);
 }
 
 TEST(Manifest, RefusesTextThatIsNotUtf8) {

@@ -88,7 +88,7 @@ struct SimulatedOscillation {
     return motion.amplitude_rad * omega * std::cos(omega * log.t_s[i]);
   }
   [[nodiscard]] double friction(std::size_t i, double motor_speed) const {
-    return scenario.presliding.torque_Nm(log.z_rad[i], log.dz_rad_s[i], motor_speed);
+    return test::paper_contact().torque_Nm(log.z_rad[i], log.dz_rad_s[i], motor_speed);
   }
 };
 
@@ -118,7 +118,7 @@ TEST(JointDiagram, GivesTheTorqueThatTheSimulationLogs) {
   for (std::size_t i = 0; i < truth.log.size(); i += 7) {
     JointElements joint;
     joint.drive = {s.gear_ratio, s.motor_inertia_kgm2,
-                   [&](double speed) { return s.sliding.torque_Nm(speed); }};
+                   [&](double speed) { return s.sliding->torque_Nm(speed); }};
     joint.dynamic_friction_Nm = [&](double speed) { return truth.friction(i, speed); };
     joint.friction = FrictionChoice::dynamic;
     joint.arm_inertia_kgm2 = s.arm_inertia_kgm2;
@@ -136,7 +136,7 @@ TEST(JointDiagram, UsesTheStaticModelAtConstantSpeed) {
   const Scenario s = test::paper_joint();
   JointElements joint;
   joint.drive = {s.gear_ratio, s.motor_inertia_kgm2,
-                 [&](double speed) { return s.sliding.torque_Nm(speed); }};
+                 [&](double speed) { return s.sliding->torque_Nm(speed); }};
   joint.dynamic_friction_Nm = [](double) { return 1e6; };
   joint.arm_inertia_kgm2 = s.arm_inertia_kgm2;
   joint.load = s.load;
@@ -144,7 +144,7 @@ TEST(JointDiagram, UsesTheStaticModelAtConstantSpeed) {
   const SignalValues values = evaluate(joint_graph(joint), {{"arm angle", s.load.q_peak_rad()},
                                                             {"arm speed", speed / s.gear_ratio},
                                                             {"arm acceleration", 0.0}});
-  EXPECT_NEAR(values.at("measured torque"), test::true_gravity_Nm + s.sliding.torque_Nm(speed),
+  EXPECT_NEAR(values.at("measured torque"), test::true_gravity_Nm + s.sliding->torque_Nm(speed),
               1e-8);  // the scenario's mass has that many digits
   EXPECT_NEAR(values.at("measured speed"), speed, rounding * speed);
 }

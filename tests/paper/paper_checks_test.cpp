@@ -73,9 +73,9 @@ TEST_F(PaperChecks, FailForAnotherJoint) {
   EXPECT_EQ(failures(own), 0);
 
   Scenario other = own;
-  LuGreFriction::Parameters p = own.presliding.parameters();
+  LuGreFriction::Parameters p = bristles_of(own).parameters();
   p.bristle_stiffness_Nm_rad *= 1.05;
-  other.presliding = LuGreFriction(p);
+  other.presliding = std::make_shared<LuGreFriction>(p);
   EXPECT_GT(failures(other), 5) << "stiffness";
 
   other = own;
@@ -92,9 +92,9 @@ TEST_F(PaperChecks, FailForAnotherJoint) {
   EXPECT_GT(failures(other), 3) << "angle";
 
   other = own;
-  WaiboerFriction::Parameters w = own.sliding.parameters();
+  WaiboerFriction::Parameters w = sliding_of(own).parameters();
   w.smoothing_s_rad = 1e3;
-  other.sliding = WaiboerFriction(w);
+  other.sliding = std::make_shared<WaiboerFriction>(w);
   EXPECT_GT(failures(other), 1) << "smoothing";
 }
 

@@ -40,7 +40,7 @@ TEST(SimulateJoint, SweepTorqueIsFrictionPlusGravityWhileSpeedIsConstant) {
     const double gravity =
         test::true_gravity_Nm * std::cos(sweep.q_rad[i] - test::true_q_peak_rad());
     const double friction = sweep.torque_Nm[i] - gravity;
-    EXPECT_NEAR(friction, s.sliding.torque_Nm(100 * sweep.dq_rad_s[i]), 1e-12);
+    EXPECT_NEAR(friction, s.sliding->torque_Nm(100 * sweep.dq_rad_s[i]), 1e-12);
     ++checked;
   }
   EXPECT_GT(checked, 100'000U);

@@ -44,7 +44,7 @@ TEST(CogSweep, NoiseFreeSweepsGiveTheExactAngle) {
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-9);
   EXPECT_NEAR(rough.gravity_Nm.value, test::true_gravity_Nm, 1e-9);
   // Friction at 2 deg/s, half the distance of the directions.
-  const double friction = test::paper_joint().sliding.torque_Nm(100 * 2 * degree);
+  const double friction = test::paper_curve().torque_Nm(100 * 2 * degree);
   ASSERT_TRUE(rough.coulomb_Nm);
   EXPECT_NEAR(rough.coulomb_Nm->value, friction, 1e-9);
   // Arg-max: no better than the sampling.

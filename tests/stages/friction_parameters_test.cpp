@@ -39,7 +39,7 @@ TEST(WaiboerFit, RecoversExactParameters) {
 }
 
 TEST(WaiboerFit, FollowsANoisyCurve) {
-  const WaiboerFriction truth = test::paper_joint().sliding;
+  const WaiboerFriction truth = test::paper_curve();
   std::string why;
   const auto fit = fit_waiboer(curve(truth, 0.002), why);
   ASSERT_TRUE(fit) << why;

@@ -51,7 +51,8 @@ TEST(LuGreLoopModel, DerivativesAgreeWithDifferences) {
 
 TEST(LuGreFit, RecoversTheJointFromItsTorqueAlone) {
   Scenario s = test::paper_joint();
-  s.presliding = LuGreFriction({465.42, 0.77080, 0.05, 0.88437633, 0.88437633, 5.0});
+  s.presliding = std::make_shared<LuGreFriction>(
+      LuGreFriction::Parameters{465.42, 0.77080, 0.05, 0.88437633, 0.88437633, 5.0});
   const LuGreFit f = fit(oscillation_of(s));
   ASSERT_TRUE(f.converged) << f.reason;
   EXPECT_NEAR(f.bristle_stiffness_Nm_rad.value, 465.42, 1e-4 * 465.42);

@@ -19,7 +19,7 @@ TEST(QualityErrors, HandWorkedPercentages) {
   v.runs = {run, run};
   v.runs[1].torque_Nm = 2.0;
   v.curves = {{"X", {0.54, 0.48}}};
-  const QualityErrorsResult q = identify_quality_errors(v, std::nullopt);
+  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.reference, "direction_difference");
   ASSERT_EQ(q.errors.size(), 1U);
   EXPECT_NEAR(q.errors[0].percent[0], 1.0, 1e-12);
@@ -50,7 +50,7 @@ TEST(QualityErrors, RunsWithoutReferenceAreCountedAsLeftOut) {
   v.runs[1].direction_difference_Nm = std::nan("");
   v.runs[2].torque_Nm = 0.01;  // a percentage of almost nothing
   v.curves = {{"X", {0.54, 0.54, 0.54}}};
-  const QualityErrorsResult q = identify_quality_errors(v, std::nullopt);
+  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.runs_left_out, 2U);
   EXPECT_TRUE(std::isnan(q.errors[0].percent[1]));
   EXPECT_TRUE(std::isnan(q.errors[0].percent[2]));
@@ -64,7 +64,7 @@ TEST(QualityErrors, WithoutAnyReferenceItSaysWhatToRecord) {
   run.direction_difference_Nm = std::nan("");
   v.runs = {run};
   v.curves = {{"X", {0.54}}};
-  const QualityErrorsResult q = identify_quality_errors(v, std::nullopt);
+  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.stage.state, StageState::not_identifiable);
   EXPECT_NE(q.stage.reason.find("both directions"), std::string::npos);
 }

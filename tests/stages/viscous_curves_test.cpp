@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {
@@ -35,13 +37,32 @@ TEST(ViscousCurves, EveryRunGivesTheTrueFriction) {
   ASSERT_NE(curve, nullptr);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     const ConstantSpeedRun& r = c.viscous.runs[i];
-    const double truth = s.sliding.torque_Nm(r.speed_rad_s);
+    const double truth = s.sliding->torque_Nm(r.speed_rad_s);
     EXPECT_NEAR(curve->friction_Nm[i], truth, 1e-8) << r.speed_rad_s;
     // The half difference of the directions needs no mass at all.
     ASSERT_GE(r.partner, 0);
     EXPECT_NEAR(c.viscous.runs[static_cast<std::size_t>(r.partner)].speed_rad_s, -r.speed_rad_s,
                 1e-6 * std::abs(r.speed_rad_s));
     EXPECT_NEAR(r.direction_difference_Nm, truth, 2e-3);
+  }
+}
+
+// The other static laws of the paper, discontinuous at rest or nearly so.
+TEST(ViscousCurves, FollowEveryStaticLaw) {
+  Scenario s = test::paper_joint();
+  const std::vector<std::shared_ptr<const StaticFriction>> laws{
+      std::make_shared<StribeckFriction>(StribeckFriction::Parameters{{0.45, 0.88, 5, 2}, 0.002}),
+      std::make_shared<ThresholdSpeedFriction>(
+          ThresholdSpeedFriction::Parameters{0.45, 0.88, 0.2, 0.002, 1e-4})};
+  for (const auto& law : laws) {
+    s.sliding = law;
+    const Chain c = run(s);
+    const ViscousCurve* curve = c.viscous.find("sweep");
+    ASSERT_TRUE(curve != nullptr && c.viscous.runs.size() == 40) << law->name();
+    for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
+      const double speed = c.viscous.runs[i].speed_rad_s;
+      EXPECT_NEAR(curve->friction_Nm[i], law->torque_Nm(speed), 1e-8) << law->name() << speed;
+    }
   }
 }
 

@@ -11,6 +11,12 @@ constexpr double degree = std::numbers::pi / 180;
 
 double true_q_peak_rad() { return -22.23187 * degree; }
 
+LuGreFriction paper_contact() {
+  return LuGreFriction({465.42, 0.77080, 0.001, 0.60, 0.88437633, 5.0});
+}
+
+WaiboerFriction paper_curve() { return WaiboerFriction({0.8844, 5.0, 0.7, 0.12, 0.6, 1e6}); }
+
 Scenario paper_joint() {
   Scenario s;
   s.name = "paper's joint";
@@ -22,8 +28,8 @@ Scenario paper_joint() {
   const double mass = true_gravity_Nm * s.gear_ratio / (9.81 * distance);
   s.load = GravityLoad(mass, distance, true_q_peak_rad());
   s.arm_inertia_kgm2 = mass * distance * distance;
-  s.presliding = LuGreFriction({465.42, 0.77080, 0.001, 0.60, 0.88437633, 5.0});
-  s.sliding = WaiboerFriction({0.8844, 5.0, 0.7, 0.12, 0.6, 1e6});
+  s.presliding = std::make_shared<LuGreFriction>(paper_contact());
+  s.sliding = std::make_shared<WaiboerFriction>(paper_curve());
   s.rough_sweep = SweepExperiment{-80 * degree, 60 * degree, 2 * degree, true, 1.0, 1000.0};
   s.precise_sweep =
       SweepExperiment{-23.2 * degree, -21.2 * degree, 0.1 * degree, true, 1.0, 1000.0};

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "friction/lugre.h"
+#include "friction/waiboer.h"
 #include "simulate/scenario.h"
 #include "simulate/simulated_dataset.h"
 
@@ -15,6 +17,11 @@ inline constexpr double true_gravity_Nm = 3.88318571;
 inline constexpr double true_surrogate_mass_kg = 79.1679;
 /// Angle of the gravity peak [rad].
 double true_q_peak_rad();
+
+/// Its friction in the oscillation.
+LuGreFriction paper_contact();
+/// Its friction in sweeps and runs.
+WaiboerFriction paper_curve();
 
 /// The four experiments, noise-free.
 Scenario paper_joint();

@@ -26,7 +26,7 @@ double some_deflection(const LuGreFriction& friction, std::size_t i) {
 }  // namespace
 
 Checks check_equation_3(const PapersJoint& joint) {
-  const LuGreFriction& friction = joint.scenario.presliding;
+  const LuGreFriction& friction = bristles_of(joint.scenario);
   const LuGreFriction::Parameters& p = friction.parameters();
   const SignalGraph graph = lugre_graph(friction);
   double from_equation = 0;
@@ -55,7 +55,7 @@ Checks check_equation_3(const PapersJoint& joint) {
 }
 
 Checks check_equation_4(const PapersJoint& joint) {
-  const LuGreFriction& friction = joint.scenario.presliding;
+  const LuGreFriction& friction = bristles_of(joint.scenario);
   const Recording& log = joint.recording(Role::oscillation);
   const std::vector<double> solved = solved_deflection_rad(joint);
   double largest = 0;
@@ -92,7 +92,7 @@ Checks check_equation_4(const PapersJoint& joint) {
 }
 
 Checks check_equation_5(const PapersJoint& joint) {
-  const LuGreFriction& friction = joint.scenario.presliding;
+  const LuGreFriction& friction = bristles_of(joint.scenario);
   const LuGreFriction::Parameters& p = friction.parameters();
   const auto level = [&](double w) {
     return p.bristle_stiffness_Nm_rad * friction.steady_deflection_rad(w);

@@ -61,7 +61,7 @@ Checks check_reference_curve(const PapersJoint& joint) {
   double two_ways = 0;
   for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
     const ConstantSpeedRun& run = viscous.runs[i];
-    const double analytic = joint.scenario.sliding.torque_Nm(run.speed_rad_s);
+    const double analytic = joint.scenario.sliding->torque_Nm(run.speed_rad_s);
     apart = std::max(apart, std::abs(joint.calibration.quality.reference_Nm.at(i) - analytic));
     two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
   }

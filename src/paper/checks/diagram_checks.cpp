@@ -48,7 +48,7 @@ Checks check_bristle_sketch(const ReportFigure& drawn) {
 }
 
 Checks check_lugre_diagram(const PapersJoint& joint) {
-  const LuGreFriction& friction = joint.scenario.presliding;
+  const LuGreFriction& friction = bristles_of(joint.scenario);
   const SignalGraph graph = lugre_graph(friction);
   RandomStream random(4, 0);
   double rate_apart = 0;
@@ -96,9 +96,9 @@ Checks check_joint_diagram(const PapersJoint& joint) {
     const double t = log.t_s[i];
     JointElements elements;
     elements.drive = {s.gear_ratio, s.motor_inertia_kgm2,
-                      [&](double speed) { return s.sliding.torque_Nm(speed); }};
+                      [&](double speed) { return s.sliding->torque_Nm(speed); }};
     elements.dynamic_friction_Nm = [&](double speed) {
-      return s.presliding.torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
+      return bristles_of(s).torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
     };
     elements.friction = FrictionChoice::dynamic;
     elements.arm_inertia_kgm2 = s.arm_inertia_kgm2;

@@ -39,7 +39,7 @@ Checks check_equation_8(const PapersJoint& joint) {
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double speed = joint.oscillation_speed_rad_s(log.t_s[i]);
     const double acceleration = joint.oscillation_acceleration_rad_s2(log.t_s[i]);
-    const double friction = s.presliding.torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
+    const double friction = bristles_of(s).torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
     const double arm = s.arm_inertia_kgm2 * acceleration / n + s.load.torque_Nm(log.q_rad[i]);
     const double left = n * (log.torque_Nm[i] - s.motor_inertia_kgm2 * acceleration - friction);
     apart = std::max(apart, std::abs(left - arm));
@@ -82,7 +82,7 @@ Checks check_equation_10(const PapersJoint& joint) {
       vanishing("n (T − T_f) less m g r cos(q + q_c), over " + runs_in_words(joint) + ": largest",
                 largest_over_runs(joint,
                                   [&](const ConstantSpeedRun& run) {
-                                    const double friction = s.sliding.torque_Nm(run.speed_rad_s);
+                                    const double friction = s.sliding->torque_Nm(run.speed_rad_s);
                                     return s.gear_ratio * (run.torque_Nm - friction) -
                                            s.load.amplitude_Nm() * run.mean_cos;
                                   }),
@@ -97,7 +97,7 @@ Checks check_equation_11(const PapersJoint& joint) {
                                       [&](const ConstantSpeedRun& run) {
                                         const double gravity = s.load.amplitude_Nm() / s.gear_ratio;
                                         return run.torque_Nm - gravity * run.mean_cos -
-                                               s.sliding.torque_Nm(run.speed_rad_s);
+                                               s.sliding->torque_Nm(run.speed_rad_s);
                                       }),
                     log_rounding_Nm, "N·m", "rounding of the log")};
 }
@@ -106,7 +106,7 @@ Checks check_equation_13(const PapersJoint& joint) {
   const Scenario& s = joint.scenario;
   const CogSweepResult& rough = joint.calibration.rough;
   const double speed = s.gear_ratio * s.rough_sweep.value().speed_rad_s;
-  const double expected = s.sliding.torque_Nm(speed) + s.load.amplitude_Nm() / s.gear_ratio;
+  const double expected = s.sliding->torque_Nm(speed) + s.load.amplitude_Nm() / s.gear_ratio;
   return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
                     rough.argmax_torque_Nm, 1e-7, "N·m", "the peak lies between two samples"),
           law_value("Its part m g r / n, told from friction by the two directions",

@@ -25,7 +25,7 @@ void add_table_2(Checks& out) {
 
 void add_ratios(const PapersJoint& joint, Checks& out) {
   const Scenario& s = joint.scenario;
-  const LuGreFriction::Parameters& p = s.presliding.parameters();
+  const LuGreFriction::Parameters& p = bristles_of(s).parameters();
   const OscillationExperiment& e = s.oscillation.value();
   const double swing = s.gear_ratio * e.amplitude_rad;
   const double swing_speed = swing * 2 * std::numbers::pi * e.frequency_Hz;
@@ -153,7 +153,7 @@ void add_angles(const PapersJoint& joint, Checks& out) {
 }
 
 void add_friction_curve(const PapersJoint& joint, Checks& out) {
-  const WaiboerFriction& law = joint.scenario.sliding;
+  const WaiboerFriction& law = sliding_of(joint.scenario);
   double dip_Nm = INFINITY;
   double dip_rad_s = 0;
   for (double w = 1; w <= 100; w += 0.01) {

@@ -20,9 +20,9 @@ std::vector<LoopPoint> plain_loop_points(const Scenario& whole, double q_peak_ra
   plain.constant_speed.reset();
   plain.motor_inertia_kgm2 = 0;
   plain.arm_inertia_kgm2 = 0;
-  LuGreFriction::Parameters p = whole.presliding.parameters();
+  LuGreFriction::Parameters p = bristles_of(whole).parameters();
   p.coulomb_Nm = p.static_Nm;
-  plain.presliding = LuGreFriction(p);
+  plain.presliding = std::make_shared<LuGreFriction>(p);
   const std::vector<Recording> recordings = simulate_joint(plain);
   return identify_hysteresis({&recordings.at(0)}, {}, whole.gear_ratio,
                              symmetric_estimate(q_peak_rad, 0, "known"))
@@ -30,6 +30,18 @@ std::vector<LoopPoint> plain_loop_points(const Scenario& whole, double q_peak_ra
 }
 
 }  // namespace
+
+const LuGreFriction& bristles_of(const Scenario& scenario) {
+  const auto* lugre = dynamic_cast<const LuGreFriction*>(scenario.presliding.get());
+  if (lugre == nullptr) throw std::invalid_argument("the paper's joint has LuGre's friction");
+  return *lugre;
+}
+
+const WaiboerFriction& sliding_of(const Scenario& scenario) {
+  const auto* waiboer = dynamic_cast<const WaiboerFriction*>(scenario.sliding.get());
+  if (waiboer == nullptr) throw std::invalid_argument("the paper's joint slides by eq. (6), (7)");
+  return *waiboer;
+}
 
 PapersJoint::PapersJoint(const Scenario& given, RobotDescription description)
     : scenario(given),

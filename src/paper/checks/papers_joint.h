@@ -7,13 +7,19 @@
 #include "robot/robot_description.h"
 
 #include "calibration.h"
+#include "friction/lugre.h"
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
+#include "friction/waiboer.h"
 #include "joint/dataset.h"
 #include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::paper {
+
+// The friction models that the paper's scenario must have. @throw std::invalid_argument if not.
+const LuGreFriction& bristles_of(const Scenario& scenario);
+const WaiboerFriction& sliding_of(const Scenario& scenario);
 
 struct PapersJoint {
   Scenario scenario;  ///< The paper's joint without noise.

@@ -6,7 +6,7 @@
 namespace tribolog::paper {
 
 std::array<double, 6> plain_loop_torques_Nm(const Scenario& scenario) {
-  const LuGreFriction::Parameters& p = scenario.presliding.parameters();
+  const LuGreFriction::Parameters& p = bristles_of(scenario).parameters();
   const OscillationExperiment& e = scenario.oscillation.value();
   const double g = p.static_Nm / p.bristle_stiffness_Nm_rad;
   const double swing = scenario.gear_ratio * e.amplitude_rad;

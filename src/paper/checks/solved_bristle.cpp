@@ -12,7 +12,7 @@ constexpr double tolerance = 1e-12;
 
 /// Stops where the motion reverses (event 0) and where z crosses zero (event 1).
 std::unique_ptr<CvodeSolver> solver_of(const PapersJoint& joint) {
-  const LuGreFriction& friction = joint.scenario.presliding;
+  const LuGreFriction& friction = bristles_of(joint.scenario);
   const LuGreFriction::Parameters& p = friction.parameters();
   CvodeSolver::Options options;
   options.relative_tolerance = tolerance;

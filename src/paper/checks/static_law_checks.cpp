@@ -84,7 +84,7 @@ Checks check_equation_2(const PapersJoint& joint) {
 }
 
 Checks check_equation_6(const PapersJoint& joint) {
-  const WaiboerFriction& law = joint.scenario.sliding;
+  const WaiboerFriction& law = sliding_of(joint.scenario);
   const WaiboerFriction::Parameters& p = law.parameters();
   const auto meant = [&](double w) {
     return p.asperity_torque_Nm *
@@ -119,7 +119,7 @@ Checks check_equation_6(const PapersJoint& joint) {
 }
 
 Checks check_equation_7(const PapersJoint& joint) {
-  const WaiboerFriction& law = joint.scenario.sliding;
+  const WaiboerFriction& law = sliding_of(joint.scenario);
   const double c = law.parameters().smoothing_s_rad;
   const auto meant = [&](double w) {
     return 2 / std::numbers::pi * std::atan(c * w) * law.magnitude_Nm(std::abs(w));
