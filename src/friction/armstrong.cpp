@@ -5,6 +5,7 @@
 #include "parameter_rules.h"
 
 #include "friction/exponential_step.h"
+#include "friction/sign_change.h"
 
 namespace tribolog {
 namespace {
@@ -112,20 +113,14 @@ void ArmstrongFriction::advance(std::span<double> state, const SpeedStep& step) 
     const double rest = state[stuck_time] + share * step.duration_s;
     return direction * p_.stiffness_Nm_rad * x - break_away_Nm(rest, state[stribeck]);
   };
+  const bool breaks_away = direction != 0.0 && excess(1) >= 0;
   double until = 1;
-  if (direction != 0.0 && excess(1) >= 0) {
-    double low = 0;
-    constexpr int halvings = 52;
-    for (int i = 0; i < halvings; ++i) {
-      const double middle = (low + until) / 2;
-      (excess(middle) < 0 ? low : until) = middle;
-    }
-  }
+  if (breaks_away) until = excess(0) < 0 ? sign_change(excess, 0.0, 1.0, share_resolution) : 0.0;
   const SpeedStep stuck = step.part(0, until);
   state[deflection] += stuck.path_rad();
   state[stuck_time] += stuck.duration_s;
   lag(state, stuck);
-  if (until == 1 && (direction == 0.0 || excess(0) < 0)) return;
+  if (!breaks_away) return;
   begin_sliding(state, direction);
   lag(state, step.part(until, 1));
 }

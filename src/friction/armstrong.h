@@ -51,7 +51,7 @@ class ArmstrongFriction final : public DynamicFriction {
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   /// After a long rest; after a shorter one the Stribeck torque is smaller.
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact but for the moment of break-away, which bisection finds.
+  /// Exact but for the moment of break-away, which false position finds.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:

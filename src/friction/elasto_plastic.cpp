@@ -9,9 +9,26 @@
 
 #include "parameter_rules.h"
 
-#include "friction/path_steps.h"
+#include "friction/relaxation.h"
+#include "friction/sign_change.h"
 
 namespace tribolog {
+namespace {
+
+/// cos(x) for 0 <= x <= pi/2 by its series, within 1e-15: std::cos takes several times as long, and
+/// half of all time went into it.
+double cosine(double x) {
+  const double y = x * x;
+  const double y2 = y * y;
+  const double y4 = y2 * y2;
+  const double low = (1.0 - y * 0.5) + (1.0 / 24 - y * (1.0 / 720)) * y2;
+  const double middle =
+      (1.0 / 40320 - y * (1.0 / 3628800)) + (1.0 / 479001600 - y * (1.0 / 87178291200)) * y2;
+  const double high = 1.0 / 20922789888000 - y * (1.0 / 6402373705728000);
+  return low + (middle + high * y4) * y4;
+}
+
+}  // namespace
 
 ParameterSlots ElastoPlasticFriction::Parameters::by_name() {
   return joined({ParameterSlots{{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
@@ -23,7 +40,9 @@ ParameterSlots ElastoPlasticFriction::Parameters::by_name() {
 }
 
 ElastoPlasticFriction::ElastoPlasticFriction(const Parameters& parameters)
-    : p_(parameters), curve_(parameters.curve) {
+    : p_(parameters),
+      curve_(parameters.curve),
+      compliance_rad_Nm_(1 / parameters.bristle_stiffness_Nm_rad) {
   require_positive(p_.bristle_stiffness_Nm_rad, "bristle stiffness", "N·m/rad");
   require_not_negative(p_.bristle_damping_Nms_rad, "bristle damping", "N·m·s/rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
@@ -37,25 +56,27 @@ ElastoPlasticFriction::ElastoPlasticFriction(const Parameters& parameters)
   }
 }
 
-double ElastoPlasticFriction::steady_deflection_rad(double speed_rad_s) const {
-  return curve_(speed_rad_s) / p_.bristle_stiffness_Nm_rad;
+ElastoPlasticFriction::SteadyDeflection ElastoPlasticFriction::steady_deflection(
+    double speed_rad_s) const {
+  const double g = curve_(speed_rad_s) * compliance_rad_Nm_;
+  return {g, 1 / (g - p_.break_away_deflection_rad)};
 }
 
-double ElastoPlasticFriction::slope(double deflection_rad, double speed_rad_s) const {
+double ElastoPlasticFriction::elastic_share(double deflection_rad,
+                                            const SteadyDeflection& g) const {
   const double elastic = p_.break_away_deflection_rad;
   if (deflection_rad <= elastic) return 1;
-  const double steady = steady_deflection_rad(speed_rad_s);
-  if (deflection_rad >= steady) return 1 - deflection_rad / steady;
-  const double middle = (steady + elastic) / 2;
-  const double share = (deflection_rad - middle) / (steady - elastic);
-  const double alpha = (1 + std::sin(std::numbers::pi * share)) / 2;
-  return 1 - alpha * deflection_rad / steady;
+  if (deflection_rad >= g.rad) return 0;
+  const double risen = (deflection_rad - elastic) * g.per_way_to_it;
+  const double root = cosine(std::numbers::pi / 2 * risen);
+  return root * root;
 }
 
 void ElastoPlasticFriction::rates(std::span<const double> state, double speed_rad_s,
                                   std::span<double> rates) const {
-  const double direction = speed_rad_s < 0 ? -1.0 : 1.0;
-  rates[0] = speed_rad_s * slope(direction * state[0], speed_rad_s);
+  const double z = speed_rad_s < 0 ? -state[0] : state[0];
+  const SteadyDeflection g = steady_deflection(speed_rad_s);
+  rates[0] = speed_rad_s * (1 - (1 - elastic_share(z, g)) * z / g.rad);
 }
 
 double ElastoPlasticFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
@@ -70,6 +91,22 @@ double ElastoPlasticFriction::steady_torque_Nm(double speed_rad_s) const {
   return sign * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
+/// In the direction of motion: LuGre's equation with the elastic share of z as a further target.
+struct ElastoPlasticFriction::Bending {
+  const ElastoPlasticFriction& friction;
+  struct Node {
+    double rate;
+    SteadyDeflection g;
+  };
+  [[nodiscard]] Node at(double speed) const {
+    const SteadyDeflection g = friction.steady_deflection(speed);
+    return {std::abs(speed) / g.rad, g};
+  }
+  [[nodiscard]] double target(const Node& node, double z) const {
+    return node.g.rad + friction.elastic_share(z, node.g) * z;
+  }
+};
+
 void ElastoPlasticFriction::advance(std::span<double> state, const SpeedStep& step) const {
   const double direction = step.direction();
   if (direction == 0.0) return;
@@ -80,16 +117,18 @@ void ElastoPlasticFriction::advance(std::span<double> state, const SpeedStep& st
     state[0] = direction * (start + way);
     return;
   }
-  const double largest = p_.curve.static_Nm / p_.bristle_stiffness_Nm_rad;
-  const double least = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
-  constexpr double forgotten = 30;  // exp(-30): nothing is left of a deflection after so much way
-  constexpr double finest = 0.05;
-  const double rest = std::min(way - std::max(elastic_way, 0.0), forgotten * largest);
-  const SpeedStep piece = last_part_of(step, rest);
-  const double begin = elastic_way > 0 ? p_.break_away_deflection_rad : start;
-  const double end = integrate_along(piece, begin, finest * least,
-                                     [&](double z, double speed) { return slope(z, speed); });
-  state[0] = direction * end;
+  double begin = start;
+  SpeedStep bending_part = step;
+  if (elastic_way > 0) {
+    const double share = sign_change(
+        [&](double until) { return std::abs(step.part(0, until).path_rad()) - elastic_way; }, 0.0,
+        1.0, share_resolution);
+    bending_part = step.part(share, 1);
+    begin = p_.break_away_deflection_rad;
+  }
+  const Bending bending{*this};
+  const double size = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
+  state[0] = direction * Relaxation(bending, size).advance(bending_part, begin);
 }
 
 void ElastoPlasticFriction::state_scales(std::span<double> scales) const {

@@ -36,17 +36,23 @@ class ElastoPlasticFriction final : public DynamicFriction {
              std::span<double> rates) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Exact while elastic, else Runge-Kutta of 4th order along the way; of a long way only the end
-  /// counts, since the rest is forgotten.
+  /// Exact while elastic, else by exponential steps of 4th order, halved where z bends sharply.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
-  [[nodiscard]] double steady_deflection_rad(double speed_rad_s) const;
-  /// dz/dx in the direction of motion, for a deflection counted in that direction.
-  [[nodiscard]] double slope(double deflection_rad, double speed_rad_s) const;
+  struct Bending;
+  /// g(w) [rad], and 1/(g - zba) with it.
+  struct SteadyDeflection {
+    double rad;
+    double per_way_to_it;
+  };
+  [[nodiscard]] SteadyDeflection steady_deflection(double speed_rad_s) const;
+  /// 1 - a(z, w), for a deflection counted in the direction of motion.
+  [[nodiscard]] double elastic_share(double deflection_rad, const SteadyDeflection& g) const;
 
   Parameters p_;
   StribeckCurve curve_;
+  double compliance_rad_Nm_;
 };
 
 }  // namespace tribolog

@@ -142,12 +142,17 @@ template <class Scalar>
   return s.length * (s.c0 * m.j0 + s.c1 * m.j1 + s.c2 * m.j2);
 }
 
+/// By whichever of the two fits the length.
+template <class Scalar>
+StepMoments<Scalar> moments_of(const Scalar& length) {
+  return length < series_below ? moments_by_series<10, Scalar>(length)
+                               : moments_by_exponential<Scalar>(length);
+}
+
 /// y at the end of a step of this shape.
 template <class Scalar>
 Scalar relaxed(const StepShape<Scalar>& shape, const Scalar& y0) {
-  const StepMoments<Scalar> m = shape.length < series_below
-                                    ? moments_by_series<10, Scalar>(shape.length)
-                                    : moments_by_exponential<Scalar>(shape.length);
+  const StepMoments<Scalar> m = moments_of(shape.length);
   return m.decay * y0 + step_source(shape, m);
 }
 

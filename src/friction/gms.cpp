@@ -5,6 +5,7 @@
 #include "parameter_rules.h"
 
 #include "friction/exponential_step.h"
+#include "friction/sign_change.h"
 
 namespace tribolog {
 namespace {
@@ -64,50 +65,65 @@ double GmsFriction::steady_torque_Nm(double speed_rad_s) const {
   return direction_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
+/// A step and the Stribeck curve at its three speeds, which all elements share.
+struct GmsFriction::CurvedStep {
+  SpeedStep step;
+  double start_Nm, middle_Nm, end_Nm;
+
+  CurvedStep(const SpeedStep& of, const StribeckCurve& curve)
+      : step(of),
+        start_Nm(curve(of.start_rad_s)),
+        middle_Nm(curve(of.middle_rad_s)),
+        end_Nm(curve(of.end_rad_s)) {}
+};
+
 void GmsFriction::advance(std::span<double> state, const SpeedStep& step) const {
   const double direction = step.direction();
   if (direction == 0.0) return;
   const std::size_t n = p_.elements.size();
+  const CurvedStep curved(step, curve_);
+  const double path = step.path_rad();
   for (std::size_t i = 0; i < n; ++i) {
     const MaxwellElement& one = p_.elements[i];
     double& torque = state[i];
     double& slips = state[n + i];
     if (slips == direction) {
-      slip(torque, one.share, step);
+      slip(torque, one.share, curved);
       continue;
     }
     slips = 0;
-    const auto excess = [&](double share) {
-      const double way = step.part(0, share).path_rad();
-      return direction * (torque + one.stiffness_Nm_rad * way) -
-             one.share * curve_(step.speed_rad_s(share));
-    };
-    if (excess(1) < 0) {
-      torque += one.stiffness_Nm_rad * step.path_rad();
+    if (direction * (torque + one.stiffness_Nm_rad * path) < one.share * curved.end_Nm) {
+      torque += one.stiffness_Nm_rad * path;
       continue;
     }
-    double low = 0;
-    double high = excess(0) < 0 ? 1 : 0;
-    constexpr int halvings = 52;
-    for (int k = 0; k < halvings && high > 0; ++k) {
-      const double middle = (low + high) / 2;
-      (excess(middle) < 0 ? low : high) = middle;
-    }
-    torque += one.stiffness_Nm_rad * step.part(0, high).path_rad();
+    const double moment = slip_moment(torque, one, curved);
+    torque += one.stiffness_Nm_rad * step.part(0, moment).path_rad();
     slips = direction;
-    slip(torque, one.share, step.part(high, 1));
+    slip(torque, one.share, CurvedStep(step.part(moment, 1), curve_));
   }
 }
 
-void GmsFriction::slip(double& torque_Nm, double share, const SpeedStep& step) const {
-  const double s0 = curve_(step.start_rad_s);
-  const double sm = curve_(step.middle_rad_s);
-  const double s1 = curve_(step.end_rad_s);
+double GmsFriction::slip_moment(double torque_Nm, const MaxwellElement& element,
+                                const CurvedStep& curved) const {
+  const SpeedStep& step = curved.step;
+  const double direction = step.direction();
+  if (direction * torque_Nm >= element.share * curved.start_Nm) return 0;
+  const auto excess = [&](double share) {
+    const double way = step.part(0, share).path_rad();
+    return direction * (torque_Nm + element.stiffness_Nm_rad * way) -
+           element.share * curve_(step.speed_rad_s(share));
+  };
+  return sign_change(excess, 0.0, 1.0, share_resolution);
+}
+
+void GmsFriction::slip(double& torque_Nm, double share, const CurvedStep& curved) const {
   const double c = p_.attraction_Nm_s;
-  const double target = step.direction() * share;
-  torque_Nm = relaxed(relaxation_shape<double>(c / s0, c / sm, c / s1, target * s0, target * sm,
-                                               target * s1, step.duration_s),
-                      torque_Nm);
+  const double target = curved.step.direction() * share;
+  torque_Nm =
+      relaxed(relaxation_shape<double>(c / curved.start_Nm, c / curved.middle_Nm, c / curved.end_Nm,
+                                       target * curved.start_Nm, target * curved.middle_Nm,
+                                       target * curved.end_Nm, curved.step.duration_s),
+              torque_Nm);
 }
 
 void GmsFriction::state_scales(std::span<double> scales) const {

@@ -42,11 +42,15 @@ class GmsFriction final : public DynamicFriction {
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Sticking exact, the moment of slip found by bisection, slipping by the exponential step.
+  /// Sticking exact, the moment of slip found by false position, slipping by the exponential step.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
-  void slip(double& torque_Nm, double share, const SpeedStep& step) const;
+  struct CurvedStep;
+  /// When, as a share of the step's duration, a sticking element that slips at its end begins to.
+  [[nodiscard]] double slip_moment(double torque_Nm, const MaxwellElement& element,
+                                   const CurvedStep& curved) const;
+  void slip(double& torque_Nm, double share, const CurvedStep& curved) const;
 
   Parameters p_;
   StribeckCurve curve_;

@@ -1,5 +1,6 @@
 #include "friction/haessig_bristles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -111,6 +112,13 @@ void HaessigBristleFriction::state_scales(std::span<double> scales) const {
     scales[i] = p_.snap_deflection_rad;
     scales[n + i] = 1;
   }
+}
+
+void HaessigBristleFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
+                                          std::span<double> values) const {
+  double farthest = 0;
+  for (const double d : state.first(state.size() / 2)) farthest = std::max(farthest, std::abs(d));
+  values[0] = farthest - p_.snap_deflection_rad;
 }
 
 }  // namespace tribolog

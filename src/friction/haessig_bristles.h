@@ -39,6 +39,10 @@ class HaessigBristleFriction final : public DynamicFriction {
   /// Deflections spread evenly between -ds and ds: no torque.
   [[nodiscard]] std::vector<double> unloaded() const override;
   void state_scales(std::span<double> scales) const override;
+  /// One: how far the most stretched bond is beyond its limit.
+  [[nodiscard]] std::size_t events() const override { return 1; }
+  void event_values(std::span<const double> state, double speed_rad_s,
+                    std::span<double> values) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
   /// Snaps the bonds that are stretched to the full.

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "parameter_rules.h"
 
-#include "friction/path_steps.h"
+#include "friction/relaxation.h"
+#include "friction/sign_change.h"
 
 namespace tribolog {
 
@@ -38,24 +40,31 @@ double LeuvenFriction::limit_Nm(std::size_t element) const {
   return reserve * p_.curve.static_Nm * p_.elements[element].share;
 }
 
-double LeuvenFriction::hysteresis_Nm(std::span<const double> state, double further_rad) const {
+double LeuvenFriction::hysteresis_Nm(std::span<const double> state) const {
   double sum = 0;
   for (std::size_t i = 0; i < p_.elements.size(); ++i) {
     const double limit = limit_Nm(i);
-    sum += std::clamp(state[1 + i] + p_.elements[i].stiffness_Nm_rad * further_rad, -limit, limit);
+    sum += std::clamp(state[1 + i], -limit, limit);
   }
   return sum;
 }
 
+double LeuvenFriction::to_transition_power(double ratio) const {
+  const double n = p_.transition_power;
+  if (n == 2.0) return ratio * ratio;
+  if (n == 4.0) return ratio * ratio * ratio * ratio;
+  return std::pow(ratio, n);
+}
+
 double LeuvenFriction::slope(double hysteresis_Nm, double speed_rad_s) const {
   const double ratio = hysteresis_Nm / curve_(speed_rad_s);
-  const double size = std::pow(std::abs(ratio), p_.transition_power);
+  const double size = to_transition_power(std::abs(ratio));
   return 1 - direction_of(speed_rad_s) * std::copysign(size, ratio);
 }
 
 void LeuvenFriction::rates(std::span<const double> state, double speed_rad_s,
                            std::span<double> rates) const {
-  const double rate = speed_rad_s * slope(hysteresis_Nm(state, 0), speed_rad_s);
+  const double rate = speed_rad_s * slope(hysteresis_Nm(state), speed_rad_s);
   rates[0] = rate;
   for (std::size_t i = 0; i < p_.elements.size(); ++i) {
     const bool is_at_limit = std::abs(state[1 + i]) >= limit_Nm(i) && state[1 + i] * rate > 0;
@@ -71,7 +80,7 @@ void LeuvenFriction::settle(std::span<double> state, double /*speed_rad_s*/) con
 }
 
 double LeuvenFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
-  const double hysteresis = hysteresis_Nm(state, 0);
+  const double hysteresis = hysteresis_Nm(state);
   const double rate = speed_rad_s * slope(hysteresis, speed_rad_s);
   return hysteresis + p_.micro_damping_Nms_rad * rate + p_.viscous_Nms_rad * speed_rad_s;
 }
@@ -80,22 +89,98 @@ double LeuvenFriction::steady_torque_Nm(double speed_rad_s) const {
   return direction_of(speed_rad_s) * curve_(speed_rad_s) + p_.viscous_Nms_rad * speed_rad_s;
 }
 
+/// While no element reaches its limit: Th, counted in the direction of motion, relaxes towards
+/// s(w).
+struct LeuvenFriction::Relaxing {
+  const LeuvenFriction& friction;
+  double stiffness_Nm_rad;  ///< Of the elements that give way.
+  struct Node {
+    double rate, steady_Nm, per_steady;
+  };
+  [[nodiscard]] Node at(double speed) const {
+    const double s = friction.curve_(speed);
+    const double per_steady = 1 / s;
+    const double n = friction.p_.transition_power;
+    return {n * stiffness_Nm_rad * std::abs(speed) * per_steady, s, per_steady};
+  }
+  [[nodiscard]] double target(const Node& node, double hysteresis) const {
+    const double u = hysteresis * node.per_steady;
+    const double power = std::copysign(friction.to_transition_power(std::abs(u)), u);
+    return hysteresis + (1 - power) * node.steady_Nm / friction.p_.transition_power;
+  }
+};
+
+/// The elements that a deflection in one direction stretches: those that are not at their limit.
+struct LeuvenFriction::Stretching {
+  double stiffness_Nm_rad{};
+  double room_rad{std::numeric_limits<double>::infinity()};  ///< Until the next one is.
+};
+
+LeuvenFriction::Stretching LeuvenFriction::stretching(std::span<const double> state,
+                                                      double direction) const {
+  Stretching out;
+  for (std::size_t i = 0; i < p_.elements.size(); ++i) {
+    const double left = limit_Nm(i) - direction * state[1 + i];
+    if (left <= 0) continue;
+    out.stiffness_Nm_rad += p_.elements[i].stiffness_Nm_rad;
+    out.room_rad = std::min(out.room_rad, left / p_.elements[i].stiffness_Nm_rad);
+  }
+  return out;
+}
+
+void LeuvenFriction::stretch(std::span<double> state, double further_rad) const {
+  state[0] += further_rad;
+  for (std::size_t i = 0; i < p_.elements.size(); ++i) {
+    const double limit = limit_Nm(i);
+    state[1 + i] =
+        std::clamp(state[1 + i] + p_.elements[i].stiffness_Nm_rad * further_rad, -limit, limit);
+  }
+}
+
+double LeuvenFriction::advance_until_change(std::span<double> state, const SpeedStep& step,
+                                            double& way) const {
+  const double direction = step.direction();
+  const double start = direction * hysteresis_Nm(state);
+  const Stretching s = stretching(state, direction * way);
+  const Relaxing relaxing{*this, s.stiffness_Nm_rad};
+  const Relaxation relaxation(relaxing, p_.curve.coulomb_Nm);
+  const auto at = [&](double share) {
+    return share > 0 ? relaxation.advance(step.part(0, share), start) : start;
+  };
+  const auto beyond_room = [&](double hysteresis) {
+    return way * (hysteresis - start) - s.stiffness_Nm_rad * s.room_rad;
+  };
+  const auto turned = [&](double hysteresis, double share) {
+    return way * (hysteresis - curve_(step.speed_rad_s(share)));
+  };
+  const double end = at(1);
+  if (beyond_room(end) > 0) {
+    stretch(state, direction * way * s.room_rad);
+    return sign_change([&](double share) { return beyond_room(at(share)); }, 0.0, 1.0,
+                       share_resolution);
+  }
+  const double noise = 1e-9 * p_.curve.coulomb_Nm;  // in steady sliding z neither goes nor turns
+  if (turned(start, 0) < -noise && turned(end, 1) > noise) {
+    const double share = sign_change([&](double until) { return turned(at(until), until); }, 0.0,
+                                     1.0, share_resolution);
+    stretch(state, direction * (at(share) - start) / s.stiffness_Nm_rad);
+    way = -way;
+    return share;
+  }
+  stretch(state, direction * (end - start) / s.stiffness_Nm_rad);
+  return 1;
+}
+
 void LeuvenFriction::advance(std::span<double> state, const SpeedStep& step) const {
   const double direction = step.direction();
   if (direction == 0.0) return;
-  const double elastic_way = p_.curve.static_Nm / stiffness_Nm_rad_;
-  constexpr double forgotten = 400;  // the last elements are soft: they forget slowly
-  constexpr double finest = 0.05;
-  const SpeedStep piece = last_part_of(step, forgotten * elastic_way);
-  const double further =
-      integrate_along(piece, 0.0, finest * elastic_way, [&](double way, double speed) {
-        return slope(hysteresis_Nm(state, direction * way), speed);
-      });
-  state[0] += direction * further;
-  for (std::size_t i = 0; i < p_.elements.size(); ++i) {
-    state[1 + i] += p_.elements[i].stiffness_Nm_rad * direction * further;
+  const bool falls_short = direction * hysteresis_Nm(state) <= curve_(step.start_rad_s);
+  double way = falls_short ? 1.0 : -1.0;
+  SpeedStep rest = step;
+  for (double done = 0; done < 1;) {
+    done = advance_until_change(state, rest, way);
+    if (done < 1) rest = rest.part(done, 1);
   }
-  settle(state, 0);
 }
 
 void LeuvenFriction::state_scales(std::span<double> scales) const {

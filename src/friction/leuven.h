@@ -47,15 +47,27 @@ class LeuvenFriction final : public DynamicFriction {
   void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
-  /// Runge-Kutta of 4th order along the way; of a long way only the end counts.
+  /// By exponential steps of 4th order, cut where an element reaches its limit or z turns
+  /// round (towards a falling s).
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
+  struct Relaxing;
+  struct Stretching;
   [[nodiscard]] double limit_Nm(std::size_t element) const;
-  /// Torque of the elements after a further deflection.
-  [[nodiscard]] double hysteresis_Nm(std::span<const double> state, double further_rad) const;
+  /// Th, torque of the elements.
+  [[nodiscard]] double hysteresis_Nm(std::span<const double> state) const;
+  /// |Th/s|^n
+  [[nodiscard]] double to_transition_power(double ratio) const;
   /// dz/dx in the direction of motion.
   [[nodiscard]] double slope(double hysteresis_Nm, double speed_rad_s) const;
+  [[nodiscard]] Stretching stretching(std::span<const double> state, double direction) const;
+  /// z and the elements after a further deflection.
+  void stretch(std::span<double> state, double further_rad) const;
+  /// Advances until the next element reaches its limit or z turns round; returns when, as a share
+  /// of the step.
+  /// @param way 1 while z moves with the motion, -1 against it; changed where it turns.
+  double advance_until_change(std::span<double> state, const SpeedStep& step, double& way) const;
 
   Parameters p_;
   StribeckCurve curve_;

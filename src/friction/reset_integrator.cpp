@@ -1,11 +1,15 @@
 #include "friction/reset_integrator.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "parameter_rules.h"
 
 namespace tribolog {
+namespace {
+
+enum Member : std::size_t { deflection, sliding };
+
+}  // namespace
 
 ParameterSlots ResetIntegratorFriction::Parameters::by_name() {
   return {{"stiffness_Nm_rad", "s0 > 0", &stiffness_Nm_rad},
@@ -23,22 +27,26 @@ ResetIntegratorFriction::ResetIntegratorFriction(const Parameters& parameters) :
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
 }
 
-bool ResetIntegratorFriction::is_sliding(double z_rad, double speed_rad_s) const {
-  const double bound = p_.largest_deflection_rad;
-  return (speed_rad_s > 0 && z_rad >= bound) || (speed_rad_s < 0 && z_rad <= -bound);
-}
-
 void ResetIntegratorFriction::rates(std::span<const double> state, double speed_rad_s,
                                     std::span<double> rates) const {
-  rates[0] = is_sliding(state[0], speed_rad_s) ? 0.0 : speed_rad_s;
+  rates[deflection] = state[sliding] == 0.0 ? speed_rad_s : 0.0;
+  rates[sliding] = 0;
+}
+
+void ResetIntegratorFriction::settle(std::span<double> state, double speed_rad_s) const {
+  const double direction = direction_of(speed_rad_s);
+  if (state[sliding] != direction) state[sliding] = 0;
+  const double bound = p_.largest_deflection_rad;
+  if (direction * state[deflection] < bound || direction == 0.0) return;
+  state[deflection] = direction * bound;
+  state[sliding] = direction;
 }
 
 double ResetIntegratorFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
-  const double z = state[0];
-  const bool is_bonded = std::abs(z) < p_.largest_deflection_rad;
+  const bool is_bonded = std::abs(state[deflection]) < p_.largest_deflection_rad;
   const double gain = is_bonded ? 1 + p_.stiction_gain : 1.0;
-  const double rate = is_sliding(z, speed_rad_s) ? 0.0 : speed_rad_s;
-  return gain * p_.stiffness_Nm_rad * z + p_.damping_Nms_rad * rate +
+  const double rate = state[sliding] == 0.0 ? speed_rad_s : 0.0;
+  return gain * p_.stiffness_Nm_rad * state[deflection] + p_.damping_Nms_rad * rate +
          p_.viscous_Nms_rad * speed_rad_s;
 }
 
@@ -48,17 +56,19 @@ double ResetIntegratorFriction::steady_torque_Nm(double speed_rad_s) const {
 }
 
 void ResetIntegratorFriction::advance(std::span<double> state, const SpeedStep& step) const {
-  const double bound = p_.largest_deflection_rad;
-  state[0] = std::clamp(state[0] + step.path_rad(), -bound, bound);
+  state[deflection] += step.path_rad();
+  settle(state, step.direction());
 }
 
 void ResetIntegratorFriction::state_scales(std::span<double> scales) const {
-  scales[0] = p_.largest_deflection_rad;
+  scales[deflection] = p_.largest_deflection_rad;
+  scales[sliding] = 1;
 }
 
 void ResetIntegratorFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
                                            std::span<double> values) const {
-  values[0] = std::abs(state[0]) - p_.largest_deflection_rad;
+  const bool is_bonded = state[sliding] == 0.0;
+  values[0] = is_bonded ? std::abs(state[deflection]) - p_.largest_deflection_rad : 1.0;
 }
 
 }  // namespace tribolog

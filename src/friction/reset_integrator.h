@@ -11,7 +11,7 @@
 
 namespace tribolog {
 
-/// State: the deflection z [rad].
+/// State: the deflection z [rad], then 0 while bonded or the direction (-1, 1) of sliding.
 class ResetIntegratorFriction final : public DynamicFriction {
  public:
   struct Parameters {
@@ -29,20 +29,20 @@ class ResetIntegratorFriction final : public DynamicFriction {
   [[nodiscard]] const Parameters& parameters() const { return p_; }
   [[nodiscard]] std::string name() const override { return "reset_integrator"; }
   [[nodiscard]] NamedParameters named_parameters() const override { return named(p_); }
-  [[nodiscard]] std::size_t states() const override { return 1; }
+  [[nodiscard]] std::size_t states() const override { return 2; }
   void state_scales(std::span<double> scales) const override;
   [[nodiscard]] std::size_t events() const override { return 1; }
   void event_values(std::span<const double> state, double speed_rad_s,
                     std::span<double> values) const override;
   void rates(std::span<const double> state, double speed_rad_s,
              std::span<double> rates) const override;
+  void settle(std::span<double> state, double speed_rad_s) const override;
   [[nodiscard]] double torque_Nm(std::span<const double> state, double speed_rad_s) const override;
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
   /// Exact for any course of the speed.
   void advance(std::span<double> state, const SpeedStep& step) const override;
 
  private:
-  [[nodiscard]] bool is_sliding(double z_rad, double speed_rad_s) const;
   Parameters p_;
 };
 

@@ -9,6 +9,7 @@
 #include "parameter_rules.h"
 
 #include "friction/exponential_step.h"
+#include "simulate/reversal.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused
 // multiply-add both give the same bits.
@@ -150,23 +151,6 @@ TRIBOLOG_WIDE void weigh_block(Block& b, std::size_t steps) {
     });
     weigh_short_steps(b, steps);
   }
-}
-
-bool reverses(double w0, double wm, double w1) {
-  return (w0 > 0 || wm > 0 || w1 > 0) && (w0 < 0 || wm < 0 || w1 < 0);
-}
-
-/// Time in [a, b] at which the speed changes sign, by bisection to the last bit. The sign at `a` is
-/// the caller's: where the reversal is at `a` itself, rounding may say otherwise.
-double reversal_time(const Motion& motion, double a, double b, bool negative_first) {
-  for (int i = 0; i < 80; ++i) {
-    const double middle = a + (b - a) / 2;
-    if (middle <= a || middle >= b) break;
-    const double w = motion.speed(middle);
-    if (w == 0) return middle;
-    ((w < 0) == negative_first ? a : b) = middle;
-  }
-  return b;
 }
 
 /// Takes the steps that the block cannot: those with a reversal, and those where g bends sharply.

@@ -10,6 +10,7 @@
 #include <sundials/sundials_types.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 namespace tribolog {
 namespace {
@@ -41,10 +42,12 @@ struct CvodeSolver::Parts {
   void* solver{};
   SUNMatrix matrix{};
   SUNLinearSolver linear{};
+  SUNNonlinearSolver fixed_point{};
   Real time{0};
 
   ~Parts() {
     if (solver != nullptr) CVodeFree(&solver);
+    if (fixed_point != nullptr) SUNNonlinSolFree(fixed_point);
     if (linear != nullptr) SUNLinSolFree(linear);
     if (matrix != nullptr) SUNMatDestroy(matrix);
     if (tolerances != nullptr) N_VDestroy(tolerances);
@@ -65,6 +68,15 @@ struct CvodeSolver::Parts {
     const auto* parts = static_cast<Parts*>(self);
     parts->events(t, values(y), {out, parts->event_count});
     return 0;
+  }
+  void iterate_by_newton(sunindextype n) {
+    matrix = SUNDenseMatrix(n, n TRIBOLOG_SUN(context));
+    linear = SUNLinSol_Dense(y, matrix TRIBOLOG_SUN(context));
+    require(CVodeSetLinearSolver(solver, linear, matrix), "the linear solver");
+  }
+  void iterate_by_fixed_point() {
+    fixed_point = SUNNonlinSol_FixedPoint(y, 0 TRIBOLOG_SUN(context));
+    require(CVodeSetNonlinearSolver(solver, fixed_point), "the fixed-point iteration");
   }
   static void be_quiet(int /*code*/, const char* /*module*/, const char* /*function*/,
                        char* /*message*/, void* /*data*/) {}
@@ -89,7 +101,8 @@ CvodeSolver::CvodeSolver(std::vector<double> start, Rates rates, Events events,
   std::copy(start.begin(), start.end(), unknowns().begin());
   std::copy(options.absolute_tolerances.begin(), options.absolute_tolerances.end(),
             Parts::values(p.tolerances).begin());
-  p.solver = CVodeCreate(CV_BDF TRIBOLOG_SUN(p.context));
+  const bool is_bdf = options.method == Method::bdf;
+  p.solver = CVodeCreate(is_bdf ? CV_BDF : CV_ADAMS TRIBOLOG_SUN(p.context));
 #if SUNDIALS_VERSION_MAJOR < 7
   CVodeSetErrHandlerFn(p.solver, Parts::be_quiet, nullptr);
 #endif
@@ -98,9 +111,11 @@ CvodeSolver::CvodeSolver(std::vector<double> start, Rates rates, Events events,
   require(CVodeSetUserData(p.solver, &p), "its data");
   require(CVodeSetMaxNumSteps(p.solver, 50'000'000), "the number of steps");
   require(CVodeSetMaxStep(p.solver, options.largest_step), "the largest step");
-  p.matrix = SUNDenseMatrix(n, n TRIBOLOG_SUN(p.context));
-  p.linear = SUNLinSol_Dense(p.y, p.matrix TRIBOLOG_SUN(p.context));
-  require(CVodeSetLinearSolver(p.solver, p.linear, p.matrix), "the linear solver");
+  if (is_bdf) {
+    p.iterate_by_newton(n);
+  } else {
+    p.iterate_by_fixed_point();
+  }
   if (options.events > 0) {
     require(CVodeRootInit(p.solver, static_cast<int>(options.events), Parts::event), "the events");
     require(CVodeSetNoInactiveRootWarn(p.solver), "silence");
@@ -109,8 +124,10 @@ CvodeSolver::CvodeSolver(std::vector<double> start, Rates rates, Events events,
 
 CvodeSolver::~CvodeSolver() = default;
 
-CvodeSolver::Stop CvodeSolver::advance_to(double t) {
-  require(CVodeSetStopTime(parts_->solver, t), "the stop time");
+CvodeSolver::Stop CvodeSolver::advance_to(double t) { return advance_to(t, t); }
+
+CvodeSolver::Stop CvodeSolver::advance_to(double t, double limit) {
+  require(CVodeSetStopTime(parts_->solver, limit), "the stop time");
   const int flag = CVode(parts_->solver, t, parts_->y, &parts_->time, CV_NORMAL);
   if (flag < 0) {
     throw std::runtime_error(fmt::format("CVODE gave up at t = {} (flag {})", parts_->time, flag));

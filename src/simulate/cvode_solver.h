@@ -1,5 +1,6 @@
 #pragma once
-// SUNDIALS' CVODE with a C++ owner: BDF, dense Newton, root finding.
+// SUNDIALS' CVODE with a C++ owner: BDF with dense Newton or Adams with fixed-point iteration, and
+// root finding.
 
 #include <functional>
 #include <memory>
@@ -13,7 +14,11 @@ class CvodeSolver {
   using Rates = std::function<void(double t, std::span<const double> y, std::span<double> rates)>;
   using Events = std::function<void(double t, std::span<const double> y, std::span<double> values)>;
 
+  /// BDF is for stiff rates; Adams is the faster one where they are not, and needs no matrix.
+  enum class Method { bdf, adams };
+
   struct Options {
+    Method method{Method::bdf};
     double relative_tolerance{};
     std::vector<double> absolute_tolerances;  ///< One for each unknown.
     double largest_step{};
@@ -30,6 +35,9 @@ class CvodeSolver {
   /// Goes on to a time or to the first event before it.
   /// @throw std::runtime_error "... gave up at t = ..."
   Stop advance_to(double t);
+  /// The same without a step that ends at t: the solver steps on as it likes, but never beyond
+  /// `limit` >= t, and the unknowns are interpolated.
+  Stop advance_to(double t, double limit);
 
   [[nodiscard]] double time() const;
   /// Did this event stop the solver?

@@ -1,53 +1,50 @@
 #include "simulate/friction_response.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "parameter_rules.h"
 
+#include "simulate/reversal.h"
+
 namespace tribolog {
 namespace {
 
-/// Time of the sign change of the speed between two times of which it has opposite signs.
-double reversal_between(const Motion& motion, double t0, double t1) {
-  const bool starts_forward = motion.speed(t0) > 0;
-  constexpr int halvings = 60;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (t0 + t1) / 2;
-    ((motion.speed(middle) > 0) == starts_forward ? t0 : t1) = middle;
+constexpr std::size_t block_steps = 256;
+
+/// Of a step that reverses: the first of its reversals that its three speeds tell of.
+double turn_within(const Motion& motion, double t0_s, const SpeedStep& step) {
+  const double middle_s = t0_s + step.duration_s / 2;
+  const double t1_s = t0_s + step.duration_s;
+  if (step.start_rad_s * step.middle_rad_s < 0) {
+    return reversal_time(motion, t0_s, middle_s, step.start_rad_s < 0);
   }
-  return t1;
+  if (step.middle_rad_s * step.end_rad_s < 0) {
+    return reversal_time(motion, middle_s, t1_s, step.middle_rad_s < 0);
+  }
+  return reversal_time(motion, t0_s, t1_s, step.start_rad_s < 0);  // the middle stands still
 }
 
-bool opposite(double a, double b) { return (a > 0 && b < 0) || (a < 0 && b > 0); }
-
-}  // namespace
-
-void advance_friction(const DynamicFriction& friction, const Motion& motion, double t0_s,
-                      double t1_s, std::span<double> state) {
-  const double middle_s = (t0_s + t1_s) / 2;
-  const SpeedStep step{motion.speed(t0_s), motion.speed(middle_s), motion.speed(t1_s), t1_s - t0_s};
-  double from = 0;
-  double to = 0;
-  if (opposite(step.start_rad_s, step.middle_rad_s)) {
-    from = t0_s;
-    to = middle_s;
-  } else if (opposite(step.middle_rad_s, step.end_rad_s)) {
-    from = middle_s;
-    to = t1_s;
-  } else if (opposite(step.start_rad_s, step.end_rad_s)) {  // the middle stands still
-    from = t0_s;
-    to = t1_s;
-  } else {
+/// Advances over a step, cut wherever it reverses.
+void advance_cut(const DynamicFriction& friction, const Motion& motion, double t0_s,
+                 const SpeedStep& step, std::span<double> state, int cuts) {
+  if (cuts == 0 || !reverses(step)) {
     friction.advance(state, step);
     return;
   }
   // Speeds next to the reversal may have the wrong sign by rounding: there it is zero.
-  const double turn = reversal_between(motion, from, to);
-  friction.advance(state, {step.start_rad_s, motion.speed((t0_s + turn) / 2), 0.0, turn - t0_s});
-  friction.advance(state, {0.0, motion.speed((turn + t1_s) / 2), step.end_rad_s, t1_s - turn});
+  const double turn = turn_within(motion, t0_s, step);
+  const double t1_s = t0_s + step.duration_s;
+  const SpeedStep before{step.start_rad_s, motion.speed((t0_s + turn) / 2), 0.0, turn - t0_s};
+  const SpeedStep after{0.0, motion.speed((turn + t1_s) / 2), step.end_rad_s, t1_s - turn};
+  advance_cut(friction, motion, t0_s, before, state, cuts - 1);
+  advance_cut(friction, motion, turn, after, state, cuts - 1);
 }
+
+}  // namespace
 
 void friction_response(const DynamicFriction& friction, const Motion& motion, double t0_s,
                        double dt_s, std::span<double> state, std::span<double> torque_Nm) {
@@ -56,10 +53,29 @@ void friction_response(const DynamicFriction& friction, const Motion& motion, do
     throw std::invalid_argument(fmt::format("the state has {} numbers, the model needs {}",
                                             state.size(), friction.states()));
   }
-  for (std::size_t i = 0; i < torque_Nm.size(); ++i) {
-    const double t = t0_s + static_cast<double>(i) * dt_s;
-    if (i > 0) advance_friction(friction, motion, t - dt_s, t, state);
-    torque_Nm[i] = friction.torque_Nm(state, motion.speed(t));
+  if (torque_Nm.empty()) return;
+  constexpr int most_cuts = 3;
+  std::array<double, block_steps + 1> speed;  // at the ends of the steps
+  std::array<double, block_steps> middle_speed;
+  speed[0] = motion.speed(t0_s);
+  torque_Nm[0] = friction.torque_Nm(state, speed[0]);
+  const std::size_t count = torque_Nm.size() - 1;
+  for (std::size_t first = 0; first < count; first += block_steps) {
+    const std::size_t steps = std::min(block_steps, count - first);
+    const double t = t0_s + static_cast<double>(first) * dt_s;
+    motion.speeds(t + dt_s, dt_s, std::span(speed).subspan(1, steps));
+    motion.speeds(t + dt_s / 2, dt_s, std::span(middle_speed).first(steps));
+    for (std::size_t i = 0; i < steps; ++i) {
+      const SpeedStep step{speed[i], middle_speed[i], speed[i + 1], dt_s};
+      if (reverses(step)) {
+        const double start_s = t0_s + static_cast<double>(first + i) * dt_s;
+        advance_cut(friction, motion, start_s, step, state, most_cuts);
+      } else {
+        friction.advance(state, step);
+      }
+      torque_Nm[first + i + 1] = friction.torque_Nm(state, speed[i + 1]);
+    }
+    speed[0] = speed[steps];
   }
 }
 

@@ -17,8 +17,4 @@ namespace tribolog {
 void friction_response(const DynamicFriction& friction, const Motion& motion, double t0_s,
                        double dt_s, std::span<double> state, std::span<double> torque_Nm);
 
-/// Advances the state over [t0, t1], cut at the motion's reversals.
-void advance_friction(const DynamicFriction& friction, const Motion& motion, double t0_s,
-                      double t1_s, std::span<double> state);
-
 }  // namespace tribolog

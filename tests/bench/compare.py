@@ -9,6 +9,8 @@ import sys
 import tempfile
 import time
 
+from model_ratios import print_model_ratios
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 
@@ -93,6 +95,7 @@ def main():
     program = f"{build}/src/tribolog"
     peer = [sys.executable, "run.py"]
     integrator(build)
+    print_model_ratios(build)
     with tempfile.TemporaryDirectory() as scratch:
         def ours_whole():
             a = timed([program, "simulate", f"{ROOT}/examples/paper/scenario.toml", "-o", f"{scratch}/ours"])
