@@ -54,6 +54,18 @@ class DynamicFriction : public FrictionModel {
   /// Advances the state over a piece of prescribed motion, with the model's own method: exact where
   /// the model allows that, and never bound by its stiffness.
   virtual void advance(std::span<double> state, const SpeedStep& step) const = 0;
+
+  /// Advances over steps of which each begins where the one before ended, and reads the torque
+  /// [N·m] at the end of each. As advance() and torque_Nm() in turn; a model that needs the same
+  /// numbers for a step's end and the next one's start can do better.
+  /// @param torque_Nm out: as many as steps.
+  virtual void respond(std::span<double> state, std::span<const SpeedStep> steps,
+                       std::span<double> torque_Nm) const {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      advance(state, steps[i]);
+      torque_Nm[i] = this->torque_Nm(state, steps[i].end_rad_s);
+    }
+  }
 };
 
 }  // namespace tribolog

@@ -72,18 +72,26 @@ double ElastoPlasticFriction::elastic_share(double deflection_rad,
   return root * root;
 }
 
+double ElastoPlasticFriction::rate_rad_s(double z_rad, double speed_rad_s,
+                                         const SteadyDeflection& g) const {
+  const double along = speed_rad_s < 0 ? -z_rad : z_rad;
+  return speed_rad_s * (1 - (1 - elastic_share(along, g)) * along / g.rad);
+}
+
+double ElastoPlasticFriction::torque_Nm(double z_rad, double speed_rad_s,
+                                        const SteadyDeflection& g) const {
+  return p_.bristle_stiffness_Nm_rad * z_rad +
+         p_.bristle_damping_Nms_rad * rate_rad_s(z_rad, speed_rad_s, g) +
+         p_.viscous_Nms_rad * speed_rad_s;
+}
+
 void ElastoPlasticFriction::rates(std::span<const double> state, double speed_rad_s,
                                   std::span<double> rates) const {
-  const double z = speed_rad_s < 0 ? -state[0] : state[0];
-  const SteadyDeflection g = steady_deflection(speed_rad_s);
-  rates[0] = speed_rad_s * (1 - (1 - elastic_share(z, g)) * z / g.rad);
+  rates[0] = rate_rad_s(state[0], speed_rad_s, steady_deflection(speed_rad_s));
 }
 
 double ElastoPlasticFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
-  double rate = 0;
-  rates(state, speed_rad_s, {&rate, 1});
-  return p_.bristle_stiffness_Nm_rad * state[0] + p_.bristle_damping_Nms_rad * rate +
-         p_.viscous_Nms_rad * speed_rad_s;
+  return torque_Nm(state[0], speed_rad_s, steady_deflection(speed_rad_s));
 }
 
 double ElastoPlasticFriction::steady_torque_Nm(double speed_rad_s) const {
@@ -129,6 +137,27 @@ void ElastoPlasticFriction::advance(std::span<double> state, const SpeedStep& st
   const Bending bending{*this};
   const double size = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
   state[0] = direction * Relaxation(bending, size).advance(bending_part, begin);
+}
+
+void ElastoPlasticFriction::respond(std::span<double> state, std::span<const SpeedStep> steps,
+                                    std::span<double> torque_Nm) const {
+  if (steps.empty()) return;
+  const Bending bending{*this};
+  const Relaxation relaxation(bending, p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad);
+  Bending::Node start = bending.at(steps[0].start_rad_s);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const SpeedStep& step = steps[i];
+    const Bending::Node last = bending.at(step.end_rad_s);
+    const double direction = step.direction();
+    const double along = direction * state[0];
+    if (direction != 0.0 && along >= p_.break_away_deflection_rad) {
+      state[0] = direction * relaxation.advance(step, along, start, last);
+    } else {
+      advance(state, step);
+    }
+    torque_Nm[i] = this->torque_Nm(state[0], step.end_rad_s, last.g);
+    start = last;
+  }
 }
 
 void ElastoPlasticFriction::state_scales(std::span<double> scales) const {

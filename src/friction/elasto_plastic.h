@@ -38,6 +38,8 @@ class ElastoPlasticFriction final : public DynamicFriction {
   [[nodiscard]] double steady_torque_Nm(double speed_rad_s) const override;
   /// Exact while elastic, else by exponential steps of 4th order, halved where z bends sharply.
   void advance(std::span<double> state, const SpeedStep& step) const override;
+  void respond(std::span<double> state, std::span<const SpeedStep> steps,
+               std::span<double> torque_Nm) const override;
 
  private:
   struct Bending;
@@ -49,6 +51,9 @@ class ElastoPlasticFriction final : public DynamicFriction {
   [[nodiscard]] SteadyDeflection steady_deflection(double speed_rad_s) const;
   /// 1 - a(z, w), for a deflection counted in the direction of motion.
   [[nodiscard]] double elastic_share(double deflection_rad, const SteadyDeflection& g) const;
+  [[nodiscard]] double rate_rad_s(double z_rad, double speed_rad_s,
+                                  const SteadyDeflection& g) const;
+  [[nodiscard]] double torque_Nm(double z_rad, double speed_rad_s, const SteadyDeflection& g) const;
 
   Parameters p_;
   StribeckCurve curve_;

@@ -28,7 +28,13 @@ class Relaxation {
 
   /// y at the end of the step.
   [[nodiscard]] double advance(const SpeedStep& step, double y) const {
-    return advance(step, y, deepest_halving);
+    return advance(step, y, equation_.at(step.start_rad_s), equation_.at(step.end_rad_s));
+  }
+  /// The same with the nodes of the step's start and end, where they are known.
+  [[nodiscard]] double advance(const SpeedStep& step, double y,
+                               const typename Equation::Node& start,
+                               const typename Equation::Node& last) const {
+    return advance(step, y, start, last, deepest_halving);
   }
 
  private:
@@ -63,16 +69,20 @@ class Relaxation {
     }
   };
 
-  [[nodiscard]] double advance(const SpeedStep& step, double y, int halvings) const {
-    const auto start = equation_.at(step.start_rad_s);
+  [[nodiscard]] double advance(const SpeedStep& step, double y,
+                               const typename Equation::Node& start,
+                               const typename Equation::Node& last, int halvings) const {
     const auto middle = equation_.at(step.middle_rad_s);
-    const auto last = equation_.at(step.end_rad_s);
     const double start_target = equation_.target(start, y);
-    double middle_target = equation_.target(middle, y);
-    double end_target = equation_.target(last, y);
     const double length = step.duration_s / 6 * (start.rate + 4 * middle.rate + last.rate);
     const double to_middle = step.duration_s / 24 * (5 * start.rate + 8 * middle.rate - last.rate);
     const double half = std::clamp(to_middle, 0.0, length);
+    // First guess: on along the tangent, not beyond the target.
+    const double fall = start_target - y;
+    double middle_target = equation_.target(middle, y + std::min(half, 1.0) * fall);
+    double end_target = equation_.target(last, y + std::min(length, 1.0) * fall);
+    // What is still missing of the target reaches y by the step's length.
+    const double settled = settled_ / std::min(length, 1.0);
     std::optional<Moments> moments;
     double end = y;
     for (int i = 0; i < most_iterations; ++i) {
@@ -87,11 +97,11 @@ class Relaxation {
       middle_target = equation_.target(middle, moments->middle(shape, y));
       end_target = equation_.target(last, end);
       const double change = std::abs(middle_target - old_middle) + std::abs(end_target - old_end);
-      if (change <= settled_) return end;
+      if (change <= settled) return end;
     }
     if (halvings == 0) return end;
-    const double between = advance(step.part(0, 0.5), y, halvings - 1);
-    return advance(step.part(0.5, 1), between, halvings - 1);
+    const double between = advance(step.part(0, 0.5), y, start, middle, halvings - 1);
+    return advance(step.part(0.5, 1), between, middle, last, halvings - 1);
   }
 
   const Equation& equation_;

@@ -55,27 +55,32 @@ void friction_response(const DynamicFriction& friction, const Motion& motion, do
   }
   if (torque_Nm.empty()) return;
   constexpr int most_cuts = 3;
-  std::array<double, block_steps + 1> speed;  // at the ends of the steps
+  std::array<double, block_steps> end_speed;
   std::array<double, block_steps> middle_speed;
-  speed[0] = motion.speed(t0_s);
-  torque_Nm[0] = friction.torque_Nm(state, speed[0]);
-  const std::size_t count = torque_Nm.size() - 1;
-  for (std::size_t first = 0; first < count; first += block_steps) {
-    const std::size_t steps = std::min(block_steps, count - first);
+  std::array<SpeedStep, block_steps> step;
+  double speed = motion.speed(t0_s);
+  torque_Nm[0] = friction.torque_Nm(state, speed);
+  const std::span<double> torque_after = torque_Nm.subspan(1);
+  for (std::size_t first = 0; first < torque_after.size(); first += block_steps) {
+    const std::size_t steps = std::min(block_steps, torque_after.size() - first);
     const double t = t0_s + static_cast<double>(first) * dt_s;
-    motion.speeds(t + dt_s, dt_s, std::span(speed).subspan(1, steps));
+    motion.speeds(t + dt_s, dt_s, std::span(end_speed).first(steps));
     motion.speeds(t + dt_s / 2, dt_s, std::span(middle_speed).first(steps));
     for (std::size_t i = 0; i < steps; ++i) {
-      const SpeedStep step{speed[i], middle_speed[i], speed[i + 1], dt_s};
-      if (reverses(step)) {
-        const double start_s = t0_s + static_cast<double>(first + i) * dt_s;
-        advance_cut(friction, motion, start_s, step, state, most_cuts);
-      } else {
-        friction.advance(state, step);
-      }
-      torque_Nm[first + i + 1] = friction.torque_Nm(state, speed[i + 1]);
+      step[i] = {speed, middle_speed[i], end_speed[i], dt_s};
+      speed = end_speed[i];
     }
-    speed[0] = speed[steps];
+    for (std::size_t i = 0; i < steps;) {
+      std::size_t until = i;
+      while (until < steps && !reverses(step[until])) ++until;
+      friction.respond(state, std::span(step).subspan(i, until - i),
+                       torque_after.subspan(first + i, until - i));
+      i = until;
+      if (i == steps) break;
+      advance_cut(friction, motion, t + static_cast<double>(i) * dt_s, step[i], state, most_cuts);
+      torque_after[first + i] = friction.torque_Nm(state, step[i].end_rad_s);
+      ++i;
+    }
   }
 }
 
