@@ -147,12 +147,13 @@ class DrawingCrew {
 }  // namespace
 
 struct FigureRenderer::Parts {
-  explicit Parts(int at_once) : processes(at_once) {}
+  Parts(int at_once, Prepared prepared) : server(prepared), processes(at_once) {}
   DrawingServer server;
   int processes;
 };
 
-FigureRenderer::FigureRenderer(int processes) : parts_(std::make_unique<Parts>(processes)) {}
+FigureRenderer::FigureRenderer(int processes, Prepared prepared)
+    : parts_(std::make_unique<Parts>(processes, prepared)) {}
 
 FigureRenderer::~FigureRenderer() = default;
 

@@ -38,13 +38,18 @@ struct DrawOptions {
   std::chrono::milliseconds most_per_figure{60'000};  ///< A worker that takes longer is stopped.
 };
 
+/// What the drawing processes prepare for; all of them draw every figure.
+enum class Prepared { charts, charts_and_scenes };
+
 /// Draws figures in processes of its own, which end with it.
 class FigureRenderer {
  public:
   /// The graphics stack starts at once, in a process beside what the caller does next: make this
   /// before computing what is to be drawn.
   /// @param processes that draw at the same time, at least 1
-  explicit FigureRenderer(int processes = 2);
+  /// @param prepared the driver compiles its programs for these once, ahead of the first figure;
+  /// for others each process does so at the first one that it draws.
+  explicit FigureRenderer(int processes = 2, Prepared prepared = Prepared::charts);
   ~FigureRenderer();
   FigureRenderer(const FigureRenderer&) = delete;
   FigureRenderer& operator=(const FigureRenderer&) = delete;

@@ -2,8 +2,9 @@
 // A three-dimensional drawing as plain data: lengths in metres, angles in radians, z upwards, axes
 // right-handed. Parts are solid and hide each other; lines, arcs and texts are drawn over them.
 //
-// Texts use the markup of figure.h. A part with a `label` must be visible in the finished picture.
-// The alpha of a colour says how much of it is left on white paper: parts are never transparent.
+// Texts use the markup of figure.h. A part with a `label` must be visible in the finished picture;
+// one that other parts hide gives a warning. The alpha of a colour says how much of it is left on
+// white paper: parts are never transparent.
 
 #include <optional>
 #include <string>

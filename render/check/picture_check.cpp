@@ -189,7 +189,7 @@ PictureFindings check_picture(const DrawList& list, const Figure& figure, const 
   }
   report_outside(list, figure, findings);
   check_series(list, figure, picture, findings);
-  if (findings.error.empty() && list.scene) findings.error = missing_part(list, picture);
+  if (findings.error.empty() && list.scene) check_parts(list, picture, findings);
   if (!findings.error.empty()) return findings;
   for (const Primitive& primitive : list.primitives) {
     const auto* run = std::get_if<TextRun>(&primitive);

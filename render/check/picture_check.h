@@ -18,7 +18,7 @@ struct PictureFindings {
 /// An error: a blank picture, a series or band (in a diagram a block or wire, in a scene a part
 /// with a label) that is not visible where it must be, one in the colour of the background, a text
 /// without ink. A warning: a series that lies wholly outside its axes or under what is painted
-/// later, and so cannot be seen by anyone's fault but its own.
+/// later, or a part behind others, and so cannot be seen by anyone's fault but its own.
 PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture);
 
 }  // namespace tribolog::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "render/layout/occupancy.h"
@@ -41,7 +42,7 @@ struct Count {
 
 }  // namespace
 
-std::string missing_part(const DrawList& list, const Picture& picture) {
+void check_parts(const DrawList& list, const Picture& picture, PictureFindings& findings) {
   const auto& meshes = list.scene->meshes;
   const PartMap parts(*list.scene, list.width, list.height);
   const PixelBox whole{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
@@ -64,15 +65,14 @@ std::string missing_part(const DrawList& list, const Picture& picture) {
     if (meshes[i].label.empty()) continue;
     const std::string name = "the part '" + meshes[i].label + "'";
     if (counts[i].visible < least_visible_px) {
-      return name + " is hidden, or outside of the picture";
-    }
-    if (static_cast<double>(counts[i].found) <
-        least_share * static_cast<double>(counts[i].expected)) {
-      return name + " is not visible in the picture: " + std::to_string(counts[i].found) + " of " +
-             std::to_string(counts[i].expected) + " pixels show it";
+      findings.warnings.push_back(name + " is hidden by others, or outside of the picture");
+    } else if (static_cast<double>(counts[i].found) <
+               least_share * static_cast<double>(counts[i].expected)) {
+      findings.error = name + " is not visible in the picture: " + std::to_string(counts[i].found) +
+                       " of " + std::to_string(counts[i].expected) + " pixels show it";
+      return;
     }
   }
-  return {};
 }
 
 }  // namespace tribolog::render

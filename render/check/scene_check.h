@@ -1,17 +1,16 @@
 #pragma once
 // Whether a finished picture shows the solid parts of its scene.
 
-#include <string>
-
+#include "render/check/picture_check.h"
 #include "render/draw_list.h"
 #include "render/paint/picture.h"
 
 namespace tribolog::render {
 
-/// One sentence about the first part with a label that is hidden by others, or that the picture
-/// does not show where it must; empty if there is none. Light and shade change how bright a part
-/// is, not its hue.
+/// Adds an error about the first part with a label that the picture does not show where it must,
+/// and a warning about each that is hidden by others. Light and shade change how bright a part is,
+/// not its hue.
 /// @pre the list has a scene
-std::string missing_part(const DrawList& list, const Picture& picture);
+void check_parts(const DrawList& list, const Picture& picture, PictureFindings& findings);
 
 }  // namespace tribolog::render

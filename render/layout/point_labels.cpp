@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "render/layout/beside_point.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/text_backing.h"
 
@@ -24,12 +24,6 @@ struct Label {
   PixelPoint start;
   PixelBox box;
 };
-
-double distance_to(const PixelBox& box, PixelPoint p) {
-  const double dx = std::max({box.left - p.x, 0.0, p.x - box.right});
-  const double dy = std::max({box.top - p.y, 0.0, p.y - box.bottom});
-  return std::hypot(dx, dy);
-}
 
 PixelPoint nearest_in(const PixelBox& box, PixelPoint p) {
   return {std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)};
@@ -56,7 +50,8 @@ class Placer {
     double best = first ? 1e300 : cost(i, label.box);
     for (const double distance : distances) {
       for (int k = 0; k < directions; ++k) {
-        const PixelPoint start = start_at(label, distance * unit_, k);
+        const PixelPoint start =
+            start_beside(label.point, label.line, distance * unit_, k, directions, room_);
         const PixelBox box = box_of_line(label.line, start, true);
         const double candidate = cost(i, box);
         if (candidate < best - 1e-9) {
@@ -67,25 +62,6 @@ class Placer {
       }
     }
     return !(label.box == before);
-  }
-
-  /// The box whose edge lies `distance` from the point in direction `k`, pulled into the panel.
-  [[nodiscard]] PixelPoint start_at(const Label& label, double distance, int k) const {
-    const double angle = std::numbers::pi * (2.0 * k / directions + 0.25);  // up right first
-    const double cosine = std::cos(angle);
-    const double sine = std::sin(angle);
-    const double half_width = label.line.width / 2;
-    const double half_height = label.line.height() / 2;
-    // From the point to the centre of the box: `distance` plus the box's own reach that way.
-    const double x =
-        label.point.x + cosine * distance + std::clamp(cosine * 1.5, -1.0, 1.0) * half_width;
-    const double y =
-        label.point.y - sine * distance - std::clamp(sine * 1.5, -1.0, 1.0) * half_height;
-    const double left = std::clamp(x - half_width, room_.left,
-                                   std::max(room_.left, room_.right - label.line.width));
-    const double top = std::clamp(y - half_height, room_.top,
-                                  std::max(room_.top, room_.bottom - label.line.height()));
-    return {left, top + label.line.ascent};
   }
 
   [[nodiscard]] double cost(std::size_t i, const PixelBox& box) const {

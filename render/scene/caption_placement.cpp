@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "render/layout/beside_point.h"
 
 namespace tribolog::render {
 namespace {
@@ -31,12 +32,6 @@ struct Placed {
   PixelPoint leader_end;
   bool has_leader{false};
 };
-
-double distance_to(const PixelBox& box, PixelPoint p) {
-  const double dx = std::max({box.left - p.x, 0.0, p.x - box.right});
-  const double dy = std::max({box.top - p.y, 0.0, p.y - box.bottom});
-  return std::hypot(dx, dy);
-}
 
 /// Where a leader ends: beside the middle of the text, or above or below its nearest letter.
 PixelPoint leader_end(const PixelBox& box, PixelPoint from) {
@@ -100,23 +95,10 @@ class Placer {
     return !(all_[i].box == before.box);
   }
 
-  /// The box whose edge lies `distance` from the anchor in direction `k`, pulled into the room.
+  /// The caption `distance` from its anchor in direction `k`.
   [[nodiscard]] Placed at(const Placed& caption, double distance, int k) const {
-    const double angle = std::numbers::pi * (2.0 * k / directions + 0.25);  // up right first
-    const double cosine = std::cos(angle);
-    const double sine = std::sin(angle);
-    const double half_width = caption.line.width / 2;
-    const double half_height = caption.line.height() / 2;
-    const double x =
-        caption.anchor.x + cosine * distance + std::clamp(cosine * 1.5, -1.0, 1.0) * half_width;
-    const double y =
-        caption.anchor.y - sine * distance - std::clamp(sine * 1.5, -1.0, 1.0) * half_height;
-    const double left = std::clamp(x - half_width, room_.left,
-                                   std::max(room_.left, room_.right - caption.line.width));
-    const double top = std::clamp(y - half_height, room_.top,
-                                  std::max(room_.top, room_.bottom - caption.line.height()));
     Placed moved = caption;
-    moved.start = {left, top + caption.line.ascent};
+    moved.start = start_beside(caption.anchor, caption.line, distance, k, directions, room_);
     moved.box = box_of_line(caption.line, moved.start, true);
     moved.has_leader = distance_to(moved.box, moved.anchor) > leader_from * unit_;
     moved.leader_end = leader_end(moved.box.grown(3 * unit_), moved.anchor);

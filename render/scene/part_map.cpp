@@ -4,6 +4,23 @@
 #include <cmath>
 
 namespace tribolog::render {
+namespace {
+
+/// The pixels of a row, counted from its left end, in which a triangle may lie: a pixel more at
+/// each side than those in which it does.
+struct RowSpan {
+  double from;
+  double to;  ///< Below `from`: none.
+
+  /// Leaves what `at_left + x * per_px` is not negative for.
+  void keep_not_negative(double at_left, double per_px) {
+    if (per_px > 0) from = std::max(from, -at_left / per_px - 1);
+    if (per_px < 0) to = std::min(to, -at_left / per_px + 1);
+    if (!(from <= to)) *this = {0, -1};
+  }
+};
+
+}  // namespace
 
 PartMap::PartMap(const SceneGeometry& scene, int width, int height)
     : width_(width),
@@ -42,10 +59,21 @@ void PartMap::fill(const Corner& a, const Corner& b, const Corner& c, std::uint1
   const int right = last(std::max({a.x, b.x, c.x}), width_);
   const int top = first(std::min({a.y, b.y, c.y}), height_);
   const int bottom = last(std::max({a.y, b.y, c.y}), height_);
+  // Shares of the corners change by these from one pixel to the next.
+  const double b_per_px = (c.y - a.y) / area;
+  const double c_per_px = -(b.y - a.y) / area;
   for (int y = top; y <= bottom; ++y) {
-    for (int x = left; x <= right; ++x) {
+    const double py = y + 0.5;
+    const double px_left = left + 0.5;
+    const double b_left = ((px_left - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
+    const double c_left = ((b.x - a.x) * (py - a.y) - (px_left - a.x) * (b.y - a.y)) / area;
+    RowSpan span{0, static_cast<double>(right - left)};
+    span.keep_not_negative(b_left, b_per_px);
+    span.keep_not_negative(c_left, c_per_px);
+    span.keep_not_negative(1 - b_left - c_left, -b_per_px - c_per_px);
+    const int end = left + static_cast<int>(std::ceil(span.to));
+    for (int x = left + static_cast<int>(span.from); x <= end; ++x) {
       const double px = x + 0.5;
-      const double py = y + 0.5;
       const double share_b = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
       const double share_c = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
       if (share_b < 0 || share_c < 0 || share_b + share_c > 1) continue;

@@ -5,7 +5,7 @@
 
 namespace tribolog::render {
 
-DrawingServer::DrawingServer() {
+DrawingServer::DrawingServer(Prepared prepared) : prepared_(prepared) {
   try {
     start(true);
   } catch (const FigureError&) {
@@ -17,9 +17,9 @@ void DrawingServer::start(bool warm) {
   // Made in the new process, and never destroyed there: tearing a graphics stack down takes time.
   auto worker = std::make_shared<DrawingWorker*>(nullptr);
   server_ = std::make_unique<ForkServer>(
-      [=] {
+      [=, prepared = prepared_] {
         *worker = new DrawingWorker;
-        if (warm) (*worker)->warm_up();
+        if (warm) (*worker)->warm_up(prepared);
       },
       [=](int socket) { (*worker)->serve(socket); });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "render/renderer.h"
 #include "render/workers/fork_server.h"
 
 namespace tribolog::render {
@@ -12,7 +13,7 @@ namespace tribolog::render {
 class DrawingServer {
  public:
   /// The graphics stack starts at once, beside what the caller does next.
-  DrawingServer();
+  explicit DrawingServer(Prepared prepared);
 
   /// A process in which DrawingWorker::serve runs. If the server was lost, a new one is started
   /// first. Destroy the workers before this.
@@ -25,6 +26,7 @@ class DrawingServer {
   void start(bool warm);
   void wait_until_ready(std::chrono::milliseconds most);
 
+  Prepared prepared_;
   std::unique_ptr<ForkServer> server_;
   std::string start_error_;  ///< Of a stack that does not start: it is not tried again.
 };

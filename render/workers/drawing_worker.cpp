@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <malloc.h>
 #include <unistd.h>
@@ -97,6 +98,28 @@ Figure every_kind() {
   return figure;
 }
 
+/// The same for scenes: lit and flat surfaces with their outlines, and a line over them.
+Figure every_kind_of_part() {
+  Figure figure;
+  figure.id = "warm-up-scene";
+  figure.title = "Every part";
+  figure.width_px = 320;
+  figure.height_px = 240;
+  Scene& scene = figure.scene.emplace();
+  scene.ground.emplace();
+  SceneBody body;
+  body.to = {0, 0, 0.5};
+  scene.bodies.push_back(body);
+  SceneSector sector;
+  sector.normal = {0, -1, 0};
+  sector.zero = {1, 0, 0};
+  sector.to_rad = 1;
+  sector.filled = true;
+  sector.label = "q_{c}";
+  scene.sectors.push_back(sector);
+  return figure;
+}
+
 Message drawn_figure_message(const DrawnFigure& drawn) {
   Message message;
   message.put(drawn.png);
@@ -133,13 +156,16 @@ void DrawingWorker::start() {
   }
 }
 
-void DrawingWorker::warm_up() {
+void DrawingWorker::warm_up(Prepared prepared) {
   try {
     start();
-    const Figure figure = every_kind();
-    obey_test_hooks(figure.id);
-    const Picture picture = stack_->painter->paint(lay_out(figure, *stack_->font));
-    static_cast<void>(encode_png(picture));
+    std::vector<Figure> figures{every_kind()};
+    if (prepared == Prepared::charts_and_scenes) figures.push_back(every_kind_of_part());
+    for (const Figure& figure : figures) {
+      obey_test_hooks(figure.id);
+      const Picture picture = stack_->painter->paint(lay_out(figure, *stack_->font));
+      static_cast<void>(encode_png(picture));
+    }
   } catch (const std::exception&) {
     // The first figure meets the same problem and reports it.
   }

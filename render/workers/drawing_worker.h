@@ -18,9 +18,9 @@ class DrawingWorker {
   DrawingWorker(const DrawingWorker&) = delete;
   DrawingWorker& operator=(const DrawingWorker&) = delete;
 
-  /// Starts the graphics stack and draws once what every figure consists of, so that the driver has
-  /// compiled its shaders. A stack that does not start says so again at each figure.
-  void warm_up();
+  /// Starts the graphics stack and draws once what figures of these kinds consist of, so that the
+  /// driver has compiled its shaders. A stack that does not start says so again at each figure.
+  void warm_up(Prepared prepared);
 
   /// A figure that cannot be drawn has its `error` set.
   DrawnFigure draw(const Figure& figure);

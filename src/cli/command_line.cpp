@@ -33,6 +33,7 @@ The manifest says, for example:
   schema = "tribolog-dataset-1"
   [robot]
   name = "FANUC AM100iB"
+  description = "arm.toml"      # optional: draws the arm, see am100ib.toml
   [joint]
   name = "J3"
   gear_ratio = 100

@@ -7,15 +7,18 @@
 #include "cli/identification.h"
 #include "figures/figure_set.h"
 #include "files/atomic_file.h"
+#include "paper/scenes/scene_figures.h"
 
 namespace tribolog {
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
-  render::FigureRenderer renderer(options.processes);  // starts while the numbers are computed
+  // Starts while the numbers are computed.
+  render::FigureRenderer renderer(options.processes, drawings_of(options.dataset));
   const Dataset dataset = load_dataset(options.dataset, console);
   create_directory(options.directory);
   const Calibration calibration = run_identification(dataset, console);
-  const std::vector<ReportFigure> figures = figure_set(dataset, calibration);
+  const std::vector<ReportFigure> figures =
+      with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
   const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
   AtomicFiles files;
   std::size_t written = 0;

@@ -7,14 +7,27 @@
 
 #include "files/atomic_file.h"
 #include "ingest/dataset_file.h"
+#include "ingest/manifest_file.h"
 #include "pipeline.h"
 
 namespace tribolog {
+namespace {
+
+constexpr std::size_t longest_note = 400;  // on a terminal; the report has all of it
+
+}  // namespace
+
+render::Prepared drawings_of(const std::string& manifest) {
+  return read_manifest(manifest).manifest.robot_description.empty()
+             ? render::Prepared::charts
+             : render::Prepared::charts_and_scenes;
+}
 
 Dataset load_dataset(const std::string& manifest, Console& console) {
   console.progress("reading " + printable(manifest), 0, 1);
   Dataset dataset = read_dataset(manifest);
-  for (const std::string& note : dataset.notes) console.warn("note: " + note);
+  for (const std::string& note : dataset.notes)
+    console.warn("note: " + printable(note, longest_note));
   return dataset;
 }
 
@@ -22,6 +35,7 @@ void protect_inputs(const Dataset& dataset, const std::string& manifest,
                     const std::string& output) {
   const std::filesystem::path directory = std::filesystem::path(manifest).parent_path();
   std::vector<std::string> files{manifest};
+  if (dataset.robot) files.push_back((directory / dataset.manifest.robot_description).string());
   for (const Recording& recording : dataset.recordings) {
     files.push_back((directory / recording.name).string());
   }

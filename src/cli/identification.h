@@ -8,8 +8,14 @@
 #include "calibration.h"
 #include "cli/console.h"
 #include "error.h"
+#include "render/renderer.h"
 
 namespace tribolog {
+
+/// What a renderer may prepare for while the numbers are computed: scenes too, if the manifest
+/// names a description of the robot.
+/// @throw InputError as load_dataset, for the manifest alone.
+render::Prepared drawings_of(const std::string& manifest);
 
 /// Reads the manifest and its recordings; notes go to the console.
 Dataset load_dataset(const std::string& manifest, Console& console);

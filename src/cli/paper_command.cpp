@@ -43,7 +43,8 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   RegeneratedPaper paper;
   paper.provenance = make_provenance(arguments);
   paper.sources = {source(scenario_file), source(robot_file)};
-  render::FigureRenderer renderer(options.processes);  // starts while the paper is computed
+  // Starts while the paper is computed.
+  render::FigureRenderer renderer(options.processes, render::Prepared::charts_and_scenes);
   console.progress("simulating and identifying the paper's joint", 0, 1);
   const paper::PapersJoint joint(parse_scenario(paper.sources[0].text, paper.sources[0].name),
                                  parse_robot(paper.sources[1].text, paper.sources[1].name));

@@ -8,6 +8,7 @@
 #include "cli/identification.h"
 #include "figures/figure_set.h"
 #include "files/atomic_file.h"
+#include "paper/scenes/scene_figures.h"
 #include "report/html_report.h"
 
 namespace tribolog {
@@ -33,7 +34,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   Provenance provenance = make_provenance(arguments);
 
   std::optional<render::FigureRenderer> renderer;  // starts while the numbers are computed
-  if (options.figures) renderer.emplace(options.processes);
+  if (options.figures) renderer.emplace(options.processes, drawings_of(options.dataset));
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
@@ -43,7 +44,8 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   std::vector<ReportFigure> figures;
   std::vector<render::DrawnFigure> drawn;
   if (renderer) {
-    figures = figure_set(dataset, calibration);
+    figures =
+        with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
     drawn = draw(*renderer, figures, console);
     provenance.drawing = software_that_drew(drawn);
   }

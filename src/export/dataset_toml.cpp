@@ -1,6 +1,7 @@
 #include "export/dataset_toml.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -78,10 +79,17 @@ std::string own_columns(const Recording& recording, bool speed_is_common) {
 
 }  // namespace
 
+std::string description_beside(const Scenario& scenario) {
+  return std::filesystem::path(scenario.robot_description).filename().string();
+}
+
 std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>& recordings) {
   std::string text = "schema = \"tribolog-dataset-1\"\n\n[robot]\n";
   text += fmt::format("name = {}\n", toml_text(scenario.robot));
   if (!scenario.serial.empty()) text += fmt::format("serial = {}\n", toml_text(scenario.serial));
+  if (!scenario.robot_description.empty()) {
+    text += fmt::format("description = {}\n", toml_text(description_beside(scenario)));
+  }
   text += fmt::format("note = {}\n", toml_text("simulated: " + scenario.name));
   text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", toml_text(scenario.joint),
                       number(scenario.gear_ratio));

@@ -25,6 +25,9 @@ void write_simulation(const Scenario& scenario, const std::vector<Recording>& re
   for (const Recording& recording : recordings) {
     files.add((folder / recording.name).string(), recording_csv(recording));
   }
+  if (!scenario.robot_description.empty()) {
+    files.add((folder / description_beside(scenario)).string(), scenario.robot_description_text);
+  }
   files.add((folder / "truth.json").string(), truth_json(scenario));
   files.add(manifest, dataset_toml(scenario, recordings));
   files.commit();

@@ -1,6 +1,11 @@
 #include "ingest/dataset_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
 
 #include "error.h"
 #include "files/file_contents.h"
@@ -8,11 +13,12 @@
 #include "ingest/closest_match.h"
 #include "ingest/manifest_file.h"
 #include "ingest/recording_rows.h"
+#include "ingest/robot_file.h"
 
 namespace tribolog {
 namespace {
 
-constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
+constexpr double noticeable_rad = 1e-3;  // of an angle beyond a limit that is given in degrees
 
 InputFile fingerprint(const std::string& name, const std::string& role, std::string_view bytes) {
   InputFile input;
@@ -21,6 +27,45 @@ InputFile fingerprint(const std::string& name, const std::string& role, std::str
   input.bytes = bytes.size();
   input.sha256 = sha256_hex(bytes);
   return input;
+}
+
+/// The description, its fingerprint, and a note where it is of another joint.
+void add_robot(const std::filesystem::path& directory, Dataset& dataset) {
+  const std::string& file = dataset.manifest.robot_description;
+  const std::string path = (directory / file).string();
+  const std::string text = read_file(path, largest_robot_bytes);
+  dataset.robot = std::make_shared<const RobotDescription>(parse_robot(text, path));
+  dataset.inputs.push_back(fingerprint(file, "robot", text));
+  const std::string& tested = dataset.robot->under_test.joint().name;
+  if (tested == dataset.manifest.joint) return;
+  dataset.notes.push_back(fmt::format(
+      "{} describes the test of joint {}, the manifest is of joint {}: the drawings of the robot "
+      "show the former",
+      printable(file), in_quotes(tested), in_quotes(dataset.manifest.joint)));
+}
+
+/// A note where a log's angles leave the described range of motion: it counts otherwise, or the
+/// description is wrong.
+void compare_angles(Dataset& dataset) {
+  const ArmJoint& joint = dataset.robot->under_test.joint();
+  double lowest_rad = joint.lowest_rad;
+  double highest_rad = joint.highest_rad;
+  for (const Recording& recording : dataset.recordings) {
+    for (const double q_rad : recording.q_rad) {
+      lowest_rad = std::min(lowest_rad, q_rad);
+      highest_rad = std::max(highest_rad, q_rad);
+    }
+  }
+  const double beyond_rad =
+      std::max(joint.lowest_rad - lowest_rad, highest_rad - joint.highest_rad);
+  if (beyond_rad <= noticeable_rad) return;
+  constexpr double degrees = 180 / std::numbers::pi;
+  dataset.notes.push_back(fmt::format(
+      "the logs reach {:.4g}°, outside the range of motion of joint {} in {}, {:.4g}° to {:.4g}°: "
+      "do both count the angle from the same zero and with the same sign?",
+      degrees * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad), in_quotes(joint.name),
+      printable(dataset.manifest.robot_description), degrees * joint.lowest_rad,
+      degrees * joint.highest_rad));
 }
 
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
@@ -52,9 +97,12 @@ Dataset read_dataset(const std::string& manifest_path) {
   Dataset dataset;
   dataset.manifest = std::move(manifest.manifest);
   dataset.inputs.push_back(fingerprint(path.filename().string(), "manifest", text));
+  const std::filesystem::path directory = path.parent_path();
+  if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
   for (const RecordingEntry& entry : manifest.recordings) {
-    add_recording(entry, path.parent_path(), manifest.effort_sign, dataset);
+    add_recording(entry, directory, manifest.effort_sign, dataset);
   }
+  if (dataset.robot) compare_angles(dataset);
   return dataset;
 }
 

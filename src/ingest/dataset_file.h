@@ -7,10 +7,12 @@
 
 namespace tribolog {
 
-/// Reads a manifest (manifest_file.h says what it holds) and its logs (csv_reader.h says which).
-/// Paths in it are relative to the manifest. The recordings are in SI: angle and speed at the
-/// joint, torque and bristle deflection at the motor.
-/// @throw InputError for a manifest or log that cannot be used, at file:line:column.
+/// Reads a manifest (manifest_file.h says what it holds), its logs (csv_reader.h says which) and
+/// the robot's description where one is named (robot_file.h). Paths in it are relative to the
+/// manifest. The recordings are in SI: angle and speed at the joint, torque and bristle deflection
+/// at the motor. A description of another joint, or whose range of motion the logs leave, gives a
+/// note.
+/// @throw InputError for a manifest, description or log that cannot be used, at file:line:column.
 Dataset read_dataset(const std::string& manifest_path);
 
 }  // namespace tribolog

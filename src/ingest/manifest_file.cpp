@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "files/file_contents.h"
 #include "ingest/closest_match.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
+#include "ingest/robot_file.h"
 
 namespace tribolog {
 namespace {
@@ -23,13 +25,14 @@ std::string required_name(const TomlTable& table, const std::string& hint) {
   return name;
 }
 
-void read_robot(const TomlTable& top, Manifest& manifest) {
+void read_identity(const TomlTable& top, Manifest& manifest) {
   const TomlTable robot = top.table("robot", "[robot] with the robot's name");
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
   manifest.serial = robot.text_or("serial", "");
   manifest.operator_name = robot.text_or("operator", "");
   manifest.measured_on = robot.text_or("measured_on", "");
   manifest.note = robot.text_or("note", "");
+  manifest.robot_description = read_description_name(robot);
   robot.refuse_unknown_keys();
 }
 
@@ -122,7 +125,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   const TomlTable top = TomlTable::parse(text, file);
   (void)top.choice("schema", {"tribolog-dataset-1"});
   ManifestFile result;
-  read_robot(top, result.manifest);
+  read_identity(top, result.manifest);
   const TomlTable joint = top.table("joint", "[joint] with name and gear_ratio");
   result.manifest.joint = required_name(joint, "");
   const TomlTable effort = top.table("effort", effort_hint);
@@ -144,6 +147,10 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
                      {"no [[recording]] is stated", "", "one or more", "each with role and file"});
   }
   return result;
+}
+
+ManifestFile read_manifest(const std::string& path) {
+  return parse_manifest(read_file(path, largest_manifest_bytes), path);
 }
 
 }  // namespace tribolog

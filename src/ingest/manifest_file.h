@@ -4,6 +4,7 @@
 //
 //   schema = "tribolog-dataset-1"
 //   [robot]       name; serial, operator, measured_on, note (optional)
+//                 description (file of the arm, relative to the manifest; robot_file.h; optional)
 //   [joint]       name, gear_ratio (motor angle / joint angle)
 //   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque"
 //                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
@@ -19,6 +20,7 @@
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed",
 //                 file (relative to the manifest); from_s, to_s, columns, note (optional)
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,7 +47,12 @@ struct ManifestFile {
   std::vector<RecordingEntry> recordings;  ///< One or more.
 };
 
+inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
+
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
+ManifestFile read_manifest(const std::string& path);
+
+/// The same from a text. @param file its name, for messages.
 ManifestFile parse_manifest(std::string_view text, const std::string& file);
 
 }  // namespace tribolog

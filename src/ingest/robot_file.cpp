@@ -1,20 +1,28 @@
 #include "ingest/robot_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "error.h"
 #include "files/file_contents.h"
+#include "ingest/closest_match.h"
 #include "ingest/experiment_tables.h"
 #include "ingest/key_guard.h"
 
 namespace tribolog {
 namespace {
 
-constexpr std::uint64_t largest_robot_bytes = 1 << 20;
 constexpr std::size_t most_joints = 64;
+constexpr double farthest_m = 100;        // of an arm's parts: more are millimetres
+constexpr double angle_slack_rad = 1e-9;  // degrees in a file, turned into radians
+
+double degrees(double rad) { return rad * 180 / std::numbers::pi; }
 
 std::vector<Eigen::Vector3d> read_points(const TomlTable& table, const std::string& key) {
   const std::vector<double> numbers = table.numbers(key);
@@ -38,6 +46,16 @@ Eigen::Vector3d read_point(const TomlTable& table, const std::string& key) {
   return points.front();
 }
 
+void refuse_millimetres(const TomlTable& table, const std::string& key,
+                        const std::vector<Eigen::Vector3d>& points_m) {
+  for (const Eigen::Vector3d& point : points_m) {
+    const double largest = point.cwiseAbs().maxCoeff();
+    if (largest <= farthest_m) continue;
+    table.refuse(key, {"not usable", fmt::format("{}", largest),
+                       fmt::format("at most {} m to each side", farthest_m), "lengths are metres"});
+  }
+}
+
 LinkShape read_shape(const TomlTable& joint) {
   LinkShape shape;
   const auto size = [&](const char* key, double otherwise) {
@@ -57,14 +75,17 @@ struct Chain {
   std::vector<double> held_rad;
 };
 
+std::string angle_key(const TomlTable& table, const std::string& name) {
+  return table.has(name + "_rad") ? name + "_rad" : name + "_deg";
+}
+
 /// Refused at the joint itself, though the chain would refuse it too.
 void check_alone(const TomlTable& table, const ArmJoint& joint, double portrait, double held) {
   const SerialArm alone = guarded(table, "name", [&] {
-    return SerialArm(joint.name, {joint}, {0, 0, 0});
+    return SerialArm(joint.name, {joint}, {1, 0, 0});
   });
   const auto check_angle = [&](const std::string& name, double angle) {
-    const std::string key = table.has(name + "_rad") ? name + "_rad" : name + "_deg";
-    static_cast<void>(guarded(table, key, [&] { return alone.pose({angle}); }));
+    static_cast<void>(guarded(table, angle_key(table, name), [&] { return alone.pose({angle}); }));
   };
   check_angle("portrait", portrait);
   check_angle("held_at", held);
@@ -75,19 +96,53 @@ Chain read_chain(const std::vector<TomlTable>& tables) {
   for (const TomlTable& table : tables) {
     ArmJoint joint;
     joint.name = table.text("name");
+    for (const ArmJoint& other : chain.joints) {
+      if (other.name != joint.name) continue;
+      table.refuse("name", {"is given twice", in_quotes(joint.name), "a name of its own", ""});
+    }
     joint.axis = read_point(table, "axis");
     joint.offset_m = read_point(table, "offset_m");
+    refuse_millimetres(table, "offset_m", {joint.offset_m});
     joint.lowest_rad = read_angle(table, "lowest");
     joint.highest_rad = read_angle(table, "highest");
     if (table.has("bends_m")) joint.link_bends_m = read_points(table, "bends_m");
+    refuse_millimetres(table, "bends_m", joint.link_bends_m);
     joint.shape = read_shape(table);
-    chain.portrait_rad.push_back(read_angle_or(table, "portrait", 0.0));
-    chain.held_rad.push_back(read_angle_or(table, "held_at", 0.0));
+    const double nearest_to_0 = std::max(joint.lowest_rad, std::min(0.0, joint.highest_rad));
+    chain.portrait_rad.push_back(read_angle_or(table, "portrait", nearest_to_0));
+    chain.held_rad.push_back(read_angle_or(table, "held_at", nearest_to_0));
     table.refuse_unknown_keys();
     check_alone(table, joint, chain.portrait_rad.back(), chain.held_rad.back());
     chain.joints.push_back(std::move(joint));
   }
   return chain;
+}
+
+/// Nothing where neither end is stated.
+std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& joint) {
+  const auto has = [&](const std::string& name) {
+    return test.has(name + "_rad") || test.has(name + "_deg");
+  };
+  if (!has("lowest") && !has("highest")) return std::nullopt;
+  const AngleRange range{read_angle(test, "lowest"), read_angle(test, "highest")};
+  const auto refuse = [&](const char* end, double angle_rad, const std::string& expected) {
+    test.refuse(angle_key(test, end),
+                {"not usable", fmt::format("{:.6g}°", degrees(angle_rad)), expected, ""});
+  };
+  const std::string inside =
+      fmt::format("an angle inside the range of motion of joint {}, {:.6g}° to {:.6g}°",
+                  in_quotes(joint.name), degrees(joint.lowest_rad), degrees(joint.highest_rad));
+  const auto is_inside = [&](double angle_rad) {
+    return angle_rad >= joint.lowest_rad - angle_slack_rad &&
+           angle_rad <= joint.highest_rad + angle_slack_rad;
+  };
+  if (!is_inside(range.lowest_rad)) refuse("lowest", range.lowest_rad, inside);
+  if (!is_inside(range.highest_rad)) refuse("highest", range.highest_rad, inside);
+  if (!(range.lowest_rad < range.highest_rad)) {
+    refuse("highest", range.highest_rad,
+           fmt::format("more than the lowest, {:.6g}°", degrees(range.lowest_rad)));
+  }
+  return range;
 }
 
 GravityLoad read_load(const TomlTable& load) {
@@ -108,32 +163,49 @@ RobotDescription parse_robot(std::string_view text, const std::string& file) {
   const std::string name = top.text("name");
   const bool approximate = top.choice("dimensions", {"approximate", "exact"}) == 0;
   const Eigen::Vector3d flange = read_point(top, "flange_m");
+  refuse_millimetres(top, "flange_m", {flange});
   const std::vector<TomlTable> tables = top.tables("joints");
   if (tables.empty() || tables.size() > most_joints) {
     throw InputError({file, 0, 0}, {"the arm has " + std::to_string(tables.size()) + " joints", "",
                                     "1 to 64 tables [[joints]]", ""});
   }
   Chain chain = read_chain(tables);
-  SerialArm arm = guarded(tables.back(), "name",
-                          [&] { return SerialArm(name, std::move(chain.joints), flange); });
+  SerialArm arm =
+      guarded(top, "flange_m", [&] { return SerialArm(name, std::move(chain.joints), flange); });
 
-  const TomlTable test = top.table("under_test");
+  const TomlTable test = top.table("under_test", "[under_test] with the name of the tested joint");
   JointUnderTest::Setting setting;
   const std::string joint = test.text("joint");
   setting.joint = guarded(test, "joint", [&] { return arm.index_of(joint); });
-  setting.lowest_rad = read_angle(test, "lowest");
-  setting.highest_rad = read_angle(test, "highest");
-  test.refuse_unknown_keys();
   setting.held_rad = std::move(chain.held_rad);
-  setting.load = read_load(top.table("load"));
-  setting.surrogate_distance_m = 0.5;
+  RobotDescription robot{
+      guarded(test, "joint", [&] { return JointUnderTest(std::move(arm), std::move(setting)); }),
+      std::move(chain.portrait_rad),
+      approximate,
+      {},
+      {}};
+  robot.range = read_range(test, robot.under_test.joint());
+  test.refuse_unknown_keys();
+  if (const auto load = top.find_table("load")) robot.load = read_load(*load);
   if (const auto surrogate = top.find_table("surrogate")) {
-    setting.surrogate_distance_m = surrogate->number_or("distance_m", 0.5, Sign::positive);
+    robot.surrogate_distance_m =
+        surrogate->number_or("distance_m", robot.surrogate_distance_m, Sign::positive);
     surrogate->refuse_unknown_keys();
   }
   top.refuse_unknown_keys();
-  return {guarded(test, "joint", [&] { return JointUnderTest(std::move(arm), setting); }),
-          std::move(chain.portrait_rad), approximate};
+  return robot;
+}
+
+std::string read_description_name(const TomlTable& robot) {
+  if (!robot.has("description")) return {};
+  std::string name = robot.text("description");
+  const bool is_file = !name.empty() && name.find('\0') == std::string::npos;
+  if (!is_file) {
+    robot.refuse("description",
+                 {"is no name of a file", in_quotes(name), "the file that describes the arm",
+                  "examples/paper/am100ib.toml is one"});
+  }
+  return name;
 }
 
 RobotDescription read_robot(const std::string& path) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "error.h"
 #include "files/file_contents.h"
+#include "ingest/closest_match.h"
 #include "ingest/experiment_tables.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
+#include "ingest/robot_file.h"
 
 namespace tribolog {
 namespace {
@@ -18,6 +21,17 @@ constexpr double most_samples = 2e7;  ///< Of one recording; a gigabyte of memor
 std::string required_name(const TomlTable& table) {
   std::string name = table.text("name");
   if (name.empty()) table.refuse("name", {"is empty", "", "a name", ""});
+  return name;
+}
+
+/// The description is copied beside the recordings: its name must be none of theirs.
+std::string read_copied_description_name(const TomlTable& robot) {
+  std::string name = read_description_name(robot);
+  const std::filesystem::path file(name);
+  if (!name.empty() && (file.extension() != ".toml" || file.filename() == "dataset.toml")) {
+    robot.refuse("description", {"cannot be copied beside the recordings", in_quotes(name),
+                                 "a name that ends in .toml and is not dataset.toml", ""});
+  }
   return name;
 }
 
@@ -86,6 +100,7 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
   const TomlTable robot = top.table("robot");
   scenario.robot = required_name(robot);
   scenario.serial = robot.text_or("serial", "");
+  scenario.robot_description = read_copied_description_name(robot);
   robot.refuse_unknown_keys();
   read_joint(top.table("joint"), scenario);
   scenario.load = read_load(top.table("load"));
@@ -110,7 +125,14 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
 }
 
 Scenario read_scenario(const std::string& path) {
-  return parse_scenario(read_file(path, largest_scenario_bytes), path);
+  Scenario scenario = parse_scenario(read_file(path, largest_scenario_bytes), path);
+  if (!scenario.robot_description.empty()) {
+    const std::filesystem::path file =
+        std::filesystem::path(path).parent_path() / scenario.robot_description;
+    scenario.robot_description_text = read_file(file.string(), largest_robot_bytes);
+    (void)parse_robot(scenario.robot_description_text, file.string());
+  }
+  return scenario;
 }
 
 }  // namespace tribolog

@@ -4,6 +4,7 @@
 //
 //   schema = "tribolog-scenario-1", name
 //   [robot]       name; serial (optional)
+//                 description (file of the arm, relative to the scenario; robot_file.h; optional)
 //   [joint]       name, gear_ratio, motor_inertia_kgm2, arm_inertia_kgm2
 //   [load]        mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81
 //   [surrogate]   distance_m = 0.5 (optional)
@@ -38,7 +39,8 @@ namespace tribolog {
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
 Scenario read_scenario(const std::string& path);
 
-/// The same from a text. @param file its name, for messages.
+/// The same from a text; the robot's description is named but not read.
+/// @param file its name, for messages.
 Scenario parse_scenario(std::string_view text, const std::string& file);
 
 }  // namespace tribolog

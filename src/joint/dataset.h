@@ -13,10 +13,12 @@
 
 namespace tribolog {
 
+struct RobotDescription;
+
 /// An input file as it was read; goes into the provenance.
 struct InputFile {
   std::string name;  ///< As written in the manifest (no directory of the machine).
-  std::string role;  ///< "manifest" or the recording's role.
+  std::string role;  ///< "manifest", "robot" or the recording's role.
   std::uint64_t bytes{};
   std::string sha256;  ///< 64 hex digits.
   std::size_t rows_read{};
@@ -29,6 +31,7 @@ struct Manifest {
   std::string robot;
   std::string serial;
   std::string joint;
+  std::string robot_description;  ///< File, relative to the manifest; empty: none.
   std::string operator_name;
   std::string measured_on;  ///< Free text or ISO date, as given.
   std::string note;
@@ -44,8 +47,9 @@ struct Manifest {
 struct Dataset {
   Manifest manifest;
   std::vector<Recording> recordings;  ///< In the manifest's order.
-  std::vector<InputFile> inputs;      ///< The manifest first, then one per recording's file.
+  std::vector<InputFile> inputs;      ///< The manifest, the robot's description, one per recording.
   std::vector<std::string> notes;     ///< What the reader noticed and the user should know.
+  std::shared_ptr<const RobotDescription> robot;  ///< For drawings; null where none is stated.
 
   [[nodiscard]] std::vector<const Recording*> with_role(Role role) const;
 };

@@ -8,14 +8,31 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
-
 namespace tribolog {
 namespace {
 
-constexpr double largest_tilt_rad = 1e-6;  // of an axis that is horizontal but for rounding
+constexpr double largest_tilt_rad = 1e-6;   // of an axis that is horizontal but for rounding
+constexpr double shortest_line_m = 1e-9;    // of a flange that is on the axis but for rounding
+constexpr double on_the_axis_share = 1e-6;  // of a frame's axis that is the joint's but for it
 
-double degrees(double rad) { return rad * 180 / std::numbers::pi; }
+/// The link's own line in its frame; nothing where the flange lies on the joint's axis.
+Eigen::Vector3d line_in_frame(const SerialArm& arm, std::size_t joint) {
+  Eigen::Vector3d flange = arm.tool_m();
+  for (std::size_t i = joint + 1; i < arm.size(); ++i) flange += arm.joints()[i].offset_m;
+  const Eigen::Vector3d& axis = arm.joints()[joint].axis;
+  double farthest_m = shortest_line_m;
+  Eigen::Vector3d line = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Vector3d way = Eigen::Vector3d::Unit(i) - axis(i) * axis;
+    if (way.norm() < on_the_axis_share) continue;
+    way.normalize();
+    const double along_m = way.dot(flange);
+    if (std::abs(along_m) <= farthest_m) continue;
+    farthest_m = std::abs(along_m);
+    line = along_m > 0 ? way : Eigen::Vector3d(-way);
+  }
+  return line;
+}
 
 }  // namespace
 
@@ -25,63 +42,56 @@ JointUnderTest::JointUnderTest(SerialArm arm, Setting setting)
     throw std::invalid_argument(
         fmt::format("joint {} is not there; the arm has {}", setting_.joint + 1, arm_.size()));
   }
-  const ArmJoint& joint = arm_.joints()[setting_.joint];
-  if (!(setting_.lowest_rad < setting_.highest_rad)) {
-    throw std::invalid_argument(fmt::format("the range under test from {:.6g}° to {:.6g}° is empty",
-                                            degrees(setting_.lowest_rad),
-                                            degrees(setting_.highest_rad)));
-  }
-  require_positive(setting_.surrogate_distance_m, "distance of the surrogate mass", "m");
-  static_cast<void>(pose(setting_.lowest_rad));
-  static_cast<void>(pose(setting_.highest_rad));
-  const double tilt = std::asin(std::clamp(axis().z(), -1.0, 1.0));
+  within_rad_ = std::clamp(0.0, joint().lowest_rad, joint().highest_rad);
+  std::vector<double> angles = setting_.held_rad;
+  if (setting_.joint < angles.size()) angles[setting_.joint] = within_rad_;
+  const ArmPose held = arm_.pose(angles);
+  place_m_ = held.frames[setting_.joint].translation();
+  axis_ = arm_.axis(held, setting_.joint);
+  const double tilt = std::asin(std::clamp(axis_.z(), -1.0, 1.0));
   if (std::abs(tilt) > largest_tilt_rad) {
     throw std::invalid_argument(
         fmt::format("the axis of joint '{}' is tilted by {:.3g}° in this "
                     "pose; it must be horizontal",
-                    joint.name, degrees(tilt)));
+                    joint().name, tilt * 180 / std::numbers::pi));
   }
+  const Eigen::Vector3d line =
+      pose(0).frames[setting_.joint].linear() * line_in_frame(arm_, setting_.joint);
+  if (line.norm() > 0) line_above_level_rad_ = std::atan2(line.z(), line.dot(level()));
 }
 
 ArmPose JointUnderTest::pose(double q_rad) const {
   std::vector<double> angles = setting_.held_rad;
-  if (setting_.joint < angles.size()) angles[setting_.joint] = q_rad;
-  return arm_.pose(angles);
-}
-
-Eigen::Vector3d JointUnderTest::place_m() const {
-  return pose(setting_.lowest_rad).frames[setting_.joint].translation();
-}
-
-Eigen::Vector3d JointUnderTest::axis() const {
-  return arm_.axis(pose(setting_.lowest_rad), setting_.joint);
+  angles[setting_.joint] = within_rad_;
+  ArmPose out = arm_.pose(angles);
+  const Eigen::Isometry3d turn = Eigen::Translation3d(place_m_) *
+                                 Eigen::AngleAxisd(q_rad - within_rad_, axis_) *
+                                 Eigen::Translation3d(-place_m_);
+  for (std::size_t i = setting_.joint; i < out.frames.size(); ++i) {
+    out.frames[i] = turn * out.frames[i];
+  }
+  out.tool_m = turn * out.tool_m;
+  out.tool_frame = turn * out.tool_frame;
+  return out;
 }
 
 Eigen::Vector3d JointUnderTest::level() const {
   // Turning on from here, about the axis, leads upwards.
-  return Eigen::Vector3d::UnitZ().cross(axis()).normalized();
+  return Eigen::Vector3d::UnitZ().cross(axis_).normalized();
 }
 
-Eigen::Vector3d JointUnderTest::towards_mass(double q_rad) const {
-  return Eigen::AngleAxisd(q_rad - load().q_peak_rad(), axis()) * level();
+Eigen::Vector3d JointUnderTest::above_level(double angle_rad) const {
+  return Eigen::AngleAxisd(angle_rad, axis_) * level();
 }
 
-Eigen::Vector3d JointUnderTest::mass_centre_m(double q_rad) const {
-  return place_m() + load().distance_m() * towards_mass(q_rad);
+Eigen::Vector3d JointUnderTest::towards_mass(double q_rad, double q_peak_rad) const {
+  return above_level(q_rad - q_peak_rad);
 }
 
-Eigen::Vector3d JointUnderTest::surrogate_centre_m(double q_rad) const {
-  return place_m() + setting_.surrogate_distance_m * towards_mass(q_rad);
-}
-
-double JointUnderTest::surrogate_mass_kg() const {
-  return load().mass_kg() * load().distance_m() / setting_.surrogate_distance_m;
-}
-
-double JointUnderTest::holding_torque_Nm(double q_rad) const {
-  const Eigen::Vector3d lever = mass_centre_m(q_rad) - place_m();
-  const Eigen::Vector3d weight(0, 0, -load().mass_kg() * load().gravity_m_s2());
-  return -lever.cross(weight).dot(axis());
+double JointUnderTest::holding_torque_Nm(double q_rad, const GravityLoad& load) const {
+  const Eigen::Vector3d lever = load.distance_m() * towards_mass(q_rad, load.q_peak_rad());
+  const Eigen::Vector3d weight(0, 0, -load.mass_kg() * load.gravity_m_s2());
+  return -lever.cross(weight).dot(axis_);
 }
 
 }  // namespace tribolog

@@ -1,6 +1,5 @@
 #pragma once
-// The joint that is identified, and what it carries: the mass centre of all links it moves, and the
-// surrogate mass that asks the same torque.
+// The joint that is identified, and where gravity and the line of its link point.
 
 #include <cstddef>
 #include <vector>
@@ -16,43 +15,44 @@ class JointUnderTest {
   struct Setting {
     std::size_t joint{};           ///< Index of the driven joint.
     std::vector<double> held_rad;  ///< Angle of every joint; that of the driven one is not used.
-    double lowest_rad{};           ///< Range of motion during the test.
-    double highest_rad{};
-    double surrogate_distance_m{};    ///< r_REPL > 0
-    GravityLoad load{1.0, 1.0, 0.0};  ///< m, r and q_peak of the driven links.
   };
 
   /// @throw std::invalid_argument if the joint does not exist, its axis is not horizontal in the
-  /// pose it is held in (gravity torque would not follow the cosine of its angle alone), the range
-  /// is empty or leaves the joint's own, the surrogate distance is not positive, or an angle is
-  /// outside its range.
+  /// pose it is held in (gravity torque would not follow the cosine of its angle alone), there is
+  /// not one held angle for each joint, or one of another joint is outside its range.
   JointUnderTest(SerialArm arm, Setting setting);
 
   [[nodiscard]] const SerialArm& arm() const { return arm_; }
   [[nodiscard]] const Setting& setting() const { return setting_; }
-  [[nodiscard]] const GravityLoad& load() const { return setting_.load; }
+  [[nodiscard]] const ArmJoint& joint() const { return arm_.joints()[setting_.joint]; }
 
-  /// The arm with the driven joint at `q_rad`. @throw std::invalid_argument outside its range.
+  /// The arm with the driven joint at `q_rad`, also beyond its range of motion: a log says where
+  /// the joint was.
   [[nodiscard]] ArmPose pose(double q_rad) const;
   /// The driven joint's place and its axis, which no motion under test changes; base's frame.
-  [[nodiscard]] Eigen::Vector3d place_m() const;
-  [[nodiscard]] Eigen::Vector3d axis() const;
-  /// Horizontal, at a right angle to the axis: where a link at angle 0 points from which q counts.
+  [[nodiscard]] const Eigen::Vector3d& place_m() const { return place_m_; }
+  [[nodiscard]] const Eigen::Vector3d& axis() const { return axis_; }
+  /// Horizontal, at a right angle to the axis, on the side where positive turns raise: there
+  /// gravity asks the largest torque. Unit vector.
   [[nodiscard]] Eigen::Vector3d level() const;
-  /// From the joint's axis towards the mass centre: q - q_peak above the level. Unit vector.
-  [[nodiscard]] Eigen::Vector3d towards_mass(double q_rad) const;
-  /// Mass centre of the driven links, r from the axis.
-  [[nodiscard]] Eigen::Vector3d mass_centre_m(double q_rad) const;
-  /// Place of the surrogate mass, r_REPL from the axis in the same direction.
-  [[nodiscard]] Eigen::Vector3d surrogate_centre_m(double q_rad) const;
-  /// m r / r_REPL: same torque at every angle.
-  [[nodiscard]] double surrogate_mass_kg() const;
-  /// Torque about the axis that holds the mass, from the lever and the weight in space [N·m].
-  [[nodiscard]] double holding_torque_Nm(double q_rad) const;
+  /// Unit vector that is turned up from the level by an angle, about the axis.
+  [[nodiscard]] Eigen::Vector3d above_level(double angle_rad) const;
+  /// From the axis towards the mass centre: q - q_peak above the level. Unit vector.
+  [[nodiscard]] Eigen::Vector3d towards_mass(double q_rad, double q_peak_rad) const;
+  /// Torque about the axis that holds a load, from its lever and its weight in space [N·m].
+  [[nodiscard]] double holding_torque_Nm(double q_rad, const GravityLoad& load) const;
+  /// Angle above the level of the driven link's own line where the joint stands at 0 [rad], from
+  /// -pi to pi. The line is that axis of the link's frame (x, y or z, forwards or backwards) along
+  /// which the flange lies farthest in the zero pose; 0 where the flange lies on the joint's axis.
+  [[nodiscard]] double line_above_level_rad() const { return line_above_level_rad_; }
 
  private:
   SerialArm arm_;
   Setting setting_;
+  double within_rad_{};  ///< An angle inside the driven joint's range.
+  Eigen::Vector3d place_m_;
+  Eigen::Vector3d axis_;
+  double line_above_level_rad_{};
 };
 
 }  // namespace tribolog

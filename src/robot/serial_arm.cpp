@@ -63,6 +63,16 @@ SerialArm::SerialArm(std::string name, std::vector<ArmJoint> joints, Eigen::Vect
       if (joints_[k].name == joints_[i].name) refuse(joints_[i], "the name is given twice");
     }
   }
+  if (!(length_m() > 0)) {
+    throw std::invalid_argument(
+        "all joints and the flange lie in one point; the arm needs a length");
+  }
+}
+
+double SerialArm::length_m() const {
+  double sum = tool_m_.norm();
+  for (const ArmJoint& joint : joints_) sum += joint.offset_m.norm();
+  return sum;
 }
 
 std::size_t SerialArm::index_of(const std::string& joint) const {

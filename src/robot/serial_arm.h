@@ -43,7 +43,7 @@ class SerialArm {
   /// @param tool_m flange, in the frame of the last joint
   /// @throw std::invalid_argument quoting the joint, the value and the rule: no joint, an axis
   /// without direction, numbers that are not finite, an empty range of motion, a size that is not
-  /// positive, a name given twice.
+  /// positive, a name given twice, all joints and the flange in one point.
   SerialArm(std::string name, std::vector<ArmJoint> joints, Eigen::Vector3d tool_m);
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -51,6 +51,8 @@ class SerialArm {
   [[nodiscard]] const std::vector<ArmJoint>& joints() const { return joints_; }
   [[nodiscard]] const Eigen::Vector3d& tool_m() const { return tool_m_; }
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
+  /// All lengths of the chain laid end to end, > 0: a scale for what stands around the arm.
+  [[nodiscard]] double length_m() const;
   /// @throw std::invalid_argument naming the joints that there are.
   [[nodiscard]] std::size_t index_of(const std::string& joint) const;
 

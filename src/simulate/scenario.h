@@ -64,6 +64,8 @@ struct Scenario {
   std::string name;
   std::string robot;
   std::string serial;
+  std::string robot_description;       ///< File that the scenario names; empty: none.
+  std::string robot_description_text;  ///< What it holds, where the scenario was read from a file.
   std::string joint;
   double gear_ratio{1.0};       ///< n > 0
   double motor_inertia_kgm2{};  ///< J of motor and gear, at the motor shaft, >= 0.

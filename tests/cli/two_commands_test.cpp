@@ -21,7 +21,7 @@ TEST(MainJob, FromScenarioToReport) {
       run_shell(program + "simulate '" + example("scenario.toml") + "' -o '" + out + "'");
   ASSERT_EQ(simulated.status, 0) << simulated.err;
   for (const char* file : {"dataset.toml", "truth.json", "rough_sweep.csv", "precise_sweep.csv",
-                           "oscillation.csv", "constant_speed_20.csv"}) {
+                           "oscillation.csv", "constant_speed_20.csv", "am100ib.toml"}) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   }
   const ProgramRun report =
@@ -30,13 +30,19 @@ TEST(MainJob, FromScenarioToReport) {
   EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
   EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
   const std::string html = read_text(out + "/report.html");
-  // Figures 11 and 13 to 22.
+  // Figures 9 to 22.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
        ++at) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 11U);
+  EXPECT_EQ(pictures, 14U);
+  EXPECT_EQ(html.find("Other figures"), std::string::npos) << "each has its section";
+  const std::size_t precise = html.find("id=\"stage-2\"");
+  for (const char* id : {"fig-09-robot", "fig-10-phenomenological-model", "fig-11-rough-motion",
+                         "fig-12-range-of-motion", "fig-13-rough-torque"}) {
+    EXPECT_LT(html.find(std::string("id=\"") + id + "\""), precise) << id;
+  }
   EXPECT_LT(html.size(), 10'000'000U);
 
   const ProgramRun figures =
@@ -47,7 +53,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 11U);
+  EXPECT_EQ(files, 14U);
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {

@@ -116,5 +116,13 @@ TEST(DatasetToml, KeepsHostileTextsAsTexts) {
   EXPECT_EQ(m.manifest.joint, s.joint);
 }
 
+TEST(DatasetToml, NamesTheDescriptionThatStandsBesideIt) {
+  Scenario s = named_scenario();
+  const auto recordings = {recording("a.csv", Role::rough_sweep, true, false)};
+  EXPECT_EQ(written_and_read(s, recordings).manifest.robot_description, "");
+  s.robot_description = std::string("../arms/a \"b\".toml");
+  EXPECT_EQ(written_and_read(s, recordings).manifest.robot_description, "a \"b\".toml");
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/robot_description.h"
+
 #include "error.h"
 #include "files/temporary_directory.h"
 #include "ingest/dataset_file.h"
@@ -41,6 +43,9 @@ TEST_P(WriteSimulation, ComesBackBitForBit) {
   }
   EXPECT_TRUE(d.notes.empty());
   EXPECT_TRUE(std::filesystem::exists(directory.path("out/simulated/truth.json")));
+  EXPECT_EQ(directory.contents("out/simulated/am100ib.toml"), scenario.robot_description_text);
+  ASSERT_NE(d.robot, nullptr);
+  EXPECT_EQ(d.robot->under_test.joint().name, scenario.joint);
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, WriteSimulation,

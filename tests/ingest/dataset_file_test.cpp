@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "robot/robot_description.h"
+
 #include "error.h"
 #include "files/sha256.h"
 #include "files/temporary_directory.h"
@@ -71,6 +73,76 @@ TEST(ReadDataset, TakesRunningTwiceForTheSame) {
   (void)directory.file("a.csv", log(50));
   const std::string path = directory.file("d.toml", manifest(recording("oscillation", "a.csv")));
   EXPECT_EQ(read_dataset(path).recordings[0].torque_Nm, read_dataset(path).recordings[0].torque_Nm);
+}
+
+std::string arm(const std::string& joint) {
+  return fmt::format(
+      "schema = \"tribolog-robot-1\"\nname = \"A\"\ndimensions = \"exact\"\n"
+      "flange_m = [0.5, 0, 0]\n[[joints]]\nname = \"{}\"\naxis = [0, -1, 0]\n"
+      "offset_m = [0, 0, 1]\nlowest_deg = -90\nhighest_deg = 90\n[under_test]\njoint = \"{}\"\n",
+      joint, joint);
+}
+
+std::string manifest_with_arm(const std::string& file) {
+  std::string text = manifest(recording("oscillation", "a.csv"));
+  const std::string name = "name = \"R\"\n";
+  return text.insert(text.find(name) + name.size(), "description = \"" + file + "\"\n");
+}
+
+TEST(ReadDataset, ReadsTheRobotsDescriptionAndKeepsItsFingerprint) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.path("arms"));
+  (void)directory.file("arms/a.toml", arm("J"));
+  (void)directory.file("a.csv", log(50));
+  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arms/a.toml")));
+  ASSERT_NE(d.robot, nullptr);
+  EXPECT_EQ(d.robot->under_test.joint().name, "J");
+  ASSERT_EQ(d.inputs.size(), 3U);
+  EXPECT_EQ(d.inputs[1].name, "arms/a.toml");
+  EXPECT_EQ(d.inputs[1].role, "robot");
+  EXPECT_EQ(d.inputs[1].bytes, arm("J").size());
+  EXPECT_EQ(d.inputs[1].sha256, sha256_hex(arm("J")));
+  EXPECT_TRUE(d.notes.empty());
+  (void)directory.file("plain.toml", manifest(recording("oscillation", "a.csv")));
+  EXPECT_EQ(read_dataset(directory.path("plain.toml")).robot, nullptr);
+}
+
+TEST(ReadDataset, RefusesADescriptionThatIsMissingOrWrong) {
+  const TemporaryDirectory directory;
+  (void)directory.file("a.csv", log(50));
+  const std::string path = directory.file("d.toml", manifest_with_arm("arm.toml"));
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+            directory.path("arm.toml") + ": cannot open: No such file or directory");
+  std::string tilted = arm("J");
+  tilted.replace(tilted.find("[0, -1, 0]"), 10, "[0, 0, 1]");
+  (void)directory.file("arm.toml", tilted);
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+            directory.path("arm.toml") +
+                ":12:9: key 'under_test.joint': the axis of joint 'J' is tilted by 90° in this "
+                "pose; it must be horizontal");
+}
+
+TEST(ReadDataset, NotesADescriptionOfAnotherJoint) {
+  const TemporaryDirectory directory;
+  (void)directory.file("a.csv", log(50));
+  (void)directory.file("arm.toml", arm("3"));
+  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
+  EXPECT_EQ(d.notes, (std::vector<std::string>{
+                         "arm.toml describes the test of joint '3', the manifest is of joint 'J': "
+                         "the drawings of the robot show the former"}));
+}
+
+TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
+  const TemporaryDirectory directory;
+  std::string far = log(50);
+  far.replace(far.find("0.1,7\n"), 3, "1.7");
+  (void)directory.file("a.csv", far);
+  (void)directory.file("arm.toml", arm("J"));
+  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
+  EXPECT_EQ(d.notes, (std::vector<std::string>{
+                         "the logs reach 97.4°, outside the range of motion of joint 'J' in "
+                         "arm.toml, -90° to 90°: do both count the angle from the same zero and "
+                         "with the same sign?"}));
 }
 
 }  // namespace

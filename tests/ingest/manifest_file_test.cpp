@@ -59,6 +59,7 @@ TEST(Manifest, FullOneIsReadWhole) {
 [robot]
 name = "Größe <b>"
 serial = "S1"
+description = "arms/one.toml"
 operator = "O"
 measured_on = "2026-11-21"
 note = "N"
@@ -103,6 +104,7 @@ columns = {angle = {name = "q1", unit = "rad"}}
                                         "m.toml");
   EXPECT_EQ(m.manifest.robot, "Größe <b>");
   EXPECT_EQ(m.manifest.serial, "S1");
+  EXPECT_EQ(m.manifest.robot_description, "arms/one.toml");
   EXPECT_EQ(m.manifest.operator_name, "O");
   EXPECT_EQ(m.manifest.measured_on, "2026-11-21");
   EXPECT_EQ(m.manifest.note, "N");
@@ -237,6 +239,20 @@ TEST(Manifest, KnownCurveIsOneOfAnyModel) {
 
 TEST(Manifest, RefusesTextThatIsNotUtf8) {
   EXPECT_EQ(refusal(with("\"R\"", "\"\xff\"")).substr(0, 9), "m.toml:3:");
+}
+
+TEST(Manifest, RefusesADescriptionThatIsNoFile) {
+  const auto described = [](const std::string& value) {
+    return with("name = \"R\"", "name = \"R\"\ndescription = " + value);
+  };
+  EXPECT_EQ(
+      refusal(described("\"\"")),
+      "m.toml:4:15: key 'robot.description': is no name of a file, found '', expected the file "
+      "that describes the arm; hint: examples/paper/am100ib.toml is one");
+  EXPECT_NE(refusal(described("\"a\\u0000b.toml\"")).find("m.toml:4:15: key 'robot.description'"),
+            std::string::npos);
+  EXPECT_NE(refusal(described("7")).find("m.toml:4:15: key 'robot.description': wrong type"),
+            std::string::npos);
 }
 
 }  // namespace

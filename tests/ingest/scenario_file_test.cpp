@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "error.h"
@@ -160,6 +161,35 @@ TEST(ScenarioFile, RefusesUnknownKeysAndNothingToDo) {
   EXPECT_EQ(refusal(text.substr(0, text.find("[rough_sweep]"))),
             "s.toml: no experiment is stated, expected [rough_sweep], [precise_sweep], "
             "[oscillation] or [constant_speed]");
+}
+
+TEST(ScenarioDescription, IsReadFromBesideTheScenario) {
+  for (const char* name : {"scenario.toml", "scenario_noise.toml", "scenario_ripple.toml"}) {
+    const Scenario s = read_scenario(example(name));
+    EXPECT_EQ(s.robot_description, "am100ib.toml");
+    EXPECT_EQ(s.robot_description_text, read_file(example("am100ib.toml")));
+  }
+}
+
+TEST(ScenarioDescription, IsRefusedWhereItIsMissingWrongOrInTheWay) {
+  const std::string key = "\"am100ib.toml\"";
+  for (const std::string name : {"dataset.toml", "../arm/dataset.toml", "rough_sweep.csv", "arm"}) {
+    const std::string said = refusal_without_line(with(key, fmt::format("\"{}\"", name)));
+    EXPECT_EQ(said.find(fmt::format("key 'robot.description': cannot be copied beside the "
+                                    "recordings, found '{}'",
+                                    name)),
+              0U)
+        << said;
+  }
+  const test::TemporaryDirectory directory;
+  const std::string path = directory.file("s.toml", with(key, "\"arm.toml\""));
+  const auto said = [&] {
+    return test::refusal_of<InputError>([&] { return read_scenario(path); });
+  };
+  EXPECT_EQ(said(), directory.path("arm.toml") + ": cannot open: No such file or directory");
+  (void)directory.file("arm.toml", "schema = \"tribolog-robot-1\"\n");
+  EXPECT_NE(said().find("arm.toml"), std::string::npos);
+  EXPECT_NE(said().find("'name' is missing"), std::string::npos) << said();
 }
 
 }  // namespace

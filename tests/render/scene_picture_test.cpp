@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +14,7 @@
 #include "render/layout/figure_layout.h"
 #include "render/paint/painter.h"
 #include "render/renderer.h"
+#include "render/workers/drawing_worker.h"
 
 namespace tribolog::render {
 namespace {
@@ -61,6 +66,15 @@ TEST(ScenePicture, AndChartsDoNotChangeEachOther) {
   EXPECT_EQ(drawn(examples::scene(30)).png, mixed[3].png);
 }
 
+TEST(ScenePicture, IsTheSameHoweverTheProcessesWerePrepared) {
+  const Figure scene = examples::scene(30);
+  for (const Figure& figure : {scene, examples::hysteresis()}) {
+    const auto prepared = FigureRenderer(1, Prepared::charts_and_scenes).draw({figure}).at(0);
+    EXPECT_EQ(prepared.error, "");
+    EXPECT_EQ(prepared.png, drawn(figure).png);
+  }
+}
+
 // In a process of its own, as every use of the graphics stack.
 TEST(ScenePicture, DoesNotDependOnItsStrips) {
   const auto compare = [] {
@@ -91,10 +105,33 @@ TEST(ScenePicture, DoesNotDependOnItsStrips) {
   EXPECT_EXIT(compare(), testing::ExitedWithCode(0), "");
 }
 
-TEST(ScenePicture, IsRefusedWhereALabelledPartIsHidden) {
+// Only a process with one thread can be forked once it is prepared.
+TEST(ScenePicture, LeavesItsProcessWithOneThread) {
+  const auto draw = [] {
+    DrawingWorker worker;
+    worker.warm_up(Prepared::charts_and_scenes);
+    const bool drawn = worker.draw(examples::scene(30)).error.empty();
+    const std::filesystem::directory_iterator threads("/proc/self/task");
+    const auto count = std::distance(begin(threads), end(threads));
+    if (!drawn || count != 1) {
+      std::fprintf(stderr, "%s, %td threads\n", drawn ? "drawn" : "not drawn", count);
+      std::_Exit(1);
+    }
+    std::_Exit(0);
+  };
+  const std::string stack = renderer_info().back_end;
+  if (stack.find("OSMesa") == std::string::npos) GTEST_SKIP() << stack << " has its own threads";
+  EXPECT_EXIT(draw(), testing::ExitedWithCode(0), "");
+}
+
+TEST(ScenePicture, IsWarnedAboutWhereALabelledPartIsHidden) {
   Figure figure = examples::scene();
   figure.scene->balls[0].inside = false;
-  EXPECT_EQ(drawn(figure).error, "the part 'm_{3}' is hidden, or outside of the picture");
+  const DrawnFigure hidden = drawn(figure);
+  EXPECT_EQ(hidden.error, "");
+  EXPECT_EQ(hidden.warnings,
+            (std::vector<std::string>{
+                "the part 'm_{3}' is hidden by others, or outside of the picture"}));
 }
 
 TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {

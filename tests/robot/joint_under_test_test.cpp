@@ -7,84 +7,105 @@
 #include <gtest/gtest.h>
 
 #include "ingest/robot_file.h"
+#include "joint/gravity_load.h"
 
 namespace tribolog {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double rounding = 1e-12;  // a dozen products of numbers of size one
 
-JointUnderTest example() {
-  return read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml").under_test;
+RobotDescription example() {
+  return read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
 }
 
-JointUnderTest::Setting changed() { return example().setting(); }
-
-TEST(JointUnderTest, HasItsMassCentreLevelAtThePeakOfGravity) {
-  const JointUnderTest test = example();
-  const double q_peak = test.load().q_peak_rad();
-  const Eigen::Vector3d arm = test.mass_centre_m(q_peak) - test.place_m();
-  EXPECT_NEAR(arm.z(), 0.0, 1e-12);
-  EXPECT_NEAR(arm.norm(), 0.4, 1e-12);
-  EXPECT_NEAR(arm.x(), 0.4, 1e-12) << "in front of the joint";
-  const double largest = test.holding_torque_Nm(q_peak);
-  for (double q = test.setting().lowest_rad; q < test.setting().highest_rad; q += 0.01) {
-    EXPECT_LE(test.holding_torque_Nm(q), largest);
-  }
+/// Links of 0.5 m and 0.35 m on a post, upright at 0, turning about x.
+JointUnderTest planar_arm() {
+  return read_robot(TRIBOLOG_SOURCE_DIR "/tests/data/planar_arm.toml").under_test;
 }
+
+constexpr double angles[] = {-1.3, -0.4, 0.2, 1.0};
 
 // The lever and the weight in space against m g r cos(q - q_peak).
-TEST(JointUnderTest, AsksTheTorqueOfItsGravityLoad) {
-  const JointUnderTest test = example();
-  for (double q = test.setting().lowest_rad; q < test.setting().highest_rad; q += 0.05) {
-    EXPECT_NEAR(test.holding_torque_Nm(q), test.load().torque_Nm(q), 1e-9);
+TEST(JointUnderTest, PutsTheMassWhereItAsksTheTorqueOfItsGravityLoad) {
+  for (const JointUnderTest& test : {example().under_test, planar_arm()}) {
+    const GravityLoad load(30, 0.4, -0.388);
+    for (const double q : angles) {
+      EXPECT_NEAR(test.holding_torque_Nm(q, load), load.torque_Nm(q), 1e-9);
+    }
+    EXPECT_NEAR(test.towards_mass(load.q_peak_rad(), load.q_peak_rad()).z(), 0.0, rounding);
   }
 }
 
 TEST(JointUnderTest, KeepsTheMassCentreInItsLink) {
-  const JointUnderTest test = example();
-  const std::size_t joint = test.setting().joint;
-  const Eigen::Vector3d in_link = test.pose(0).frames[joint].inverse() * test.mass_centre_m(0);
-  EXPECT_NEAR(std::atan2(in_link.z(), in_link.x()), -test.load().q_peak_rad(), 1e-12);
-  for (const double q : {-1.3, -0.4, 0.2, 1.0}) {
-    const Eigen::Vector3d again = test.pose(q).frames[joint].inverse() * test.mass_centre_m(q);
-    EXPECT_LT((again - in_link).norm(), 1e-12);
+  for (const JointUnderTest& test : {example().under_test, planar_arm()}) {
+    const auto in_link = [&](double q) -> Eigen::Vector3d {
+      return test.pose(q).frames[test.setting().joint].linear().transpose() *
+             test.towards_mass(q, 0.3);
+    };
+    for (const double q : angles) EXPECT_LT((in_link(q) - in_link(0)).norm(), rounding);
   }
 }
 
-TEST(JointUnderTest, GivesTheSurrogateMassTheSameTorque) {
-  const JointUnderTest test = example();
-  EXPECT_NEAR(test.surrogate_mass_kg(), 79.1679, 5e-5);
-  for (const double q : {-1.3, -0.4, 0.2, 1.0}) {
-    const double lever = test.surrogate_centre_m(q).x() - test.place_m().x();
-    EXPECT_NEAR(test.surrogate_mass_kg() * test.load().gravity_m_s2() * lever,
-                test.holding_torque_Nm(q), 1e-9);
+TEST(JointUnderTest, FindsTheLineFromWhichTheLinkCounts) {
+  const JointUnderTest paper = example().under_test;
+  EXPECT_NEAR(paper.line_above_level_rad(), 0.0, rounding) << "the forearm is level at 0";
+  EXPECT_NEAR(paper.level().x(), 1.0, rounding) << "in front of the joint";
+  // Upright at 0; a positive turn about x leads from y upwards, so that y is the level.
+  const JointUnderTest planar = planar_arm();
+  EXPECT_NEAR(planar.line_above_level_rad(), pi / 2, rounding);
+  EXPECT_NEAR(planar.level().y(), 1.0, rounding);
+  for (const double q : angles) {
+    const Eigen::Vector3d flange = planar.pose(q).tool_m - planar.place_m();
+    const Eigen::Vector3d line = planar.above_level(planar.line_above_level_rad() + q);
+    EXPECT_LT((flange - 0.85 * line).norm(), rounding);
   }
-  // Twice as far, half the mass.
-  JointUnderTest::Setting far = changed();
-  far.surrogate_distance_m *= 2;
-  EXPECT_NEAR(JointUnderTest(test.arm(), far).surrogate_mass_kg(), test.surrogate_mass_kg() / 2,
-              1e-12);
 }
 
-TEST(JointUnderTest, RefusesATiltedAxisAndAnEmptyRange) {
-  const SerialArm arm = example().arm();
-  JointUnderTest::Setting bad = changed();
-  bad.joint = 0;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
-  bad = changed();
-  bad.joint = 6;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
-  bad = changed();
-  bad.lowest_rad = bad.highest_rad;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
-  bad = changed();
-  bad.highest_rad = 2 * pi;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
-  bad = changed();
-  bad.surrogate_distance_m = 0;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
-  bad = changed();
+// The second joint of the example carries the third: held elsewhere, the forearm is so at 0 too.
+TEST(JointUnderTest, TurnsTheLineWithTheJointsBefore) {
+  JointUnderTest::Setting setting = example().under_test.setting();
+  setting.held_rad[1] = 0.3;  // forwards, down
+  const JointUnderTest leaning(example().under_test.arm(), setting);
+  EXPECT_NEAR(leaning.line_above_level_rad(), -0.3, rounding);
+}
+
+TEST(JointUnderTest, HasALevelLineWhereTheFlangeIsOnItsAxis) {
+  ArmJoint joint;
+  joint.name = "spin";
+  joint.axis = {0, -1, 0};
+  joint.lowest_rad = -1;
+  joint.highest_rad = 1;
+  const JointUnderTest test(SerialArm("one", {joint}, {0, 0.2, 0}), {0, {0.0}});
+  EXPECT_EQ(test.line_above_level_rad(), 0.0);
+}
+
+TEST(JointUnderTest, TurnsBeyondItsRangeLikeWithinIt) {
+  const JointUnderTest test = planar_arm();
+  const double highest = test.joint().highest_rad;
+  const ArmPose within = test.pose(highest);
+  const ArmPose chain = test.arm().pose({highest, 0});
+  EXPECT_LT((within.tool_m - chain.tool_m).norm(), rounding);
+  EXPECT_LT((within.frames[1].matrix() - chain.frames[1].matrix()).norm(), rounding);
+  const ArmPose beyond = test.pose(highest + 0.5);
+  const Eigen::Vector3d before = within.tool_m - test.place_m();
+  const Eigen::Vector3d after = beyond.tool_m - test.place_m();
+  EXPECT_NEAR(before.dot(after), 0.85 * 0.85 * std::cos(0.5), rounding);
+}
+
+TEST(JointUnderTest, RefusesATiltedAxisAndAMissingJoint) {
+  const SerialArm arm = example().under_test.arm();
+  const JointUnderTest::Setting good = example().under_test.setting();
+  for (const std::size_t joint : {0U, 6U}) {
+    JointUnderTest::Setting bad = good;
+    bad.joint = joint;
+    EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument) << joint;
+  }
+  JointUnderTest::Setting bad = good;
   bad.held_rad.pop_back();
+  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
+  bad = good;
+  bad.held_rad[0] = 2 * pi;
   EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
 }
 

@@ -79,7 +79,8 @@ TEST(SceneFigures, PointAxesTheRightWay) {
 
 TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
   const RobotDescription robot = example();
-  const auto model = mass_model_figure(robot);
+  const auto figures = scene_figures(robot);
+  const auto& model = figures.at(1);
   const auto& balls = model.figure.scene->balls;
   ASSERT_EQ(balls.size(), 2U);
   const Eigen::Vector3d joint = robot.under_test.place_m();
@@ -90,7 +91,7 @@ TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
   EXPECT_LT(gravity.to.z, gravity.from.z);
   EXPECT_EQ(gravity.to.x, gravity.from.x);
 
-  const auto range = motion_range_figure(robot);
+  const auto& range = figures.at(2);
   const auto& mass = range.figure.scene->balls.at(0);
   EXPECT_NEAR(mass.centre.z, centre.z, 1e-12) << "level at q_peak";
   const auto& sector = range.figure.scene->sectors.at(0);
@@ -108,12 +109,27 @@ RobotDescription doubled(const RobotDescription& robot) {
       *size *= 2;
     }
   }
-  JointUnderTest::Setting setting = robot.under_test.setting();
-  setting.surrogate_distance_m *= 2;
-  const GravityLoad& load = robot.under_test.load();
-  setting.load = GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad());
   SerialArm arm("large", joints, 2 * robot.under_test.arm().tool_m());
-  return {JointUnderTest(std::move(arm), setting), robot.portrait_rad, true};
+  const GravityLoad load = robot.load.value();
+  return {JointUnderTest(std::move(arm), robot.under_test.setting()),
+          robot.portrait_rad,
+          true,
+          robot.range,
+          GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad()),
+          2 * robot.surrogate_distance_m};
+}
+
+TEST(SceneFigures, LeaveOutWhatTheDescriptionDoesNotState) {
+  RobotDescription robot = example();
+  robot.range.reset();
+  auto figures = scene_figures(robot);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[1].number, 10);
+  robot = example();
+  robot.load.reset();
+  figures = scene_figures(robot);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].number, 9);
 }
 
 TEST(SceneFigures, GrowWithTheRobot) {

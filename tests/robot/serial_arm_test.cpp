@@ -117,9 +117,10 @@ TEST(SerialArm, GrowsWithItsLengths) {
   }
 }
 
-std::string refusal(std::vector<ArmJoint> joints) {
+std::string refusal(std::vector<ArmJoint> joints,
+                    const Eigen::Vector3d& tool_m = Eigen::Vector3d(0.1, 0, 0)) {
   try {
-    const SerialArm arm("arm", std::move(joints), {0, 0, 0});
+    const SerialArm arm("arm", std::move(joints), tool_m);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -130,6 +131,8 @@ TEST(SerialArm, RefusesWhatNoArmIs) {
   const ArmJoint good = joint("3", {0, 1, 0}, {0, 0, 0});
   EXPECT_EQ(refusal({good}), "");
   EXPECT_EQ(refusal({}), "the arm has no joint");
+  EXPECT_EQ(refusal({good}, {0, 0, 0}),
+            "all joints and the flange lie in one point; the arm needs a length");
   EXPECT_EQ(refusal({good, good}), "joint '3': the name is given twice");
   ArmJoint bad = good;
   bad.axis = {0, 0, 0};

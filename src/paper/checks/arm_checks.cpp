@@ -5,6 +5,7 @@
 
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
+#include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {
 namespace {
@@ -16,46 +17,48 @@ constexpr double rounding_m = 1e-12;
 
 Checks check_robot(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
-  const JointUnderTest::Setting& setting = arm.setting();
   return {in_words("The robot", Origin::printed, "FANUC AM100iB", arm.arm().name()),
-          in_words("The joint under test", Origin::printed, "3",
-                   arm.arm().joints().at(setting.joint).name),
+          in_words("The joint under test", Origin::printed, "3", arm.joint().name),
           vanishing("Its axis is level, as eq. (9) needs: vertical part of its direction",
                     arm.axis().z(), rounding_m, "", "rounding")};
 }
 
 Checks check_mass_model(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
-  const double q_c = std::atan2(arm.towards_mass(0).z(), arm.towards_mass(0).dot(arm.level()));
-  const double surrogate_at = (arm.surrogate_centre_m(0) - arm.place_m()).norm();
+  const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
+  const Eigen::Vector3d towards = arm.towards_mass(0, drawn.q_peak_rad.value().value);
+  const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
+  const scenes::DrivenMass mass = drawn.mass.value();
   return {
       printed_value("q_c, elevation of the mass centre as drawn at q = 0",
                     printed::precise_angle_rad, 5, q_c, 1e-5, "rad",
                     "print cuts after five decimals"),
       law_value("The mass centre's distance as drawn: r", joint.scenario.load.distance_m(),
-                (arm.mass_centre_m(0) - arm.place_m()).norm(), rounding_m, "m", "rounding"),
+                mass.distance_m, rounding_m, "m", "rounding"),
       printed_value("The surrogate's distance as drawn: r (printed as 500 m)", printed::distance_m,
-                    1, surrogate_at, rounding_m, "m", "rounding"),
-      law_value(
-          "Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
-          arm.surrogate_mass_kg() * surrogate_at / (arm.load().mass_kg() * arm.load().distance_m()),
-          rounding_m, "", "rounding")};
+                    1, drawn.surrogate_distance_m, rounding_m, "m", "rounding"),
+      law_value("Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
+                drawn.surrogate_mass_kg.value().value * drawn.surrogate_distance_m /
+                    (mass.mass_kg * mass.distance_m),
+                rounding_m, "", "rounding")};
 }
 
 Checks check_motion_range(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
+  const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
+  const AngleRange range = drawn.range.value();
   const double at = -printed::precise_angle_deg * degree;
   const SweepExperiment& sweep = joint.scenario.rough_sweep.value();
   return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
-                    (arm.mass_centre_m(at) - arm.place_m()).z(), 1e-9, "m",
-                    "the printed angle's rounding"),
+                    drawn.mass.value().distance_m *
+                        arm.towards_mass(at, drawn.q_peak_rad.value().value).z(),
+                    1e-9, "m", "the printed angle's rounding"),
           law_value("The drawn range begins where the rough sweep does", sweep.from_rad / degree,
-                    arm.setting().lowest_rad / degree, 1e-9, "°", "rounding"),
-          law_value("and ends where it ends", sweep.to_rad / degree,
-                    arm.setting().highest_rad / degree, 1e-9, "°", "rounding"),
+                    range.lowest_rad / degree, 1e-9, "°", "rounding"),
+          law_value("and ends where it ends", sweep.to_rad / degree, range.highest_rad / degree,
+                    1e-9, "°", "rounding"),
           in_words("The gravity peak lies within it", Origin::printed, "within",
-                   at > arm.setting().lowest_rad && at < arm.setting().highest_rad ? "within"
-                                                                                   : "outside")};
+                   at > range.lowest_rad && at < range.highest_rad ? "within" : "outside")};
 }
 
 }  // namespace tribolog::paper

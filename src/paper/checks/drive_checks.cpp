@@ -64,10 +64,11 @@ Checks check_equation_9(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
   const double q_c = printed::precise_angle_deg * degree;
   double apart = 0;
-  for (double q = arm.setting().lowest_rad; q <= arm.setting().highest_rad; q += degree / 4) {
+  const AngleRange range = joint.robot.range.value();
+  for (double q = range.lowest_rad; q <= range.highest_rad; q += degree / 4) {
     const double printed =
         load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
-    apart = std::max(apart, std::abs(arm.holding_torque_Nm(q) - printed));
+    apart = std::max(apart, std::abs(arm.holding_torque_Nm(q, joint.robot.load.value()) - printed));
   }
   return {vanishing("Equation against lever and weight of the arm in space (figure 12), "
                     "over its range of motion: largest difference",

@@ -8,6 +8,7 @@
 
 #include "paper/checks/plain_loop.h"
 #include "paper/printed_paper.h"
+#include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {
 namespace {
@@ -32,9 +33,10 @@ void add_ratios(const PapersJoint& joint, Checks& out) {
   const char* digits = "digits of the scenario's parameters";
   out.push_back(reconstructed_value("G/n, gravity torque at the motor", 3.88318571, 8,
                                     s.load.amplitude_Nm() / s.gear_ratio, 5e-9, "N·m", digits));
-  out.push_back(reconstructed_value("True surrogate mass at 0.5 m", 79.1679, 4,
-                                    joint.robot.under_test.surrogate_mass_kg(), 5e-5, "kg",
-                                    "digits of the method's number"));
+  out.push_back(
+      reconstructed_value("True surrogate mass at 0.5 m", 79.1679, 4,
+                          scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value, 5e-5,
+                          "kg", "digits of the method's number"));
   out.push_back(reconstructed_value("T_s", 0.88437633, 8, p.static_Nm, 5e-9, "N·m", digits));
   out.push_back(reconstructed_value("σ₀ n a / T_s", 5.26269819, 8,
                                     p.bristle_stiffness_Nm_rad * swing / p.static_Nm, 1e-4, "",

@@ -6,6 +6,7 @@
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/solved_bristle.h"
 #include "paper/printed_paper.h"
+#include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {
 
@@ -25,8 +26,8 @@ Checks check_equation_12(const PapersJoint& joint) {
                                                    load.gravity_m_s2(), 1.0),
                                  5e-5, "kg", "digits of the method's number"),
              law_value("The same torque at every angle: its m r by that of the arm", 1.0,
-                       joint.robot.under_test.surrogate_mass_kg() * printed::distance_m /
-                           (load.mass_kg() * load.distance_m()),
+                       scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value *
+                           printed::distance_m / (load.mass_kg() * load.distance_m()),
                        1e-12, "", "rounding")};
   if (midline != nullptr) {
     out.push_back(law_value("Mid-line of the loop, an estimate that friction does not enter", truth,

@@ -7,10 +7,16 @@
 namespace tribolog::scenes {
 namespace {
 
-// Shares of reach_m(), so that a larger arm gives the same picture.
+// Shares of the arm's length, so that a larger arm gives the same picture.
 constexpr double axis_radius = 0.0046;
 constexpr double tip_gap = 0.01;
 constexpr double frame_radius = 0.04;  // of the length of the frame's axes
+// Shares of the radius of the first joint's housing.
+constexpr double hidden_share = 0.05;
+constexpr double post_share = 0.7;
+constexpr double narrow_rad = 0.26;     // 15 degrees: the arc is hardly longer than its head
+constexpr double narrowest_rad = 0.02;  // 1 degree: less than the width of the lines
+constexpr double beyond_arc = 1.07;     // of the arc's radius
 
 render::Colour faded(render::Colour colour, std::uint8_t strength) {
   colour.alpha = strength;
@@ -95,11 +101,11 @@ void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
   arrow.from = point(centre - (half + behind_m) * axis);
   arrow.to = point(centre + (half + ahead_m) * axis);
   if (runs_along_axis(arm, pose, joint)) {
-    const double tip = clear_behind_m(arm, pose, joint) + tip_gap * reach_m(arm);
+    const double tip = clear_behind_m(arm, pose, joint) + tip_gap * arm.length_m();
     arrow.from = point(centre - (tip + ahead_m + behind_m) * axis);
     arrow.to = point(centre - tip * axis);
   }
-  arrow.radius_m = axis_radius * reach_m(arm);
+  arrow.radius_m = axis_radius * arm.length_m();
   arrow.colour = colour;
   scene.arrows.push_back(arrow);
 }
@@ -117,6 +123,47 @@ double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, co
   return std::max(wanted_m, needed);
 }
 
+void add_post(render::Scene& scene, const SerialArm& arm, const ArmPose& pose,
+              const ArmLook& look) {
+  const double radius_m = look.slimness * arm.joints().front().shape.drum_radius_m;
+  const double length_m = look.slimness * arm.joints().front().shape.drum_length_m;
+  const Eigen::Vector3d top = pose.frames.front().translation();
+  const Eigen::Vector3d axis = arm.axis(pose, 0);
+  const double height = top.norm();
+  const double along = std::abs(top.dot(axis));
+  const bool in_housing =
+      height - along < hidden_share * radius_m && along <= length_m / 2 + hidden_share * radius_m;
+  if (in_housing) return;
+  render::SceneDrum post;
+  post.centre = point(0.5 * top);
+  post.axis = point(top);
+  post.radius_m = post_share * radius_m;
+  post.length_m = height;
+  post.colour = faded(paint::standing, look.strength);
+  scene.drums.push_back(post);
+}
+
+render::Point3 view_of_test(const JointUnderTest& test, double level, double ahead, double up) {
+  const Eigen::Vector3d view =
+      level * test.level() - ahead * test.axis() + up * Eigen::Vector3d::UnitZ();
+  return point(view);
+}
+
+void add_angle(render::Scene& scene, render::SceneSector angle) {
+  const double span = std::abs(angle.to_rad - angle.from_rad);
+  if (span < narrow_rad) {
+    const Eigen::Vector3d normal(angle.normal.x, angle.normal.y, angle.normal.z);
+    const Eigen::Vector3d zero(angle.zero.x, angle.zero.y, angle.zero.z);
+    const Eigen::Vector3d middle =
+        Eigen::AngleAxisd((angle.from_rad + angle.to_rad) / 2, normal) * zero;
+    const Eigen::Vector3d centre(angle.centre.x, angle.centre.y, angle.centre.z);
+    scene.texts.push_back(
+        {angle.label, point(centre + beyond_arc * angle.radius_m * middle), angle.colour});
+    angle.label.clear();
+  }
+  if (span >= narrowest_rad) scene.sectors.push_back(angle);
+}
+
 void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m) {
   const char* names[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
@@ -128,12 +175,6 @@ void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double le
     arrow.colour = {60, 60, 60};
     scene.arrows.push_back(arrow);
   }
-}
-
-double reach_m(const SerialArm& arm) {
-  double sum = arm.tool_m().norm();
-  for (const ArmJoint& joint : arm.joints()) sum += joint.offset_m.norm();
-  return sum;
 }
 
 }  // namespace tribolog::scenes

@@ -1,6 +1,7 @@
 #pragma once
 // An arm in a pose as solid parts of a scene.
 
+#include "robot/joint_under_test.h"
 #include "robot/serial_arm.h"
 
 #include "render/scene.h"
@@ -36,10 +37,18 @@ void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
 double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, const ArmPose& pose,
                      std::size_t joint, double wanted_m);
 
+/// Adds a post from the base's origin to the first joint, where its housing does not stand there.
+void add_post(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, const ArmLook& look);
+
+/// Direction of view onto the plane in which the tested joint turns, its positive turns
+/// counter-clockwise: so much along the level, so much against the axis, so much upwards.
+render::Point3 view_of_test(const JointUnderTest& test, double level, double ahead, double up);
+
+/// Adds an angle with its label on the arc. That of a narrow angle stands beyond the arc, which a
+/// text would hide; an angle too narrow for an arc has its label alone.
+void add_angle(render::Scene& scene, render::SceneSector angle);
+
 /// The base's frame, right-handed, at a point on the floor.
 void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m);
-
-/// All lengths of the chain laid end to end: a scale for what stands around the arm.
-double reach_m(const SerialArm& arm);
 
 }  // namespace tribolog::scenes

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -16,101 +17,138 @@ constexpr render::Colour mass_colour{30, 30, 30};
 constexpr render::Colour surrogate_colour{180, 50, 0};
 constexpr render::Colour angle_colour{0, 90, 150};
 constexpr render::Colour mass_angle_colour{0, 120, 85};
+constexpr render::Colour level_colour{90, 90, 90};
+constexpr double shown_above_level_rad = 20 * std::numbers::pi / 180;
+constexpr double same_line_rad = 1e-6;  // lines that are one but for rounding
 
-/// A joint angle at which q, q_c and their sum are apart: a part of the way up.
-double shown_angle(const JointUnderTest& test) {
-  const auto& setting = test.setting();
-  const double wanted = 20 * std::numbers::pi / 180;
-  return std::clamp(wanted, setting.lowest_rad, setting.highest_rad);
+/// What the parts of the picture are drawn from.
+struct Model {
+  const JointUnderTest& test;
+  const TestNumbers& numbers;
+  std::string n;     ///< Index of the tested joint.
+  double q_rad;      ///< The angle that it is shown at.
+  double line_rad;   ///< From the level to the link's line.
+  Estimate q_c_rad;  ///< From there to the mass centre.
+  double size_m;     ///< Of the arm.
+
+  [[nodiscard]] double far_m() const { return numbers.surrogate_distance_m; }
+  [[nodiscard]] Eigen::Vector3d towards_mass() const {
+    return test.towards_mass(q_rad, numbers.q_peak_rad->value);
+  }
+  [[nodiscard]] Eigen::Vector3d mass_centre_m(double distance_m) const {
+    return test.place_m() + distance_m * towards_mass();
+  }
+};
+
+/// A joint angle at which the level, the link's line and the mass centre are apart: a part of the
+/// way up, as far as the joint goes.
+double shown_angle(const JointUnderTest& test, const TestNumbers& numbers) {
+  const ArmJoint& joint = test.joint();
+  const AngleRange range = numbers.range.value_or(AngleRange{joint.lowest_rad, joint.highest_rad});
+  return std::clamp(shown_above_level_rad - test.line_above_level_rad(), range.lowest_rad,
+                    range.highest_rad);
 }
 
-void add_angles(render::Scene& scene, const JointUnderTest& test, double q, const std::string& n) {
-  const Eigen::Vector3d centre = test.place_m();
-  const double q_c = -test.load().q_peak_rad();
-  const double far = test.setting().surrogate_distance_m;
-  render::SceneSector angle;
-  angle.centre = point(centre);
-  angle.normal = point(test.axis());
-  angle.zero = point(test.level());
-  angle.label = "q_{" + n + "} = " + degrees_text(q, 0);
-  angle.radius_m = 1.62 * far;
-  angle.from_rad = 0;
-  angle.to_rad = q;
-  angle.colour = angle_colour;
-  scene.sectors.push_back(angle);
-  angle.label = "q_{" + n + "}^{c} = " + degrees_text(q_c, 2);
-  angle.radius_m = 1.3 * far;
-  angle.from_rad = q;
-  angle.to_rad = q + q_c;
-  angle.colour = mass_angle_colour;
-  scene.sectors.push_back(angle);
-
-  const auto ray = [&](double at, double reach, render::LineStyle style, render::Colour colour) {
-    render::SceneLine line;
-    const Eigen::Vector3d way = Eigen::AngleAxisd(at, test.axis()) * test.level();
-    line.points = {point(centre), point(centre + reach * way)};
-    line.style = style;
-    line.colour = colour;
-    line.width_px = 2.2;
-    scene.lines.push_back(line);
+void add_angles(render::Scene& scene, const Model& model) {
+  const auto sector = [&](const std::string& label, double radius_m, double from, double to,
+                          render::Colour colour) {
+    render::SceneSector one;
+    one.centre = point(model.test.place_m());
+    one.normal = point(model.test.axis());
+    one.zero = point(model.test.level());
+    one.label = label;
+    one.radius_m = radius_m;
+    one.from_rad = from;
+    one.to_rad = to;
+    one.colour = colour;
+    add_angle(scene, one);
   };
-  ray(0, 1.75 * far, render::LineStyle::dash, {90, 90, 90});
-  ray(q, 1.75 * far, render::LineStyle::dash_dot, angle_colour);
-  ray(q + q_c, 1.42 * far, render::LineStyle::solid, mass_angle_colour);
+  const double far = model.far_m();
+  const double line = model.line_rad;
+  sector("q_{" + model.n + "} = " + degrees_text(model.q_rad, 0), 1.62 * far, line - model.q_rad,
+         line, angle_colour);
+  const double q_c = model.q_c_rad.value;
+  const std::string q_c_text =
+      model.numbers.identified ? angle_text(model.numbers, model.q_c_rad) : degrees_text(q_c, 2);
+  sector("q_{" + model.n + "}^{c} = " + q_c_text, 1.3 * far, line, line + q_c, mass_angle_colour);
+
+  const auto ray = [&](double at, double reach, render::LineStyle style, render::Colour colour,
+                       const std::string& end_text) {
+    render::SceneLine one;
+    const Eigen::Vector3d end = model.test.place_m() + reach * model.test.above_level(at);
+    one.points = {point(model.test.place_m()), point(end)};
+    one.style = style;
+    one.colour = colour;
+    one.width_px = 2.2;
+    scene.lines.push_back(one);
+    if (!end_text.empty()) scene.texts.push_back({end_text, point(end), colour});
+  };
+  const double zero = line - model.q_rad;
+  const bool from_level = std::abs(zero) < same_line_rad;
+  ray(0, 1.75 * far, render::LineStyle::dash, level_colour, from_level ? "" : "level");
+  if (!from_level) {
+    ray(zero, 1.75 * far, render::LineStyle::dot, angle_colour, "q_{" + model.n + "} = 0");
+  }
+  ray(line, 1.75 * far, render::LineStyle::dash_dot, angle_colour, "");
+  ray(line + q_c, 1.42 * far, render::LineStyle::solid, mass_angle_colour, "");
 }
 
-void add_distances(render::Scene& scene, const JointUnderTest& test, double q,
-                   const std::string& n) {
-  const Eigen::Vector3d across = test.axis().cross(test.towards_mass(q));
-  const double size = reach_m(test.arm());
-  const auto distance = [&](const Eigen::Vector3d& to, double away, const std::string& label,
+void add_distances(render::Scene& scene, const Model& model) {
+  const Eigen::Vector3d across = model.test.axis().cross(model.towards_mass());
+  const auto distance = [&](double metres, double away, const std::string& symbol,
                             render::Colour colour) {
     render::SceneDimension one;
-    one.from = point(test.place_m());
-    one.to = point(to);
-    one.shift = point(away * across);
-    one.label = label;
+    one.from = point(model.test.place_m());
+    one.to = point(model.mass_centre_m(metres));
+    one.shift = point(away * model.size_m * across);
+    one.label = symbol + " = " + millimetres_text(metres);
     one.colour = colour;
     scene.dimensions.push_back(one);
   };
-  distance(test.mass_centre_m(q), -0.235 * size,
-           "r_{" + n + "} = " + millimetres_text(test.load().distance_m()), mass_colour);
-  distance(test.surrogate_centre_m(q), 0.205 * size,
-           "r_{" + n + "}^{REPL} = " + millimetres_text(test.setting().surrogate_distance_m),
-           surrogate_colour);
+  if (const auto& mass = model.numbers.mass) {
+    distance(mass->distance_m, -0.235, "r_{" + model.n + "}", mass_colour);
+  }
+  distance(model.far_m(), 0.205, "r_{" + model.n + "}^{REPL}", surrogate_colour);
 }
 
-void add_masses(render::Scene& scene, const JointUnderTest& test, double q, const std::string& n) {
-  const auto mass = [&](const Eigen::Vector3d& at, const std::string& label,
-                        render::Colour colour) {
-    render::SceneBall ball;
-    ball.centre = point(at);
-    ball.radius_m = 0.0144 * reach_m(test.arm());
-    ball.label = label;
-    ball.colour = colour;
-    ball.inside = true;
-    scene.balls.push_back(ball);
+void add_masses(render::Scene& scene, const Model& model) {
+  const auto ball = [&](double distance_m, const std::string& label, render::Colour colour) {
+    render::SceneBall one;
+    one.centre = point(model.mass_centre_m(distance_m));
+    one.radius_m = 0.0144 * model.size_m;
+    one.label = label;
+    one.colour = colour;
+    one.inside = true;
+    scene.balls.push_back(one);
   };
-  mass(test.mass_centre_m(q), "m_{" + n + "} = " + kilogram_text(test.load().mass_kg()),
-       mass_colour);
-  mass(test.surrogate_centre_m(q),
-       "m_{" + n + "}^{REPL} = " + kilogram_text(test.surrogate_mass_kg()), surrogate_colour);
+  if (const auto& mass = model.numbers.mass) {
+    ball(mass->distance_m, "m_{" + model.n + "} = " + kilogram_text(mass->mass_kg), mass_colour);
+  }
+  ball(model.far_m(),
+       "m_{" + model.n + "}^{REPL} = " + mass_text(model.numbers, *model.numbers.surrogate_mass_kg),
+       surrogate_colour);
 }
 
-}  // namespace
+void add_gravity(render::Scene& scene, const Model& model) {
+  const Eigen::Vector3d hang = model.test.place_m() + 1.7 * model.far_m() * model.test.level();
+  render::SceneArrow gravity;
+  gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.145 * model.size_m));
+  gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.30 * model.size_m));
+  gravity.radius_m = 0.0067 * model.size_m;
+  gravity.colour = {120, 30, 110};
+  gravity.label = fmt::format("g = {:.2f} m/s²", model.numbers.gravity_m_s2);
+  scene.arrows.push_back(gravity);
+}
 
-ReportFigure mass_model_figure(const RobotDescription& robot) {
-  const JointUnderTest& test = robot.under_test;
+render::Scene draw(const Model& model) {
+  const JointUnderTest& test = model.test;
   const SerialArm& arm = test.arm();
   const std::size_t tested = test.setting().joint;
-  const std::string n = index_text(arm.joints()[tested].name);
-  const double q = shown_angle(test);
-  const double q_c = -test.load().q_peak_rad();
-  const ArmPose pose = test.pose(q);
-  const double size = reach_m(arm);
+  const ArmPose pose = test.pose(model.q_rad);
+  const double size = model.size_m;
 
   render::Scene scene;
-  scene.camera.towards = {-0.40, 0.92, -0.22};
+  scene.camera.towards = view_of_test(test, -0.40, 0.92, -0.22);
   scene.camera.margin = 0.04;
   render::SceneGround ground;
   ground.half_size_m = 0.2 * size;
@@ -121,54 +159,88 @@ ReportFigure mass_model_figure(const RobotDescription& robot) {
   look.strength = 170;
   look.slimness = 0.72;
   add_arm(scene, arm, pose, look);
+  add_post(scene, arm, pose, look);
   for (std::size_t i = 0; i <= tested; ++i) {
+    const bool first = i == 0 && i != tested;
     add_axis(scene, arm, pose, i,
-             clear_ahead_m(scene.camera, arm, pose, i, (i == 0 ? 0.2 : 0.072) * size),
-             i == 0 ? 0.0 : 0.04 * size, "q_{" + index_text(arm.joints()[i].name) + "}",
+             clear_ahead_m(scene.camera, arm, pose, i, (first ? 0.2 : 0.072) * size),
+             first ? 0.0 : 0.04 * size, "q_{" + index_text(arm.joints()[i].name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
   }
-  scene.arrows.back().label = "axis of joint " + arm.joints()[tested].name;
-  add_angles(scene, test, q, n);
-  add_distances(scene, test, q, n);
-  add_masses(scene, test, q, n);
+  scene.arrows.back().label = "axis of joint " + drawn_text(test.joint().name, 24);
+  add_angles(scene, model);
+  add_distances(scene, model);
+  add_masses(scene, model);
+  add_gravity(scene, model);
+  add_base_frame(scene, 0.215 * size * test.level() + 0.155 * size * test.axis(), 0.082 * size);
+  return scene;
+}
 
-  const Eigen::Vector3d level = test.level();
-  const Eigen::Vector3d hang = test.place_m() + 1.7 * test.setting().surrogate_distance_m * level;
-  render::SceneArrow gravity;
-  gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.145 * size));
-  gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.30 * size));
-  gravity.radius_m = 0.0067 * size;
-  gravity.colour = {120, 30, 110};
-  gravity.label = fmt::format("g = {:.2f} m/s²", test.load().gravity_m_s2());
-  scene.arrows.push_back(gravity);
-  add_base_frame(scene, {0.215 * size, -0.155 * size, 0}, 0.082 * size);
+/// The masses in words: with what is known, and nothing of what is not.
+std::string numbers_in_words(const Model& model) {
+  const TestNumbers& numbers = model.numbers;
+  const std::string surrogate =
+      fmt::format("surrogate mass {} at {}", mass_text(numbers, *numbers.surrogate_mass_kg),
+                  millimetres_text(model.far_m()));
+  const std::string side = side_text(numbers, model.q_c_rad);
+  const std::string& joint = model.test.joint().name;
+  if (!numbers.mass) {
+    return fmt::format("{} from the axis of joint {}, {} the link's own line", surrogate, joint,
+                       side);
+  }
+  return fmt::format("mass {} at {} from the axis of joint {}, {}, both {} the link's own line",
+                     kilogram_text(numbers.mass->mass_kg),
+                     millimetres_text(numbers.mass->distance_m), joint, surrogate, side);
+}
+
+}  // namespace
+
+std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
+                                              const TestNumbers& numbers) {
+  if (!numbers.q_peak_rad || !numbers.surrogate_mass_kg) return std::nullopt;
+  const JointUnderTest& test = robot.under_test;
+  const double q_rad = shown_angle(test, numbers);
+  const Model model{test,
+                    numbers,
+                    index_text(test.joint().name),
+                    q_rad,
+                    test.line_above_level_rad() + q_rad,
+                    mass_angle_rad(test, *numbers.q_peak_rad),
+                    test.arm().length_m()};
 
   ReportFigure out;
   out.number = 10;
   out.id = "fig-10-phenomenological-model";
-  out.title = "Phenomenological model: driven mass and surrogate mass";
-  const std::string numbers = fmt::format(
-      "mass {} at {} from the axis of joint {}, surrogate mass {} at {}, both {} above the link's "
-      "own line",
-      kilogram_text(test.load().mass_kg()), millimetres_text(test.load().distance_m()),
-      arm.joints()[tested].name, kilogram_text(test.surrogate_mass_kg()),
-      millimetres_text(test.setting().surrogate_distance_m), degrees_text(q_c, 2));
-  out.caption = fmt::format(
-      "What joint {} drives, as one mass at one distance: {}. m r is the same, so that both ask "
-      "the "
-      "same torque at every angle.{}",
-      arm.joints()[tested].name, numbers, dimensions_note(robot));
+  out.title = numbers.mass ? "Phenomenological model: driven mass and surrogate mass"
+                           : "Phenomenological model: the surrogate mass";
+  const std::string words = numbers_in_words(model);
+  const std::string& joint = test.joint().name;
+  out.caption =
+      numbers.mass
+          ? fmt::format(
+                "What joint {} drives, as one mass at one distance: {}. m r is the same, so that "
+                "both ask the same torque at every angle.",
+                joint, words)
+          : fmt::format("What joint {} drives, as one mass at a chosen distance: {}.", joint,
+                        words);
+  out.caption += origin_note(numbers, "Angle and mass are") + dimensions_note(robot);
   out.how_to_read = fmt::format(
-      "q counts from the level (dashed) to the link's own line (dash-dotted), the mass centre's "
-      "angle from there on. Gravity torque is m g r times the cosine of their sum, and largest "
-      "where the sum is zero. Only m r shows in a log: r of the mass ({}) is not measured.",
-      millimetres_text(test.load().distance_m()));
-  out.alt = fmt::format("Model of {} with joint {} at {}: {}; gravity {:.2f} m/s² downwards.",
-                        arm.name(), arm.joints()[tested].name, degrees_text(q, 0), numbers,
-                        test.load().gravity_m_s2());
-  out.stage = "surrogate_masses";
+      "q counts from the {} line to the link's own line (dash-dotted), the mass centre's angle q_c "
+      "from there on. Gravity torque is m g r times the cosine of the mass centre's angle above "
+      "the "
+      "level, and largest where it is level. Only m r shows in a log: {}",
+      std::abs(test.line_above_level_rad()) < same_line_rad ? "level (dashed)" : "dotted",
+      numbers.mass
+          ? fmt::format("r of the mass ({}) is not measured.",
+                        millimetres_text(numbers.mass->distance_m))
+          : "the mass of the links and its distance are not known, the surrogate mass asks "
+            "the same torque at every angle.");
+  out.alt =
+      fmt::format("Model of {} with joint {} at {}: {}; gravity {:.2f} m/s² downwards.",
+                  test.arm().name(), joint, degrees_text(q_rad, 0), words, numbers.gravity_m_s2);
+  out.stage = "cog_rough";
   out.figure.height_px = 1300;
-  out.figure.scene = std::move(scene);
+  out.figure.scene = draw(model);
   return out;
 }
 

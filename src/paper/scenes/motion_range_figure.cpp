@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -16,15 +17,48 @@ constexpr render::Colour range_colour{0, 90, 150};
 constexpr render::Colour mass_colour{30, 30, 30};
 constexpr render::Colour mass_angle_colour{0, 120, 85};
 constexpr render::Colour peak_colour{180, 50, 0};
+constexpr render::Colour level_colour{90, 90, 90};
+constexpr double same_line_rad = 1e-6;  // lines that are one but for rounding
 
-/// Farthest point of the driven links from the tested axis.
+/// What the parts of the picture are drawn from.
+struct TestMotion {
+  const JointUnderTest& test;
+  const TestNumbers& numbers;
+  AngleRange range;
+  Estimate q_peak_rad;
+  std::string n;   ///< Index of the tested joint.
+  double q_rad;    ///< The angle that it is shown at: q_peak, or the end of the range nearest it.
+  double reach_m;  ///< Farthest point of the driven links from the tested axis.
+  double size_m;   ///< Of the arm.
+
+  [[nodiscard]] bool reaches_peak() const { return q_rad == q_peak_rad.value; }
+  /// Where the link's own line points at a joint angle, from the level.
+  [[nodiscard]] double line_rad(double q) const { return test.line_above_level_rad() + q; }
+};
+
 double driven_reach_m(const JointUnderTest& test) {
-  const ArmPose pose = test.pose(0.5 * (test.setting().lowest_rad + test.setting().highest_rad));
+  const ArmPose pose = test.pose(0);
   double reach = (pose.tool_m - test.place_m()).norm();
   for (std::size_t i = test.setting().joint; i < pose.frames.size(); ++i) {
     reach = std::max(reach, (pose.frames[i].translation() - test.place_m()).norm());
   }
-  return reach;
+  return std::max(reach, test.joint().shape.drum_radius_m);
+}
+
+void add_arms(render::Scene& scene, const TestMotion& motion) {
+  const JointUnderTest& test = motion.test;
+  for (const double end : {motion.range.lowest_rad, motion.range.highest_rad}) {
+    ArmLook ghost;
+    ghost.first = ghost.driven_from = test.setting().joint;
+    ghost.strength = 70;
+    add_arm(scene, test.arm(), test.pose(end), ghost);
+  }
+  ArmLook look;
+  look.driven_from = test.setting().joint;
+  look.strength = 190;
+  const ArmPose pose = test.pose(motion.q_rad);
+  add_arm(scene, test.arm(), pose, look);
+  add_post(scene, test.arm(), pose, look);
 }
 
 render::SceneSector sector_at(const JointUnderTest& test) {
@@ -35,111 +69,141 @@ render::SceneSector sector_at(const JointUnderTest& test) {
   return sector;
 }
 
-void add_ray(render::Scene& scene, const JointUnderTest& test, double angle, double reach,
-             render::LineStyle style, render::Colour colour, const std::string& end_text) {
-  const Eigen::Vector3d way = Eigen::AngleAxisd(angle, test.axis()) * test.level();
-  render::SceneLine line;
-  line.points = {point(test.place_m()), point(test.place_m() + reach * way)};
-  line.style = style;
-  line.colour = colour;
-  scene.lines.push_back(line);
-  if (!end_text.empty()) scene.texts.push_back({end_text, line.points.back(), colour});
-}
-
-}  // namespace
-
-ReportFigure motion_range_figure(const RobotDescription& robot) {
-  const JointUnderTest& test = robot.under_test;
-  const SerialArm& arm = test.arm();
-  const auto& setting = test.setting();
-  const std::string n = index_text(arm.joints()[setting.joint].name);
-  const double q_peak = test.load().q_peak_rad();
-  const bool reaches_peak = q_peak >= setting.lowest_rad && q_peak <= setting.highest_rad;
-  const double q = std::clamp(q_peak, setting.lowest_rad, setting.highest_rad);
-  const double reach = driven_reach_m(test);
-  const double size = reach_m(arm);
-
-  render::Scene scene;
-  scene.camera.towards = {-0.12, 0.98, -0.16};
-  scene.camera.margin = 0.05;
-  render::SceneGround ground;
-  ground.half_size_m = 0.2 * size;
-  ground.spacing_m = 0.1 * size;
-  scene.ground = ground;
-  for (const double end : {setting.lowest_rad, setting.highest_rad}) {
-    ArmLook ghost;
-    ghost.first = ghost.driven_from = setting.joint;
-    ghost.strength = 70;
-    add_arm(scene, arm, test.pose(end), ghost);
-  }
-  ArmLook look;
-  look.driven_from = setting.joint;
-  look.strength = 190;
-  add_arm(scene, arm, test.pose(q), look);
-
-  render::SceneSector range = sector_at(test);
-  range.radius_m = 1.28 * reach;
-  range.from_rad = setting.lowest_rad;
-  range.to_rad = setting.highest_rad;
+void add_sectors(render::Scene& scene, const TestMotion& motion) {
+  render::SceneSector range = sector_at(motion.test);
+  range.radius_m = 1.28 * motion.reach_m;
+  range.from_rad = motion.line_rad(motion.range.lowest_rad);
+  range.to_rad = motion.line_rad(motion.range.highest_rad);
   range.filled = true;
   range.fill.alpha = 45;
   range.colour = range_colour;
   range.ends = render::ArcEnds::arrow_at_both;
   scene.sectors.push_back(range);
-  render::SceneSector q_c = sector_at(test);
-  q_c.radius_m = 1.1 * reach;
-  q_c.from_rad = q;
-  q_c.to_rad = q - q_peak;
+  const Estimate angle = mass_angle_rad(motion.test, motion.q_peak_rad);
+  render::SceneSector q_c = sector_at(motion.test);
+  q_c.radius_m = 1.1 * motion.reach_m;
+  q_c.from_rad = motion.line_rad(motion.q_rad);
+  q_c.to_rad = q_c.from_rad + angle.value;
   q_c.colour = mass_angle_colour;
-  q_c.label = "q_{" + n + "}^{c} = " + degrees_text(-q_peak, 5);
-  scene.sectors.push_back(q_c);
+  q_c.label = "q_{" + motion.n + "}^{c} = " + angle_text(motion.numbers, angle);
+  add_angle(scene, q_c);
+}
 
-  const double beyond = 1.36 * reach;
-  add_ray(scene, test, setting.lowest_rad, beyond, render::LineStyle::dash, range_colour,
-          "q_{" + n + ",min} = " + degrees_text(setting.lowest_rad, 0));
-  add_ray(scene, test, setting.highest_rad, beyond, render::LineStyle::dash, range_colour,
-          "q_{" + n + ",max} = " + degrees_text(setting.highest_rad, 0));
-  add_ray(scene, test, q, beyond, render::LineStyle::dash_dot, peak_colour,
-          "q_{peak} = " + degrees_text(q_peak, 5));
-  add_ray(scene, test, 0, beyond, render::LineStyle::dash, {90, 90, 90},
-          "level, q_{" + n + "} = 0");
+void add_rays(render::Scene& scene, const TestMotion& motion) {
+  const auto ray = [&](double above_level, render::LineStyle style, render::Colour colour,
+                       const std::string& end_text) {
+    const Eigen::Vector3d end =
+        motion.test.place_m() + 1.36 * motion.reach_m * motion.test.above_level(above_level);
+    render::SceneLine line;
+    line.points = {point(motion.test.place_m()), point(end)};
+    line.style = style;
+    line.colour = colour;
+    scene.lines.push_back(line);
+    scene.texts.push_back({end_text, point(end), colour});
+  };
+  const std::string q = "q_{" + motion.n;
+  const int places = places_for(motion.range);
+  const AngleRange& range = motion.range;
+  ray(motion.line_rad(range.lowest_rad), render::LineStyle::dash, range_colour,
+      q + ",min} = " + degrees_text(range.lowest_rad, places));
+  ray(motion.line_rad(range.highest_rad), render::LineStyle::dash, range_colour,
+      q + ",max} = " + degrees_text(range.highest_rad, places));
+  if (motion.reaches_peak()) {
+    ray(motion.line_rad(motion.q_rad), render::LineStyle::dash_dot, peak_colour,
+        "q_{peak} = " + angle_text(motion.numbers, motion.q_peak_rad));
+  }
+  const double zero = motion.line_rad(0);
+  const bool from_level = std::abs(zero) < same_line_rad;
+  ray(0, render::LineStyle::dash, level_colour, from_level ? "level, " + q + "} = 0" : "level");
+  if (!from_level) ray(zero, render::LineStyle::dot, range_colour, q + "} = 0");
+}
 
+/// The mass centre with its weight; the surrogate mass where only that is known.
+void add_mass(render::Scene& scene, const TestMotion& motion) {
+  const auto& known = motion.numbers.mass;
+  const double distance_m = known ? known->distance_m : motion.numbers.surrogate_distance_m;
+  const Eigen::Vector3d centre =
+      motion.test.place_m() +
+      distance_m * motion.test.towards_mass(motion.q_rad, motion.q_peak_rad.value);
   render::SceneBall mass;
-  mass.centre = point(test.mass_centre_m(q));
-  mass.radius_m = 0.0154 * size;
+  mass.centre = point(centre);
+  mass.radius_m = 0.0154 * motion.size_m;
   mass.colour = mass_colour;
   mass.inside = true;
-  mass.label = "mass centre";
+  mass.label = known ? "mass centre" : "surrogate mass";
   scene.balls.push_back(mass);
   render::SceneArrow weight;
   weight.from = mass.centre;
-  weight.to = point(test.mass_centre_m(q) - Eigen::Vector3d(0, 0, 0.185 * size));
-  weight.radius_m = 0.006 * size;
+  weight.to = point(centre - Eigen::Vector3d(0, 0, 0.185 * motion.size_m));
+  weight.radius_m = 0.006 * motion.size_m;
   weight.colour = {120, 30, 110};
-  weight.label = "m_{" + n + "} g";
+  weight.label = "m_{" + motion.n + (known ? "} g" : "}^{REPL} g");
   scene.arrows.push_back(weight);
-  add_base_frame(scene, {-0.155 * size, -0.155 * size, 0}, 0.077 * size);
+}
+
+render::Scene draw(const TestMotion& motion) {
+  const double size = motion.size_m;
+  const JointUnderTest& test = motion.test;
+  render::Scene scene;
+  scene.camera.towards = view_of_test(test, -0.12, 0.98, -0.16);
+  scene.camera.margin = 0.05;
+  render::SceneGround ground;
+  ground.half_size_m = 0.2 * size;
+  ground.spacing_m = 0.1 * size;
+  scene.ground = ground;
+  add_arms(scene, motion);
+  add_sectors(scene, motion);
+  add_rays(scene, motion);
+  add_mass(scene, motion);
+  add_base_frame(scene, -0.155 * size * test.level() + 0.155 * size * test.axis(), 0.077 * size);
+  return scene;
+}
+
+std::string numbers_in_words(const TestMotion& motion) {
+  const double span = motion.range.highest_rad - motion.range.lowest_rad;
+  const std::string peak = angle_text(motion.numbers, motion.q_peak_rad);
+  return fmt::format("joint {} moves from {}, {} in all; {} {}", motion.test.joint().name,
+                     range_text(motion.range), degrees_text(span, places_for(motion.range)),
+                     motion.reaches_peak()
+                         ? "its mass centre is level at"
+                         : "that does not bring its mass centre level, which would be at",
+                     peak);
+}
+
+}  // namespace
+
+std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
+                                                const TestNumbers& numbers) {
+  if (!numbers.q_peak_rad || !numbers.range) return std::nullopt;
+  const AngleRange range = *numbers.range;
+  const double span = range.highest_rad - range.lowest_rad;
+  if (!(span > 0 && span <= 2 * std::numbers::pi)) return std::nullopt;
+  const JointUnderTest& test = robot.under_test;
+  const TestMotion motion{
+      test,
+      numbers,
+      range,
+      *numbers.q_peak_rad,
+      index_text(test.joint().name),
+      std::clamp(numbers.q_peak_rad->value, range.lowest_rad, range.highest_rad),
+      driven_reach_m(test),
+      test.arm().length_m()};
 
   ReportFigure out;
   out.number = 12;
   out.id = "fig-12-range-of-motion";
   out.title = "Range of motion and angular position of the mass centre";
-  const double span = setting.highest_rad - setting.lowest_rad;
-  const std::string numbers =
-      fmt::format("joint {} moves from {} to {}, {} in all; its mass centre is {} at {}",
-                  arm.joints()[setting.joint].name, degrees_text(setting.lowest_rad, 0),
-                  degrees_text(setting.highest_rad, 0), degrees_text(span, 0),
-                  reaches_peak ? "level" : "nearest to the level", degrees_text(q, 5));
-  out.caption = fmt::format("In the test {}: there gravity torque is largest.{}", numbers,
-                            dimensions_note(robot));
+  const std::string words = numbers_in_words(motion);
+  out.caption = fmt::format("In the test {}: there gravity torque is largest.{}{}", words,
+                            origin_note(numbers, "The angle is"), dimensions_note(robot));
   out.how_to_read =
-      "The sector is what the joint can sweep, its ends drawn pale. The mass centre lies above the "
-      "link's own line by its constant angle, so the joint must stand that much below the level to "
-      "bring it level. A sweep that does not pass through that angle cannot find it.";
-  out.alt = fmt::format("Side view of {}: {}.", arm.name(), numbers);
-  out.stage = "cog_sweep";
+      "The sector is what the joint swept, its ends drawn pale. The mass centre keeps its angle "
+      "q_c to the link's own line, so that the joint must stand at q_peak to bring it level. A "
+      "sweep that does not pass through that angle cannot find it.";
+  out.alt = fmt::format("Side view of {}: {}.", test.arm().name(), words);
+  out.stage = "cog_rough";
   out.figure.height_px = 1300;
-  out.figure.scene = std::move(scene);
+  out.figure.scene = draw(motion);
   return out;
 }
 

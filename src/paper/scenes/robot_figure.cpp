@@ -12,11 +12,22 @@
 namespace tribolog {
 namespace {
 
+constexpr double parallel = 0.999;  // cosine between axes: 2.6 degrees
+
+/// Six joints, the first upright and the next two level and parallel: then these two bring the
+/// wrist as far out as it goes.
+bool is_articulated(const SerialArm& arm) {
+  if (arm.size() != 6) return false;
+  const auto axis = [&](std::size_t i) { return arm.joints()[i].axis; };
+  return std::abs(axis(0).z()) > parallel && std::abs(axis(1).z()) < 1 - parallel &&
+         std::abs(axis(1).dot(axis(2))) > parallel;
+}
+
 /// Farthest that the centre of the wrist, the last joint but one, gets from the first axis while
-/// the second and third joint turn through their ranges.
+/// the second and third joint turn through their ranges; 0 for an arm of another kind.
 double wrist_reach_m(const RobotDescription& robot) {
   const SerialArm& arm = robot.under_test.arm();
-  if (arm.size() < 4) return 0.0;
+  if (!is_articulated(arm)) return 0.0;
   constexpr int steps = 60;
   const auto share_of = [&](std::size_t joint, int i) {
     const ArmJoint& one = arm.joints()[joint];
@@ -38,7 +49,7 @@ double wrist_reach_m(const RobotDescription& robot) {
   return reach;
 }
 
-/// " The wrist reaches 1.4 m from the first axis.", or nothing for an arm without a wrist.
+/// " The wrist reaches 1.4 m from the axis of joint 1.", or nothing for an arm of another kind.
 std::string reach_words(const RobotDescription& robot) {
   const double reach = wrist_reach_m(robot);
   if (!(reach > 0)) return {};
@@ -47,8 +58,9 @@ std::string reach_words(const RobotDescription& robot) {
 }
 
 std::string turns_about(const Eigen::Vector3d& axis) {
-  if (std::abs(axis.z()) > 0.9) return "upright";
-  return std::abs(axis.x()) > 0.9 ? "along the link" : "level";
+  if (std::abs(axis.z()) > parallel) return "upright";
+  if (std::abs(axis.x()) > parallel) return "along x";
+  return std::abs(axis.y()) > parallel ? "along y" : "oblique";
 }
 
 }  // namespace
@@ -58,7 +70,7 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   const SerialArm& arm = robot.under_test.arm();
   const std::size_t tested = robot.under_test.setting().joint;
   const ArmPose pose = arm.pose(robot.portrait_rad);
-  const double size = reach_m(arm);
+  const double size = arm.length_m();
 
   render::Scene scene;
   scene.camera.towards = {-0.62, 0.95, -0.40};
@@ -72,12 +84,14 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   ArmLook look;
   look.driven_from = tested;
   add_arm(scene, arm, pose, look);
+  add_post(scene, arm, pose, look);
   std::vector<std::string> axes;
   for (std::size_t i = 0; i < arm.size(); ++i) {
     const ArmJoint& joint = arm.joints()[i];
-    const double ahead = (i == 0 ? 0.26 : 0.09) * size;
+    const bool upright = std::abs(arm.axis(pose, i).z()) > parallel;
+    const double ahead = (i == 0 && upright ? 0.26 : 0.09) * size;
     add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, ahead),
-             i == 0 ? 0.0 : 0.03 * size, "q_{" + joint.name + "}",
+             i == 0 && upright ? 0.0 : 0.03 * size, "q_{" + index_text(joint.name) + "}",
              i == tested ? paint::tested_axis : paint::axis);
     axes.push_back(fmt::format("joint {} {}, {} to {}", joint.name, turns_about(joint.axis),
                                degrees_text(joint.lowest_rad, 0),
@@ -90,15 +104,16 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   out.id = "fig-09-robot";
   out.title = "The robot, " + arm.name();
   out.caption = fmt::format(
-      "{} with its {} joints; joint {} is tested and moves the links in the warm colour.{}{}",
-      arm.name(), arm.size(), arm.joints()[tested].name, reach_words(robot),
-      dimensions_note(robot));
+      "{} with {}; joint {} is tested and moves the links in the warm colour.{}{}", arm.name(),
+      arm.size() == 1 ? "its joint" : fmt::format("its {} joints", arm.size()),
+      arm.joints()[tested].name, reach_words(robot), dimensions_note(robot));
   out.how_to_read =
       "Each arrow is the axis of a joint: seen against its direction, a positive angle turns the "
       "links behind it counter-clockwise. Links that the tested joint does not move stand grey.";
-  out.alt = fmt::format("Three-dimensional drawing of {}, axes at angle 0 of every joint: {}.",
-                        arm.name(), figures::listed(axes));
-  out.stage = "cog_sweep";
+  out.alt =
+      fmt::format("Three-dimensional drawing of {}, its axes while every joint stands at 0: {}.",
+                  arm.name(), figures::listed(axes));
+  out.stage = "cog_rough";
   out.figure.height_px = 1200;
   out.figure.scene = std::move(scene);
   return out;

@@ -1,11 +1,14 @@
 #pragma once
 // The paper's drawings of the robot, figures 9, 10 and 12, made from a robot's description.
 
+#include <optional>
 #include <vector>
 
 #include "robot/robot_description.h"
 
+#include "calibration.h"
 #include "figures/report_figure.h"
+#include "paper/scenes/test_numbers.h"
 
 namespace tribolog {
 
@@ -13,14 +16,27 @@ namespace tribolog {
 ReportFigure robot_figure(const RobotDescription& robot);
 
 /// Figure 10: its phenomenological model. Links, axes, the mass centre of what the tested joint
-/// drives with its surrogate, their distances and angles, and gravity.
-ReportFigure mass_model_figure(const RobotDescription& robot);
+/// drives where mass and distance are known, its surrogate, their distances and angles, and
+/// gravity. Nothing without q_peak and the surrogate mass.
+std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
+                                              const scenes::TestNumbers& numbers);
 
 /// Figure 12: the range of motion of the tested joint, and the angle at which the mass centre is
-/// level.
-ReportFigure motion_range_figure(const RobotDescription& robot);
+/// level. Nothing without q_peak and a range of up to one turn.
+std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
+                                                const scenes::TestNumbers& numbers);
 
-/// All three, in the order of their numbers.
+/// Those that there are, in the order of their numbers, with what the description states.
 std::vector<ReportFigure> scene_figures(const RobotDescription& robot);
+
+/// The same with what was identified: the numbers of the description are not shown.
+std::vector<ReportFigure> scene_figures(const RobotDescription& robot,
+                                        const Calibration& calibration);
+
+/// A report's figures with the robot's put among them, in the order of the paper's numbers.
+/// @param robot may be null: then nothing is added.
+std::vector<ReportFigure> with_scene_figures(std::vector<ReportFigure> figures,
+                                             const RobotDescription* robot,
+                                             const Calibration& calibration);
 
 }  // namespace tribolog

@@ -1,9 +1,12 @@
 #include "paper/scenes/scene_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
+
+#include "error.h"
 
 namespace tribolog::scenes {
 
@@ -14,12 +17,36 @@ std::string degrees_text(double rad, int places) {
   return (degrees < 0 && !zero ? "−" : "") + size;
 }
 
+int places_for(const AngleRange& range) {
+  const double span_deg = (range.highest_rad - range.lowest_rad) * 180 / std::numbers::pi;
+  return span_deg >= 10 ? 0 : span_deg >= 1 ? 1 : 3;
+}
+
+std::string range_text(const AngleRange& range) {
+  const int places = places_for(range);
+  return degrees_text(range.lowest_rad, places) + " to " + degrees_text(range.highest_rad, places);
+}
+
 std::string millimetres_text(double metres) { return fmt::format("{:.0f} mm", 1000 * metres); }
 
 std::string kilogram_text(double kg) { return fmt::format("{:.4g} kg", kg); }
 
+std::string drawn_text(const std::string& text, std::size_t limit) {
+  std::string drawn = printable(text, limit);
+  std::replace(drawn.begin(), drawn.end(), '{', '(');
+  std::replace(drawn.begin(), drawn.end(), '}', ')');
+  return drawn;
+}
+
 std::string index_text(const std::string& joint_name) {
-  return joint_name.size() == 1 ? joint_name : "(" + joint_name + ")";
+  constexpr std::size_t longest_plain = 3;
+  constexpr std::size_t longest = 16;
+  const bool plain =
+      joint_name.size() <= longest_plain &&
+      std::all_of(joint_name.begin(), joint_name.end(), [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      });
+  return plain ? joint_name : fmt::format("({})", drawn_text(joint_name, longest));
 }
 
 std::string dimensions_note(const RobotDescription& robot) {

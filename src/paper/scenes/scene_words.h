@@ -1,6 +1,7 @@
 #pragma once
 // Points, angles and sentences that the drawings share.
 
+#include <cstddef>
 #include <string>
 
 #include <Eigen/Core>
@@ -15,11 +16,19 @@ inline render::Point3 point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.
 
 /// "−22.23°", to so many places.
 std::string degrees_text(double rad, int places);
+/// "−80° to 60°"; with places where the range is a few degrees or less.
+std::string range_text(const AngleRange& range);
+/// Places with which the ends of a range are told apart.
+int places_for(const AngleRange& range);
 /// "400 mm"
 std::string millimetres_text(double metres);
 /// "79.17 kg"
 std::string kilogram_text(double kg);
-/// A digit as it is; a longer name in brackets, so that it can follow a letter as an index.
+/// A text from a file as one in a picture: without the braces of markup and without control
+/// characters, cut to so many bytes.
+std::string drawn_text(const std::string& text, std::size_t limit);
+/// The name of a joint as an index: up to three letters or digits as they are, "3" or "J3"; others
+/// in brackets.
 std::string index_text(const std::string& joint_name);
 /// " Dimensions are approximate." or nothing.
 std::string dimensions_note(const RobotDescription& robot);

@@ -1,0 +1,53 @@
+#pragma once
+// The numbers of a test that the drawings show: stated in a robot's description, or identified.
+
+#include <optional>
+#include <string>
+
+#include "robot/robot_description.h"
+
+#include "calibration.h"
+#include "stages/estimate.h"
+
+namespace tribolog::scenes {
+
+/// What the tested joint drives as a point; a log shows only the product of both.
+struct DrivenMass {
+  double mass_kg{};
+  double distance_m{};
+};
+
+/// Each number where it is known. Stated numbers have intervals of no width.
+struct TestNumbers {
+  bool identified{false};
+  std::optional<AngleRange> range;  ///< Of the joint's motion.
+  std::optional<Estimate> q_peak_rad;
+  std::optional<DrivenMass> mass;
+  std::optional<Estimate> surrogate_mass_kg;
+  double surrogate_distance_m{0.5};
+  double gravity_m_s2{9.81};
+};
+
+/// What the description states.
+TestNumbers stated_numbers(const RobotDescription& robot);
+
+/// What a calibration found: q_peak, the recommended surrogate mass at the manifest's distance, and
+/// the range of the rough sweep's samples (of the precise one, where that is all). Nothing that is
+/// not finite.
+TestNumbers identified_numbers(const Calibration& calibration);
+
+/// The angle from the link's own line up to the mass centre, q_c, from -180° to 180°. It is -q_peak
+/// where the joint's angle counts from the level, as in the paper.
+Estimate mass_angle_rad(const JointUnderTest& test, const Estimate& q_peak_rad);
+
+/// "−22.23187°" as stated; "−22.232° ± 0.011°" as identified.
+std::string angle_text(const TestNumbers& numbers, const Estimate& angle_rad);
+/// "22.232° ± 0.011° above" or "... below": on which side of a line.
+std::string side_text(const TestNumbers& numbers, const Estimate& angle_rad);
+/// "79.17 kg" as stated; "79.168 ± 0.044 kg" as identified.
+std::string mass_text(const TestNumbers& numbers, const Estimate& mass_kg);
+
+/// What numbers in a caption are, where they are identified: " Angle and mass are identified ..."
+std::string origin_note(const TestNumbers& numbers, const std::string& which);
+
+}  // namespace tribolog::scenes
