@@ -22,10 +22,10 @@ says how sure it is of each, and writes one HTML report.
 )";
 
 constexpr const char* exit_statuses = R"(
-Exit status: 0 done; 1 the verdict fails and --fail-on asked for that; 2 usage;
-3 an input file is refused; 4 an output file cannot be written (nothing was
-changed); 5 a figure could not be drawn (the numbers are kept); 70 a fault of
-the program.)";
+Exit status: 0 done; 1 the verdict fails and --fail-on asked for that, or a check
+of the paper does not hold; 2 usage; 3 an input file is refused; 4 an output file
+cannot be written (nothing was changed); 5 a figure could not be drawn (the
+numbers are kept); 70 a fault of the program.)";
 
 constexpr const char* manifest_help = R"(
 The manifest says, for example:
