@@ -88,6 +88,13 @@ ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sittin
   return out;
 }
 
+/// "+0.0585", "−0.0493", "0.0000"
+std::string signed_text(double value) {
+  constexpr double half_of_last_place = 5e-5;
+  if (std::abs(value) < half_of_last_place) return fmt::format("{:.4f}", 0.0);
+  return (value < 0 ? "−" : "+") + fmt::format("{:.4f}", std::abs(value));
+}
+
 std::string break_away_words(const ModelPortrait& p) {
   return fmt::format("largest {:.3f} N, then {:.3f} N in sliding.", p.largest_Nm, p.sliding_Nm);
 }
@@ -99,13 +106,13 @@ std::string static_words(const ModelPortrait& p) {
 }
 
 std::string loop_words(const ModelPortrait& p) {
-  return fmt::format("torque where a small inner loop closes: {:+.4f} N off where it began.",
-                     p.inner_loop_gap_Nm);
+  return fmt::format("torque where a small inner loop closes: {} N off where it began.",
+                     signed_text(p.inner_loop_gap_Nm));
 }
 
 std::string lag_words(const ModelPortrait& p) {
-  return fmt::format("at rising speed {:+.4f} N more than at falling speed, on the average.",
-                     p.lag_Nm);
+  return fmt::format("at rising speed {} N more than at falling speed, on the average.",
+                     signed_text(p.lag_Nm));
 }
 
 std::vector<Sitting> sittings() {

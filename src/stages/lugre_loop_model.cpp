@@ -5,6 +5,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "friction/exponential_step.h"
+#include "simulate/reversal.h"
 
 namespace tribolog {
 namespace {
@@ -50,14 +51,9 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, const OscillationMoti
     const double a = recording.t_s[i] - motion.start_s;
     const double b = recording.t_s[i + 1] - motion.start_s;
     if (speed_[i] * speed_[i + 1] < 0) {
-      double low = a;
-      double high = b;
-      for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        ((motor.speed(middle) < 0) == (speed_[i] < 0) ? low : high) = middle;
-      }
-      add(a, high, speed_[i], 0.0, false);
-      add(high, b, 0.0, speed_[i + 1], true);
+      const double turn = reversal_time(motor, a, b, speed_[i] < 0);
+      add(a, turn, speed_[i], 0.0, false);
+      add(turn, b, 0.0, speed_[i + 1], true);
     } else {
       add(a, b, speed_[i], speed_[i + 1], true);
     }
