@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "force_experiments.h"
+
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
 
@@ -15,16 +17,6 @@ namespace tribolog {
 namespace {
 
 using std::numbers::pi;
-
-ForcedMotionSetup table_1(double amplitude_N, double frequency_Hz, double periods) {
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [=](double t, double, double) {
-    return amplitude_N * std::sin(2 * pi * frequency_Hz * t);
-  };
-  setup.duration_s = periods / frequency_Hz;
-  setup.sample_s = 1 / (200 * frequency_Hz);
-  return setup;
-}
 
 /// Models that hold at rest and are smooth enough for a solver: neither jumps nor hundreds of
 /// bonds.
@@ -43,23 +35,9 @@ INSTANTIATE_TEST_SUITE_P(Motion, Forced, testing::ValuesIn(solvable()),
 
 // A torque that stays below break-away all the time, and oscillates: does the rest position creep?
 TEST_P(Forced, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
-  ForcedMotionSetup setup;
-  constexpr double frequency = 5;
-  setup.applied_Nm = [](double t, double, double) {
-    const double rise = std::min(1.0, t / 0.2);
-    return rise * (0.4 + 0.2 * std::sin(2 * pi * frequency * t));
-  };
-  setup.duration_s = 8;
-  setup.sample_s = 0.001;
-  const ForcedMotion m = simulate_forced_motion(*model_, setup);
-  // A mean over a second: models without damping keep ringing.
-  const auto mean_before = [&](std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = end - 1000; i < end; ++i) sum += m.angle_rad[i] / 1000;
-    return sum;
-  };
-  const double creep = mean_before(8000) - mean_before(4000);
-  const double deflection = 0.6 / ContactParameters{}.stiffness_Nm_rad;
+  const ForcedMotion m = simulate_forced_motion(*model_, test::push_below_break_away(8));
+  const double creep = test::mean_displacement_m(m, 8) - test::mean_displacement_m(m, 4);
+  const double deflection = test::deflection_of_that_push_m();
   if (entry_.traits.drifts) {
     EXPECT_GT(creep, 0.02 * deflection);
   } else {
@@ -69,57 +47,34 @@ TEST_P(Forced, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
 
 // Energy: what the torque puts in is what the mass has and friction took.
 TEST_P(Forced, BalancesItsEnergy) {
-  ForcedMotionSetup setup = table_1(2.0, 2.0, 2);
-  setup.sample_s = 1e-5;
-  const ForcedMotion m = simulate_forced_motion(*model_, setup);
-  double put_in = 0;
-  double taken = 0;
-  for (std::size_t i = 1; i < m.t_s.size(); ++i) {
-    const double way = m.angle_rad[i] - m.angle_rad[i - 1];
-    put_in += (m.applied_Nm[i] + m.applied_Nm[i - 1]) / 2 * way;
-    taken += (m.friction_Nm[i] + m.friction_Nm[i - 1]) / 2 * way;
-  }
-  const double kinetic = m.speed_rad_s.back() * m.speed_rad_s.back() / 2;
-  EXPECT_GT(taken, 0);
-  EXPECT_NEAR(put_in, taken + kinetic, 2e-3 * put_in);
+  const test::EnergyBalance energy =
+      test::energy_of(simulate_forced_motion(*model_, test::sinusoidal_push(2, 2, 2, 50'000)));
+  EXPECT_GT(energy.taken_J, 0);
+  EXPECT_NEAR(energy.put_in_J, energy.taken_J + energy.kinetic_J, 2e-3 * energy.put_in_J);
 }
 
 // Drawn by a soft spring at constant speed in the falling part of the Stribeck curve.
 TEST_P(Forced, SticksAndSlipsInALimitCycleIfFrictionFallsWithSpeed) {
-  constexpr double spring_N_m = 2;
-  constexpr double drawn_m_s = 0.1;
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [=](double t, double x, double) { return spring_N_m * (drawn_m_s * t - x); };
-  setup.duration_s = 60;
-  setup.sample_s = 0.01;
-  const ForcedMotion m = simulate_forced_motion(*model_, setup);
-  const auto begin = m.speed_rad_s.begin() + static_cast<std::ptrdiff_t>(m.speed_rad_s.size() / 2);
-  const double slowest = *std::min_element(begin, m.speed_rad_s.end());
-  const double fastest = *std::max_element(begin, m.speed_rad_s.end());
+  const test::SpeedRange speeds =
+      test::settled_speeds(simulate_forced_motion(*model_, test::drawn_by_a_spring()));
   if (entry_.traits.stribeck) {
-    EXPECT_LT(slowest, 0.01 * drawn_m_s);
-    EXPECT_GT(fastest, 1.5 * drawn_m_s);
+    EXPECT_LT(speeds.slowest_m_s, 0.01 * test::drawn_m_s);
+    EXPECT_GT(speeds.fastest_m_s, 1.5 * test::drawn_m_s);
   } else {
-    EXPECT_LT(fastest - slowest, 0.6 * drawn_m_s);
+    EXPECT_LT(speeds.fastest_m_s - speeds.slowest_m_s, 0.6 * test::drawn_m_s);
   }
-}
-
-/// The largest torque of friction on the way to sliding.
-double break_away_torque(const DynamicFriction& model, double rate_N_s) {
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [=](double t, double, double) { return rate_N_s * t; };
-  setup.duration_s = 1.6 / rate_N_s;
-  setup.sample_s = setup.duration_s / 16'000;
-  const ForcedMotion m = simulate_forced_motion(model, setup);
-  return *std::max_element(m.friction_Nm.begin(), m.friction_Nm.end());
 }
 
 // Canudas de Wit et al. 1995, fig. 4: the faster the force rises, the smaller the break-away force.
 TEST_P(Forced, BreaksAwayEarlierTheFasterTheTorqueRisesIfStribeckIsInIt) {
   if (!entry_.traits.stribeck) return;
-  const double slow = break_away_torque(*model_, 1);
-  const double medium = break_away_torque(*model_, 10);
-  const double fast = break_away_torque(*model_, 50);
+  const auto at_rate = [&](double rate_N_s) {
+    return test::largest_friction_N(
+        simulate_forced_motion(*model_, test::rising_push(rate_N_s, 1e-4 / rate_N_s)));
+  };
+  const double slow = at_rate(1);
+  const double medium = at_rate(10);
+  const double fast = at_rate(50);
   EXPECT_LE(slow, 1.6);
   EXPECT_GT(fast, 1.0);
   if (entry_.name == "lugre" || entry_.name == "elasto_plastic") {
@@ -131,7 +86,7 @@ TEST_P(Forced, BreaksAwayEarlierTheFasterTheTorqueRisesIfStribeckIsInIt) {
 // Nothing of the motion is hidden: its state at a moment is all that what follows depends on.
 TEST_P(Forced, GoesOnFromTheStateInWhichItStopped) {
   constexpr double restarted = 1e-4;  // the solver forgets its step, and then chooses others
-  ForcedMotionSetup setup = table_1(1.3, 10, 2);
+  ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 200);
   const ForcedMotion whole = simulate_forced_motion(*model_, setup);
   setup.duration_s /= 2;
   const ForcedMotion first = simulate_forced_motion(*model_, setup);
@@ -162,13 +117,13 @@ TEST(ForcedMotion, WithoutFrictionWorthMentioningFollowsNewton) {
 
 TEST(ForcedMotion, RefusesWhatCannotBe) {
   const auto lugre = dynamic_friction_model("lugre").matched({});
-  ForcedMotionSetup setup = table_1(1, 1, 1);
+  ForcedMotionSetup setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.inertia_kgm2 = 0;
   EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
-  setup = table_1(1, 1, 1);
+  setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.applied_Nm = nullptr;
   EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
-  setup = table_1(1, 1, 1);
+  setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.friction_state = {0.0, 0.0};
   EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
 }

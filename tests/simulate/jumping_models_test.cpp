@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "force_experiments.h"
 #include "marched_motion.h"
 
 #include "friction/catalogue.h"
@@ -14,8 +14,6 @@
 
 namespace tribolog {
 namespace {
-
-using std::numbers::pi;
 
 class Jumping : public testing::TestWithParam<std::string> {
  protected:
@@ -31,33 +29,15 @@ INSTANTIATE_TEST_SUITE_P(Motion, Jumping,
                                          "lugre"),
                          [](const auto& which) { return which.param; });
 
-ForcedMotionSetup below_break_away() {
-  constexpr double frequency_Hz = 5;
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [](double t, double, double) {
-    const double rise = std::min(1.0, t / 0.2);
-    return rise * (0.4 + 0.2 * std::sin(2 * pi * frequency_Hz * t));
-  };
-  setup.duration_s = 4;
-  setup.sample_s = 0.001;
-  return setup;
-}
-
-double mean_before(const ForcedMotion& m, std::size_t end) {
-  double sum = 0;
-  for (std::size_t i = end - 1000; i < end; ++i) sum += m.angle_rad[i] / 1000;
-  return sum;
-}
-
 TEST_P(Jumping, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
   // Bonds have no damping: without a damper the body would ring on and snap more of them.
   ContactParameters damped;
   damped.viscous_Nms_rad = 200;
   const auto model = entry_.matched(damped);
   const ForcedMotion m =
-      test::marched_motion(*model, below_break_away(), 2e-5, entry_.traits.presliding);
-  const double creep = mean_before(m, 4000) - mean_before(m, 2000);
-  const double deflection = 0.6 / ContactParameters{}.stiffness_Nm_rad;
+      test::marched_motion(*model, test::push_below_break_away(4), 2e-5, entry_.traits.presliding);
+  const double creep = test::mean_displacement_m(m, 4) - test::mean_displacement_m(m, 2);
+  const double deflection = test::deflection_of_that_push_m();
   if (entry_.traits.drifts) {
     EXPECT_GT(creep, 0.01 * deflection);
   } else {
@@ -66,57 +46,30 @@ TEST_P(Jumping, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
 }
 
 TEST_P(Jumping, TakesTheEnergyThatIsPutIn) {
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [](double t, double, double) { return 2 * std::sin(4 * pi * t); };
-  setup.duration_s = 1;
-  setup.sample_s = 1e-5;
-  const ForcedMotion m = march(setup, setup.sample_s);
-  double put_in = 0;
-  double taken = 0;
-  for (std::size_t i = 1; i < m.t_s.size(); ++i) {
-    const double way = m.angle_rad[i] - m.angle_rad[i - 1];
-    put_in += (m.applied_Nm[i] + m.applied_Nm[i - 1]) / 2 * way;
-    taken += (m.friction_Nm[i] + m.friction_Nm[i - 1]) / 2 * way;
-  }
-  const double kinetic = m.speed_rad_s.back() * m.speed_rad_s.back() / 2;
-  EXPECT_GT(taken, 0);
-  EXPECT_NEAR(put_in, taken + kinetic, 2e-3 * put_in);
+  const ForcedMotionSetup setup = test::sinusoidal_push(2, 2, 2, 50'000);
+  const test::EnergyBalance energy = test::energy_of(march(setup, setup.sample_s));
+  EXPECT_GT(energy.taken_J, 0);
+  EXPECT_NEAR(energy.put_in_J, energy.taken_J + energy.kinetic_J, 2e-3 * energy.put_in_J);
 }
 
 // Friction that is larger at the start than in sliding makes a body that is drawn by a soft spring
 // stick and slip, whether it falls with speed or with the way.
 TEST_P(Jumping, SticksAndSlipsIfItTakesMoreToStart) {
-  constexpr double spring_N_m = 2;
-  constexpr double drawn_m_s = 0.1;
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [=](double t, double x, double) { return spring_N_m * (drawn_m_s * t - x); };
-  setup.duration_s = 60;
-  setup.sample_s = 0.01;
-  const ForcedMotion m = march(setup, 1e-4);
-  const auto begin = m.speed_rad_s.begin() + static_cast<std::ptrdiff_t>(m.speed_rad_s.size() / 2);
-  const double slowest = *std::min_element(begin, m.speed_rad_s.end());
-  const double fastest = *std::max_element(begin, m.speed_rad_s.end());
+  const test::SpeedRange speeds = test::settled_speeds(march(test::drawn_by_a_spring(), 1e-4));
   if (entry_.traits.stribeck || entry_.traits.break_away) {
-    EXPECT_LT(slowest, 0.01 * drawn_m_s);
-    EXPECT_GT(fastest, 1.5 * drawn_m_s);
+    EXPECT_LT(speeds.slowest_m_s, 0.01 * test::drawn_m_s);
+    EXPECT_GT(speeds.fastest_m_s, 1.5 * test::drawn_m_s);
   } else {
-    EXPECT_LT(fastest - slowest, 0.6 * drawn_m_s);
+    EXPECT_LT(speeds.fastest_m_s - speeds.slowest_m_s, 0.6 * test::drawn_m_s);
   }
-}
-
-double break_away_torque(const ForcedMotion& m) {
-  return *std::max_element(m.friction_Nm.begin(), m.friction_Nm.end());
 }
 
 // Pushed slowly it is the peak that the same model shows under slow motion. Bonds that are spread
 // evenly at first snap together later: their peak lies above the Coulomb torque.
 TEST_P(Jumping, BreaksAwayAtThePeakOfSlowMotion) {
   const auto at_rate = [&](double rate_N_s) {
-    ForcedMotionSetup setup;
-    setup.applied_Nm = [=](double t, double, double) { return rate_N_s * t; };
-    setup.duration_s = 1.6 / rate_N_s;
-    setup.sample_s = 1e-5;
-    return break_away_torque(march(setup, setup.sample_s));
+    constexpr double step_s = 1e-5;
+    return test::largest_friction_N(march(test::rising_push(rate_N_s, step_s), step_s));
   };
   const double slow = at_rate(2);
   const double fast = at_rate(50);
@@ -133,10 +86,7 @@ TEST_P(Jumping, BreaksAwayAtThePeakOfSlowMotion) {
 // The march and CVODE share no code but the model's law.
 TEST(MarchedMotion, AgreesWithCvodeWhereTheModelIsSmooth) {
   const auto lugre = dynamic_friction_model("lugre").matched({});
-  ForcedMotionSetup setup;
-  setup.applied_Nm = [](double t, double, double) { return 1.3 * std::sin(20 * pi * t); };
-  setup.duration_s = 0.2;
-  setup.sample_s = 1e-3;
+  const ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 100);
   const ForcedMotion solved = simulate_forced_motion(*lugre, setup);
   const ForcedMotion coarse = test::marched_motion(*lugre, setup, 2e-6, true);
   const ForcedMotion fine = test::marched_motion(*lugre, setup, 1e-6, true);
