@@ -96,7 +96,10 @@ TEST_F(IdentifiedScenes, ShowWhatWasFoundAndNotWhatTheFileStates) {
   const Eigen::Vector3d joint = paper_robot().under_test.place_m();
   const render::Point3 centre{joint.x(), joint.y(), joint.z()};
   EXPECT_NEAR(render::length(scene.balls[0].centre - centre), 0.6, 1e-12);
-  EXPECT_EQ(scene.dimensions.size(), 1U);
+  // Its distance, and the length of the upper arm, which is in the description.
+  ASSERT_EQ(scene.dimensions.size(), 2U);
+  EXPECT_EQ(scene.dimensions[0].label, "r_{3}^{REPL} = 600 mm");
+  EXPECT_EQ(scene.dimensions[1].label, "l_{2} = 600 mm");
   expect_drawn(figures);
 }
 

@@ -111,6 +111,27 @@ void add_distances(render::Scene& scene, const Model& model) {
   distance(model.far_m(), 0.205, "r_{" + model.n + "}^{REPL}", surrogate_colour);
 }
 
+/// Lengths of the links below the tested joint, from joint to joint, where they are long enough for
+/// an arrow and its number.
+void add_link_lengths(render::Scene& scene, const Model& model, const ArmPose& pose) {
+  constexpr double shortest_share = 0.2;
+  constexpr double away_share = -0.15;
+  const SerialArm& arm = model.test.arm();
+  for (std::size_t i = 1; i <= model.test.setting().joint; ++i) {
+    const Eigen::Vector3d from = pose.frames[i - 1].translation();
+    const Eigen::Vector3d to = pose.frames[i].translation();
+    const double length = (to - from).norm();
+    if (length < shortest_share * model.size_m) continue;
+    render::SceneDimension one;
+    one.from = point(from);
+    one.to = point(to);
+    one.shift = point(away_share * model.size_m * model.test.level());
+    one.label = "l_{" + index_text(arm.joints()[i - 1].name) + "} = " + millimetres_text(length);
+    one.colour = paint::axis;
+    scene.dimensions.push_back(one);
+  }
+}
+
 void add_masses(render::Scene& scene, const Model& model) {
   const auto ball = [&](double distance_m, const std::string& label, render::Colour colour) {
     render::SceneBall one;
@@ -170,6 +191,7 @@ render::Scene draw(const Model& model) {
   scene.arrows.back().label = "axis of joint " + drawn_text(test.joint().name, 24);
   add_angles(scene, model);
   add_distances(scene, model);
+  add_link_lengths(scene, model, pose);
   add_masses(scene, model);
   add_gravity(scene, model);
   add_base_frame(scene, 0.215 * size * test.level() + 0.155 * size * test.axis(), 0.082 * size);
