@@ -1,0 +1,60 @@
+#pragma once
+// Internal to the sweep stage: the regression behind it.
+//
+//   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
+//   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "joint/recording.h"
+#include "stages/block_regression.h"
+#include "stages/estimate.h"
+#include "stages/sweep_samples.h"
+
+namespace tribolog {
+
+/// Columns of the regression T = X c. Those of gravity are the first.
+struct SweepDesign {
+  Eigen::MatrixXd x;
+  Eigen::VectorXd y;
+  Eigen::Index offsets{};  // first column of the offsets
+  Eigen::Index offset_count{};
+  Eigen::Index direction{-1};  // Coulomb column of a varying sweep
+  Eigen::Index speed{-1};
+  Eigen::Index acceleration{-1};
+  std::vector<std::size_t> offset_of_sample;
+};
+
+/// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
+/// alone.
+SweepDesign sweep_design(const std::vector<const Recording*>& recordings,
+                         const SweepSamples& samples, Eigen::Index gravity_columns);
+
+struct SweepGravityFit {
+  Estimate q_peak_rad;
+  Estimate gravity_Nm;
+  /// Chi-square of "there is no gravity" with two degrees of freedom. The amplitude alone cannot
+  /// tell: noise too has a positive one.
+  double evidence{};
+  BlockRegression regression;
+};
+
+/// Amplitude and angle together, about the sweep's middle; fills the two columns of gravity.
+/// @param blocks of each sample, for block_regression().
+SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& recordings,
+                                        const SweepSamples& samples, SweepDesign& design,
+                                        double middle_rad, const std::vector<std::size_t>& blocks);
+
+/// The angle alone, the amplitude being known: Gauss-Newton on T = offset + G cos(q - q_peak).
+SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
+                          const SweepSamples& samples, SweepDesign& design, double middle_rad,
+                          const Estimate& gravity_Nm, const std::vector<std::size_t>& blocks);
+
+/// Joint angle of a sample [rad].
+double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
+                std::size_t i);
+
+}  // namespace tribolog
