@@ -7,12 +7,10 @@
 #include <ctime>
 
 #include "error.h"
+#include "git_revision.h"
 
 #ifndef TRIBOLOG_VERSION
 #define TRIBOLOG_VERSION "unknown"
-#endif
-#ifndef TRIBOLOG_GIT_REVISION
-#define TRIBOLOG_GIT_REVISION "unknown"
 #endif
 #ifndef TRIBOLOG_EIGEN_VERSION
 #define TRIBOLOG_EIGEN_VERSION "unknown"
@@ -92,7 +90,7 @@ std::string command_line_text(const std::vector<std::string>& arguments) {
 Provenance make_provenance(const std::vector<std::string>& arguments) {
   Provenance made;
   made.tool_version = TRIBOLOG_VERSION;
-  made.git_revision = TRIBOLOG_GIT_REVISION;
+  made.git_revision = tribolog_git_revision;
   made.compiler = compiler_name();
   made.eigen_version = TRIBOLOG_EIGEN_VERSION;
   made.created_utc = creation_time_utc(std::getenv("SOURCE_DATE_EPOCH"));
