@@ -185,6 +185,8 @@ Checks golden_numbers(const PapersJoint& joint) {
   add_pairs(joint, out);
   add_angles(joint, out);
   add_friction_curve(joint, out);
+  const Checks parameters = golden_parameters(joint);
+  out.insert(out.end(), parameters.begin(), parameters.end());
   return out;
 }
 

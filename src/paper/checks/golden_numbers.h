@@ -11,4 +11,7 @@ namespace tribolog::paper {
 /// inertia and Stribeck effect; the pair means; the friction curve of the runs.
 Checks golden_numbers(const PapersJoint& joint);
 
+/// Part of them: the joint's parameters and experiments, held against the scenario.
+Checks golden_parameters(const PapersJoint& joint);
+
 }  // namespace tribolog::paper
