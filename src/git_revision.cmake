@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.18)
 # Writes OUTPUT, a header with the revision of SOURCE that git tells, if it is not what it says
 # already. Run at every build, so that a commit does not leave an old revision in the program.
 set(revision unknown)

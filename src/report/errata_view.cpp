@@ -100,7 +100,8 @@ void add_static_laws(ErrataNumbers& e) {
   const double meant = law.torque_Nm(backwards);
   e.backwards_speed = with_unit(significant(backwards, 1), "m/s");
   e.equation_1_meant = with_unit(significant(meant, 4), "N");
-  e.equation_1_printed = with_unit("+" + significant(law.torque_Nm(-backwards), 4), "N");
+  e.equation_1_printed =
+      with_unit(std::string("+").append(significant(law.torque_Nm(-backwards), 4)), "N");
   const double threshold = printed::largest_threshold_rad_s * c.stribeck_speed_rad_s;
   const ThresholdSpeedFriction continuous(
       {c.coulomb_Nm, c.static_Nm, 1 / c.stribeck_speed_rad_s, c.viscous_Nms_rad, threshold});

@@ -64,7 +64,7 @@ TEST_P(BadInputTest, OneLineRightStatusOldReportUntouched) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BadInputTest, ::testing::ValuesIn(bad_inputs()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& which) { return std::string(which.param.name); });
 
 TEST(BadInput, MissingManifest) {
   const ProgramRun run = run_shell(program + "identify /nowhere/dataset.toml -o /tmp/x.json");

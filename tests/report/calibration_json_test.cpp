@@ -101,7 +101,7 @@ TEST(CalibrationJson, NumbersThatAreNotFiniteAreNull) {
 TEST(CalibrationJson, SurvivesTextThatIsNotUtf8) {
   Calibration c = complete_calibration();
   c.manifest.note = "a\xff\"b";
-  c.viscous.runs[0].recording = "\xc3";
+  c.viscous.runs[0].recording.assign(1, '\xc3');
   EXPECT_EQ(parsed(c)["robot"]["note"], "a\uFFFD\"b");
 }
 
