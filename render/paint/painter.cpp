@@ -16,7 +16,6 @@
 #include "render/paint/headless_window.h"
 #include "render/paint/scene_painter.h"
 #include "render/paint/vtk_messages.h"
-#include "render/paint/vtk_threads.h"
 
 namespace tribolog::render {
 namespace {
@@ -40,7 +39,6 @@ struct Painter::Parts {
 
 Painter::Painter(const Font& font) : parts_(std::make_unique<Parts>(font)) {
   vtkOutputWindow::SetInstance(parts_->messages);
-  keep_vtk_to_one_thread();
   // FreeType's glyph cache may start out believing that it is full and reload every glyph.
   vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfBytes(~0UL);
   parts_->window->attach(parts_->context.get());

@@ -15,6 +15,7 @@
 #include "render/check/picture_check.h"
 #include "render/layout/figure_layout.h"
 #include "render/paint/painter.h"
+#include "render/paint/vtk_threads.h"
 #include "render/png/png_encoder.h"
 #include "render/text/font.h"
 #include "render/text/utf8.h"
@@ -158,9 +159,12 @@ void DrawingWorker::start() {
 
 void DrawingWorker::warm_up(Prepared prepared) {
   try {
+    // Scenes go through filters that would start threads, and workers are forked after this.
+    const bool scenes = prepared == Prepared::charts_and_scenes;
+    if (scenes) keep_vtk_to_one_thread();
     start();
     std::vector<Figure> figures{every_kind()};
-    if (prepared == Prepared::charts_and_scenes) figures.push_back(every_kind_of_part());
+    if (scenes) figures.push_back(every_kind_of_part());
     for (const Figure& figure : figures) {
       obey_test_hooks(figure.id);
       const Picture picture = stack_->painter->paint(lay_out(figure, *stack_->font));
