@@ -150,7 +150,22 @@ void ElastoPlasticFriction::respond(std::span<double> state, std::span<const Spe
     const Bending::Node last = bending.at(step.end_rad_s);
     const double direction = step.direction();
     const double along = direction * state[0];
-    if (direction != 0.0 && along >= p_.break_away_deflection_rad) {
+    const bool is_bending = direction != 0.0 && along >= p_.break_away_deflection_rad;
+    if (is_bending && i + 1 < steps.size() && steps[i + 1].direction() == direction &&
+        steps[i + 1].duration_s == step.duration_s) {
+      const SpeedStep& next = steps[i + 1];
+      const Bending::Node after = bending.at(next.end_rad_s);
+      if (const auto pair =
+              relaxation.advance_pair(2 * step.duration_s, along, start, last, after)) {
+        torque_Nm[i] = this->torque_Nm(direction * pair->middle, step.end_rad_s, last.g);
+        state[0] = direction * pair->end;
+        torque_Nm[i + 1] = this->torque_Nm(state[0], next.end_rad_s, after.g);
+        start = after;
+        ++i;
+        continue;
+      }
+    }
+    if (is_bending) {
       state[0] = direction * relaxation.advance(step, along, start, last);
     } else {
       advance(state, step);
