@@ -6,8 +6,9 @@
 #include <cstring>
 #include <ctime>
 
-#include "error.h"
 #include "git_revision.h"
+
+#include "error.h"
 
 #ifndef TRIBOLOG_VERSION
 #define TRIBOLOG_VERSION "unknown"
