@@ -1,9 +1,10 @@
 #pragma once
-// The experiments of a scenario file.
+// The experiments of a scenario file, and the load that it shares with a robot file.
 
 #include <string>
 
 #include "ingest/toml_table.h"
+#include "joint/gravity_load.h"
 #include "simulate/scenario.h"
 
 namespace tribolog {
@@ -19,5 +20,8 @@ SweepExperiment read_sweep(const TomlTable& table);
 OscillationExperiment read_oscillation(const TomlTable& table);
 ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
 Noise read_noise(const TomlTable& table);
+
+/// [load]: mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81. @throw InputError at the key.
+GravityLoad read_load(const TomlTable& load);
 
 }  // namespace tribolog

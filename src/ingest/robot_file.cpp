@@ -145,16 +145,6 @@ std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& join
   return range;
 }
 
-GravityLoad read_load(const TomlTable& load) {
-  const double mass_kg = load.number("mass_kg", Sign::positive);
-  const double distance_m = load.number("distance_m", Sign::positive);
-  const double q_peak_rad = read_angle(load, "q_peak");
-  const double gravity_m_s2 = load.number_or("gravity_m_s2", 9.81, Sign::positive);
-  load.refuse_unknown_keys();
-  return guarded(load, "mass_kg",
-                 [&] { return GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
-}
-
 }  // namespace
 
 RobotDescription parse_robot(std::string_view text, const std::string& file) {

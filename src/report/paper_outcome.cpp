@@ -54,8 +54,7 @@ bool is_drawn(const PaperItem& item, const RegeneratedPaper& paper,
 
 bool is_well(const PaperItem& item, const RegeneratedPaper& paper,
              const std::vector<render::DrawnFigure>& drawn) {
-  const paper::Tally checks = paper::tally_checks(item.checks);
-  return checks.there > 0 && checks.hold == checks.there && is_drawn(item, paper, drawn);
+  return paper::every_check_holds(item) && is_drawn(item, paper, drawn);
 }
 
 template <class Use>

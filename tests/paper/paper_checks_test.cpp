@@ -103,16 +103,18 @@ TEST_F(PaperChecks, ListTheWholePaperOnce) {
        {std::pair{ItemKind::figure, printed::figures}, std::pair{ItemKind::table, printed::tables},
         std::pair{ItemKind::equation, printed::equations}}) {
     std::set<int> numbers;
+    int hold = 0;
     for (const PaperSection& section : *sections_) {
       for (const PaperItem& item : section.items) {
         if (item.kind != kind) continue;
         EXPECT_TRUE(numbers.insert(item.number).second) << item.number;
+        if (every_check_holds(item)) ++hold;
       }
     }
     EXPECT_EQ(static_cast<int>(numbers.size()), all);
     EXPECT_EQ(*numbers.begin(), 1);
     EXPECT_EQ(*numbers.rbegin(), all);
-    EXPECT_EQ(tally_items(*sections_, kind).hold, all);
+    EXPECT_EQ(hold, all);
   }
 }
 

@@ -8,8 +8,7 @@ Checks check_conclusions(const PapersJoint& joint) {
   const LoopPoint& chosen = joint.point('B');
   const LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
   const double largest_z = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
-  const GravityLoad& load = joint.scenario.load;
-  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  const double truth = joint.true_mass_kg();
   const auto share_off = [&](const char* estimator) {
     const SurrogateMass* mass = joint.calibration.masses.find(estimator);
     return mass != nullptr ? 100 * (mass->mass_kg.value / truth - 1) : NAN;

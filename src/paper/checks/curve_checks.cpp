@@ -8,14 +8,10 @@
 namespace tribolog::paper {
 namespace {
 
-/// Of the reconstructed joint from table 2 (method, section 4).
-constexpr double reconstruction_share = 0.0024;
-constexpr const char* reconstruction = "0.24 %: the reconstruction's largest deviation";
 constexpr double rounding_Nm = 1e-12;
 
 std::string nearest_to_the_truth(const PapersJoint& joint) {
-  const GravityLoad& load = joint.scenario.load;
-  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  const double truth = joint.true_mass_kg();
   std::string nearest;
   double least = INFINITY;
   for (const char name : loop_point_names) {
@@ -77,7 +73,7 @@ Checks check_quality_errors(const PapersJoint& joint) {
   Checks out{in_words("Point with the smallest error", Origin::printed, "B",
                       joint.calibration.selection.paper_rule)};
   // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
-  const double truth = joint.scenario.load.amplitude_Nm() / joint.scenario.gear_ratio;
+  const double truth = joint.true_gravity_Nm();
   for (const char name : loop_point_names) {
     const QualityError* error = quality.find(std::string(1, name));
     const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
@@ -110,8 +106,7 @@ Checks check_selected_curve(const PapersJoint& joint) {
           apart, std::abs(best->friction_Nm[i] - joint.calibration.quality.reference_Nm.at(i)));
     }
   }
-  const GravityLoad& load = joint.scenario.load;
-  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  const double truth = joint.true_mass_kg();
   return {printed_value("Selected surrogate mass", row.mass_kg, 3,
                         chosen != nullptr ? chosen->mass_kg.value : NAN,
                         reconstruction_share * row.mass_kg, "kg", reconstruction),

@@ -96,7 +96,7 @@ Checks check_equation_11(const PapersJoint& joint) {
                         runs_in_words(joint) + ": largest",
                     largest_over_runs(joint,
                                       [&](const ConstantSpeedRun& run) {
-                                        const double gravity = s.load.amplitude_Nm() / s.gear_ratio;
+                                        const double gravity = joint.true_gravity_Nm();
                                         return run.torque_Nm - gravity * run.mean_cos -
                                                s.sliding->torque_Nm(run.speed_rad_s);
                                       }),
@@ -107,11 +107,11 @@ Checks check_equation_13(const PapersJoint& joint) {
   const Scenario& s = joint.scenario;
   const CogSweepResult& rough = joint.calibration.rough;
   const double speed = s.gear_ratio * s.rough_sweep.value().speed_rad_s;
-  const double expected = s.sliding->torque_Nm(speed) + s.load.amplitude_Nm() / s.gear_ratio;
+  const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
   return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
                     rough.argmax_torque_Nm, 1e-7, "N·m", "the peak lies between two samples"),
           law_value("Its part m g r / n, told from friction by the two directions",
-                    s.load.amplitude_Nm() / s.gear_ratio, rough.gravity_Nm.value, 1e-5, "N·m",
+                    joint.true_gravity_Nm(), rough.gravity_Nm.value, 1e-5, "N·m",
                     "what the program promises")};
 }
 

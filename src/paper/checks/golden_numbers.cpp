@@ -32,7 +32,7 @@ void add_ratios(const PapersJoint& joint, Checks& out) {
   const double swing_speed = swing * 2 * std::numbers::pi * e.frequency_Hz;
   const char* digits = "digits of the scenario's parameters";
   out.push_back(reconstructed_value("G/n, gravity torque at the motor", 3.88318571, 8,
-                                    s.load.amplitude_Nm() / s.gear_ratio, 5e-9, "N·m", digits));
+                                    joint.true_gravity_Nm(), 5e-9, "N·m", digits));
   out.push_back(
       reconstructed_value("True surrogate mass at 0.5 m", 79.1679, 4,
                           scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value, 5e-5,
@@ -127,8 +127,7 @@ void add_deviations(const PapersJoint& joint, Checks& out) {
 }
 
 void add_pairs(const PapersJoint& joint, Checks& out) {
-  const GravityLoad& load = joint.scenario.load;
-  const double truth = load.mass_kg() * load.distance_m() / joint.scenario.surrogate_distance_m;
+  const double truth = joint.true_mass_kg();
   const auto mass = [&](const std::string& estimator) {
     const SurrogateMass* found = joint.calibration.masses.find(estimator);
     return found != nullptr ? found->mass_kg.value : NAN;

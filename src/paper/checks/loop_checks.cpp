@@ -37,11 +37,10 @@ Check is_extreme(const PapersJoint& joint, char name, const std::vector<double>&
 
 Checks check_torque_loop(const PapersJoint& joint) {
   Checks out;
-  constexpr double share = 0.0024;
   for (const printed::TorqueRow& row : printed::table_2) {
     out.push_back(printed_value(std::string("Torque at ") + row.point, row.torque_Nm, 3,
-                                joint.point(row.point).torque_Nm, share * row.torque_Nm, "N·m",
-                                "0.24 %: the reconstruction's largest deviation"));
+                                joint.point(row.point).torque_Nm,
+                                reconstruction_share * row.torque_Nm, "N·m", reconstruction));
   }
   const auto mean_of = [&](char one, char other) {
     const auto& steady = joint.calibration.hysteresis.steady_points;
@@ -49,7 +48,7 @@ Checks check_torque_loop(const PapersJoint& joint) {
     for (const LoopPoint& p : steady) sum += p.name == one || p.name == other ? p.torque_Nm / 2 : 0;
     return sum;
   };
-  const double truth = joint.scenario.load.amplitude_Nm() / joint.scenario.gear_ratio;
+  const double truth = joint.true_gravity_Nm();
   for (const char* pair : {"AB", "CD", "EF"}) {
     out.push_back(law_value(
         std::string("Steady loop, mean of ") + pair[0] + " and " + pair[1] + ": gravity alone",

@@ -18,17 +18,17 @@ Checks check_equation_12(const PapersJoint& joint) {
   const GravityLoad& load = joint.scenario.load;
   const double truth = load.mass_kg() * load.distance_m() / printed::distance_m;
   const SurrogateMass* midline = joint.calibration.masses.find("midline");
-  Checks out{vanishing("All six rows of table 2, mass from torque: largest difference from print",
-                       apart, printed::rounding_kg(), "kg", "rounding of printed torque and mass"),
-             reconstructed_value("Surrogate mass of the joint's gravity torque", 79.1679, 4,
-                                 surrogate_mass_kg(load.amplitude_Nm() / joint.scenario.gear_ratio,
-                                                   joint.scenario.gear_ratio, printed::distance_m,
-                                                   load.gravity_m_s2(), 1.0),
-                                 5e-5, "kg", "digits of the method's number"),
-             law_value("The same torque at every angle: its m r by that of the arm", 1.0,
-                       scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value *
-                           printed::distance_m / (load.mass_kg() * load.distance_m()),
-                       1e-12, "", "rounding")};
+  Checks out{
+      vanishing("All six rows of table 2, mass from torque: largest difference from print", apart,
+                printed::rounding_kg(), "kg", "rounding of printed torque and mass"),
+      reconstructed_value("Surrogate mass of the joint's gravity torque", 79.1679, 4,
+                          surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
+                                            printed::distance_m, load.gravity_m_s2(), 1.0),
+                          5e-5, "kg", "digits of the method's number"),
+      law_value("The same torque at every angle: its m r by that of the arm", 1.0,
+                scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value *
+                    printed::distance_m / (load.mass_kg() * load.distance_m()),
+                1e-12, "", "rounding")};
   if (midline != nullptr) {
     out.push_back(law_value("Mid-line of the loop, an estimate that friction does not enter", truth,
                             midline->mass_kg.value, 1e-4 * truth, "kg",

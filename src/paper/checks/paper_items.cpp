@@ -116,17 +116,9 @@ Tally tally_checks(const Checks& checks) {
                                          [](const Check& check) { return check.holds(); }))};
 }
 
-Tally tally_items(const std::vector<PaperSection>& sections, ItemKind kind) {
-  Tally sum;
-  for (const PaperSection& section : sections) {
-    for (const PaperItem& item : section.items) {
-      if (item.kind != kind) continue;
-      const Tally checks = tally_checks(item.checks);
-      ++sum.there;
-      if (checks.there > 0 && checks.hold == checks.there) ++sum.hold;
-    }
-  }
-  return sum;
+bool every_check_holds(const PaperItem& item) {
+  const Tally checks = tally_checks(item.checks);
+  return checks.there > 0 && checks.hold == checks.there;
 }
 
 Tally tally_checks(const std::vector<PaperSection>& sections) {

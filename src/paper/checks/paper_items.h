@@ -31,14 +31,15 @@ struct PaperSection {
 std::vector<PaperSection> paper_items(const PapersJoint& joint,
                                       const std::vector<ReportFigure>& figures);
 
-/// How many there are, and of how many every check holds.
+/// How many there are, and how many hold.
 struct Tally {
   int there{};
   int hold{};
 };
-Tally tally_items(const std::vector<PaperSection>& sections, ItemKind kind);
 Tally tally_checks(const Checks& checks);
 /// All checks of all items.
 Tally tally_checks(const std::vector<PaperSection>& sections);
+/// Has the item a check, and does each hold?
+bool every_check_holds(const PaperItem& item);
 
 }  // namespace tribolog::paper

@@ -53,6 +53,15 @@ PapersJoint::PapersJoint(const Scenario& given, RobotDescription description)
       continuous(linear_zone_at_joint_scale()),
       loops(presliding_loops({})) {}
 
+double PapersJoint::true_mass_kg() const {
+  const GravityLoad& load = scenario.load;
+  return load.mass_kg() * load.distance_m() / scenario.surrogate_distance_m;
+}
+
+double PapersJoint::true_gravity_Nm() const {
+  return scenario.load.amplitude_Nm() / scenario.gear_ratio;
+}
+
 double PapersJoint::oscillation_speed_rad_s(double t_s) const {
   const OscillationExperiment& e = scenario.oscillation.value();
   const double omega = 2 * std::numbers::pi * e.frequency_Hz;

@@ -4,14 +4,6 @@
 #include "paper/printed_paper.h"
 
 namespace tribolog::paper {
-namespace {
-
-/// Of the reconstructed joint from table 2, with inertia and Stribeck effect (method, section 4).
-constexpr double reconstruction_share = 0.0024;
-constexpr const char* reconstruction = "0.24 %: the reconstruction's largest deviation";
-
-}  // namespace
-
 Checks check_table_1() {
   const ContactParameters ours;
   const double values[] = {ours.stiffness_Nm_rad, ours.damping_Nms_rad, ours.viscous_Nms_rad,

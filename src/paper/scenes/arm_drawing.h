@@ -14,7 +14,14 @@ inline constexpr render::Colour driven{228, 186, 104};    ///< Links that it doe
 inline constexpr render::Colour housing{138, 146, 155};   ///< Of joints.
 inline constexpr render::Colour axis{0, 90, 150};
 inline constexpr render::Colour tested_axis{190, 70, 0};
+inline constexpr render::Colour angle{0, 90, 150};  ///< Of the tested joint.
+inline constexpr render::Colour mass{30, 30, 30};
+inline constexpr render::Colour mass_angle{0, 120, 85};  ///< From the link's line to the mass.
+inline constexpr render::Colour level{90, 90, 90};
 }  // namespace paint
+
+/// Lines closer than this are one but for rounding.
+inline constexpr double same_line_rad = 1e-6;
 
 struct ArmLook {
   std::size_t first{0};         ///< The first link that is drawn.

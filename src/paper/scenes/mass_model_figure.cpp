@@ -13,13 +13,8 @@ namespace {
 
 using namespace scenes;
 
-constexpr render::Colour mass_colour{30, 30, 30};
 constexpr render::Colour surrogate_colour{180, 50, 0};
-constexpr render::Colour angle_colour{0, 90, 150};
-constexpr render::Colour mass_angle_colour{0, 120, 85};
-constexpr render::Colour level_colour{90, 90, 90};
 constexpr double shown_above_level_rad = 20 * std::numbers::pi / 180;
-constexpr double same_line_rad = 1e-6;  // lines that are one but for rounding
 
 /// What the parts of the picture are drawn from.
 struct Model {
@@ -66,11 +61,11 @@ void add_angles(render::Scene& scene, const Model& model) {
   const double far = model.far_m();
   const double line = model.line_rad;
   sector("q_{" + model.n + "} = " + degrees_text(model.q_rad, 0), 1.62 * far, line - model.q_rad,
-         line, angle_colour);
+         line, paint::angle);
   const double q_c = model.q_c_rad.value;
   const std::string q_c_text =
       model.numbers.identified ? angle_text(model.numbers, model.q_c_rad) : degrees_text(q_c, 2);
-  sector("q_{" + model.n + "}^{c} = " + q_c_text, 1.3 * far, line, line + q_c, mass_angle_colour);
+  sector("q_{" + model.n + "}^{c} = " + q_c_text, 1.3 * far, line, line + q_c, paint::mass_angle);
 
   const auto ray = [&](double at, double reach, render::LineStyle style, render::Colour colour,
                        const std::string& end_text) {
@@ -85,12 +80,12 @@ void add_angles(render::Scene& scene, const Model& model) {
   };
   const double zero = line - model.q_rad;
   const bool from_level = std::abs(zero) < same_line_rad;
-  ray(0, 1.75 * far, render::LineStyle::dash, level_colour, from_level ? "" : "level");
+  ray(0, 1.75 * far, render::LineStyle::dash, paint::level, from_level ? "" : "level");
   if (!from_level) {
-    ray(zero, 1.75 * far, render::LineStyle::dot, angle_colour, "q_{" + model.n + "} = 0");
+    ray(zero, 1.75 * far, render::LineStyle::dot, paint::angle, "q_{" + model.n + "} = 0");
   }
-  ray(line, 1.75 * far, render::LineStyle::dash_dot, angle_colour, "");
-  ray(line + q_c, 1.42 * far, render::LineStyle::solid, mass_angle_colour, "");
+  ray(line, 1.75 * far, render::LineStyle::dash_dot, paint::angle, "");
+  ray(line + q_c, 1.42 * far, render::LineStyle::solid, paint::mass_angle, "");
 }
 
 void add_distances(render::Scene& scene, const Model& model) {
@@ -106,7 +101,7 @@ void add_distances(render::Scene& scene, const Model& model) {
     scene.dimensions.push_back(one);
   };
   if (const auto& mass = model.numbers.mass) {
-    distance(mass->distance_m, -0.235, "r_{" + model.n + "}", mass_colour);
+    distance(mass->distance_m, -0.235, "r_{" + model.n + "}", paint::mass);
   }
   distance(model.far_m(), 0.205, "r_{" + model.n + "}^{REPL}", surrogate_colour);
 }
@@ -143,7 +138,7 @@ void add_masses(render::Scene& scene, const Model& model) {
     scene.balls.push_back(one);
   };
   if (const auto& mass = model.numbers.mass) {
-    ball(mass->distance_m, "m_{" + model.n + "} = " + kilogram_text(mass->mass_kg), mass_colour);
+    ball(mass->distance_m, "m_{" + model.n + "} = " + kilogram_text(mass->mass_kg), paint::mass);
   }
   ball(model.far_m(),
        "m_{" + model.n + "}^{REPL} = " + mass_text(model.numbers, *model.numbers.surrogate_mass_kg),

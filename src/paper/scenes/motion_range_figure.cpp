@@ -13,12 +13,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr render::Colour range_colour{0, 90, 150};
-constexpr render::Colour mass_colour{30, 30, 30};
-constexpr render::Colour mass_angle_colour{0, 120, 85};
 constexpr render::Colour peak_colour{180, 50, 0};
-constexpr render::Colour level_colour{90, 90, 90};
-constexpr double same_line_rad = 1e-6;  // lines that are one but for rounding
 
 /// What the parts of the picture are drawn from.
 struct TestMotion {
@@ -76,7 +71,7 @@ void add_sectors(render::Scene& scene, const TestMotion& motion) {
   range.to_rad = motion.line_rad(motion.range.highest_rad);
   range.filled = true;
   range.fill.alpha = 45;
-  range.colour = range_colour;
+  range.colour = paint::angle;
   range.ends = render::ArcEnds::arrow_at_both;
   scene.sectors.push_back(range);
   const Estimate angle = mass_angle_rad(motion.test, motion.q_peak_rad);
@@ -84,7 +79,7 @@ void add_sectors(render::Scene& scene, const TestMotion& motion) {
   q_c.radius_m = 1.1 * motion.reach_m;
   q_c.from_rad = motion.line_rad(motion.q_rad);
   q_c.to_rad = q_c.from_rad + angle.value;
-  q_c.colour = mass_angle_colour;
+  q_c.colour = paint::mass_angle;
   q_c.label = "q_{" + motion.n + "}^{c} = " + angle_text(motion.numbers, angle);
   add_angle(scene, q_c);
 }
@@ -104,9 +99,9 @@ void add_rays(render::Scene& scene, const TestMotion& motion) {
   const std::string q = "q_{" + motion.n;
   const int places = places_for(motion.range);
   const AngleRange& range = motion.range;
-  ray(motion.line_rad(range.lowest_rad), render::LineStyle::dash, range_colour,
+  ray(motion.line_rad(range.lowest_rad), render::LineStyle::dash, paint::angle,
       q + ",min} = " + degrees_text(range.lowest_rad, places));
-  ray(motion.line_rad(range.highest_rad), render::LineStyle::dash, range_colour,
+  ray(motion.line_rad(range.highest_rad), render::LineStyle::dash, paint::angle,
       q + ",max} = " + degrees_text(range.highest_rad, places));
   if (motion.reaches_peak()) {
     ray(motion.line_rad(motion.q_rad), render::LineStyle::dash_dot, peak_colour,
@@ -114,8 +109,8 @@ void add_rays(render::Scene& scene, const TestMotion& motion) {
   }
   const double zero = motion.line_rad(0);
   const bool from_level = std::abs(zero) < same_line_rad;
-  ray(0, render::LineStyle::dash, level_colour, from_level ? "level, " + q + "} = 0" : "level");
-  if (!from_level) ray(zero, render::LineStyle::dot, range_colour, q + "} = 0");
+  ray(0, render::LineStyle::dash, paint::level, from_level ? "level, " + q + "} = 0" : "level");
+  if (!from_level) ray(zero, render::LineStyle::dot, paint::angle, q + "} = 0");
 }
 
 /// The mass centre with its weight; the surrogate mass where only that is known.
@@ -128,7 +123,7 @@ void add_mass(render::Scene& scene, const TestMotion& motion) {
   render::SceneBall mass;
   mass.centre = point(centre);
   mass.radius_m = 0.0154 * motion.size_m;
-  mass.colour = mass_colour;
+  mass.colour = paint::mass;
   mass.inside = true;
   mass.label = known ? "mass centre" : "surrogate mass";
   scene.balls.push_back(mass);
