@@ -4,7 +4,8 @@
 
 namespace tribolog {
 
-Calibration identify(const Dataset& dataset, const StageProgress& progress) {
+Calibration identify(const Dataset& dataset, const IdentifyOptions&,
+                     const StageProgress& progress) {
   constexpr int all = 8;
   int done = 0;
   const auto begin = [&](const char* stage) {

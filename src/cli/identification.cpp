@@ -43,7 +43,7 @@ void protect_inputs(const Dataset& dataset, const std::string& manifest,
 }
 
 Calibration run_identification(const Dataset& dataset, Console& console) {
-  return identify(dataset, [&](const std::string& stage, int done, int all) {
+  return identify(dataset, {}, [&](const std::string& stage, int done, int all) {
     console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   });
 }

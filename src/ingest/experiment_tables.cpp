@@ -12,6 +12,7 @@ namespace tribolog {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180;
+constexpr std::uint64_t most_positions = 99;  // file names have two digits
 
 /// The key in use and its factor to radians. `after` is what follows the unit: "", "_s", "_s2".
 std::pair<std::string, double> angle_key(const TomlTable& table, const std::string& name,
@@ -63,7 +64,7 @@ SweepExperiment read_sweep(const TomlTable& table) {
   return e;
 }
 
-OscillationExperiment read_oscillation(const TomlTable& table) {
+std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio) {
   OscillationExperiment e;
   e.centre_rad = read_angle(table, "centre");
   e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
@@ -72,8 +73,13 @@ OscillationExperiment read_oscillation(const TomlTable& table) {
   if (e.cycles < 1) table.refuse("cycles", {"not usable", fmt::format("{}", e.cycles), ">= 1", ""});
   e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
   e.record_bristle = table.flag_or("record_bristle", e.record_bristle);
+  const std::uint64_t positions = table.count_or("positions", 1);
+  if (positions < 1 || positions > most_positions) {
+    table.refuse("positions", {"not usable", fmt::format("{}", positions),
+                               fmt::format("a whole number from 1 to {}", most_positions), ""});
+  }
   table.refuse_unknown_keys();
-  return e;
+  return spread_over_motor_turn(e, positions, gear_ratio);
 }
 
 ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {

@@ -17,7 +17,8 @@ double read_angle_or(const TomlTable& table, const std::string& name, double oth
 
 // Each refuses what cannot be carried out. @throw InputError at the key.
 SweepExperiment read_sweep(const TomlTable& table);
-OscillationExperiment read_oscillation(const TomlTable& table);
+/// One, or as many as `positions` says, spread over a turn of the motor.
+std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio);
 ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
 Noise read_noise(const TomlTable& table);
 

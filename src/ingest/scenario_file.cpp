@@ -64,10 +64,15 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
   };
   scenario.rough_sweep = sweep("rough_sweep");
   scenario.precise_sweep = sweep("precise_sweep");
-  if (const auto table = top.find_table("oscillation")) {
-    const OscillationExperiment e = read_oscillation(*table);
-    refuse_endless(*table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
-    scenario.oscillation = e;
+  for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
+    for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
+      refuse_endless(table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+      if (scenario.oscillation) {
+        scenario.further_oscillations.push_back(e);
+      } else {
+        scenario.oscillation = e;
+      }
+    }
   }
   if (const auto table = top.find_table("constant_speed")) {
     scenario.constant_speed = read_constant_speed(*table);

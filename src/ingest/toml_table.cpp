@@ -234,4 +234,12 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   return tables;
 }
 
+std::vector<TomlTable> TomlTable::one_or_more_tables(const std::string& key) const {
+  const toml::node* node = view_->find(key);
+  if (node != nullptr && node->is_array()) return tables(key);
+  std::vector<TomlTable> one;
+  if (const auto table = find_table(key)) one.push_back(*table);
+  return one;
+}
+
 }  // namespace tribolog

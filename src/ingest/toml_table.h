@@ -46,6 +46,8 @@ class TomlTable {
   [[nodiscard]] std::uint64_t count_or(const std::string& key, std::uint64_t otherwise) const;
   [[nodiscard]] std::optional<TomlTable> find_table(const std::string& key) const;
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key) const;  ///< `[[key]]`
+  /// `[key]` or any number of `[[key]]`; empty if neither.
+  [[nodiscard]] std::vector<TomlTable> one_or_more_tables(const std::string& key) const;
 
   [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] Location where() const;

@@ -1,8 +1,23 @@
 #include "simulate/scenario.h"
 
+#include <numbers>
+
 #include "friction/catalogue.h"
 
 namespace tribolog {
+
+std::vector<OscillationExperiment> spread_over_motor_turn(const OscillationExperiment& oscillation,
+                                                          std::size_t positions,
+                                                          double gear_ratio) {
+  const double apart_rad = 2 * std::numbers::pi / gear_ratio / static_cast<double>(positions);
+  std::vector<OscillationExperiment> all(positions, oscillation);
+  // The first at the centre, the others to its right and left in turn.
+  for (std::size_t k = 1; k < positions; ++k) {
+    const double places = static_cast<double>((k + 1) / 2) * (k % 2 == 1 ? 1 : -1);
+    all[k].centre_rad += places * apart_rad;
+  }
+  return all;
+}
 
 const FrictionModel& Scenario::sliding_model() const {
   if (sliding) return *sliding;

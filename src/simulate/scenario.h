@@ -33,6 +33,11 @@ struct OscillationExperiment {
   bool record_bristle{true};  ///< Write z and dz/dt of LuGre, which no real drive can.
 };
 
+/// The same oscillation at `positions` places, evenly spread over one turn of the motor about its
+/// centre: torque ripple of 1 to positions - 1 periods a turn then averages out.
+std::vector<OscillationExperiment> spread_over_motor_turn(const OscillationExperiment& oscillation,
+                                                          std::size_t positions, double gear_ratio);
+
 /// One recording per speed, each with one plateau in each direction.
 struct ConstantSpeedExperiment {
   std::vector<double> motor_speeds_rad_s;  ///< > 0 each
@@ -80,7 +85,9 @@ struct Scenario {
   double surrogate_distance_m{0.5};
   std::optional<SweepExperiment> rough_sweep;
   std::optional<SweepExperiment> precise_sweep;
-  std::optional<OscillationExperiment> oscillation;
+  std::optional<OscillationExperiment> oscillation;  ///< The paper's: its start-up stroke is read.
+  /// The same at other positions, amplitudes or frequencies; only beside `oscillation`.
+  std::vector<OscillationExperiment> further_oscillations;
   std::optional<ConstantSpeedExperiment> constant_speed;
   Noise noise;
 

@@ -89,7 +89,7 @@ Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, R
                 e.sample_rate_Hz, std::move(name), role);
 }
 
-Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
+Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
   require_positive(e.sample_rate_Hz, "sample_rate_Hz", "Hz");
   require_positive(e.amplitude_rad, "amplitude", "rad");
   if (!(e.cycles >= 1)) {
@@ -110,7 +110,7 @@ Recording oscillation(const Scenario& s, const OscillationExperiment& e) {
     std::vector<double> state = s.presliding->unloaded();
     friction_response(*s.presliding, motor, 0.0, dt, state, torque);
   }
-  Recording r = empty_recording("oscillation.csv", Role::oscillation, samples);
+  Recording r = empty_recording(std::move(name), Role::oscillation, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
     const double q = motor.angle(t) / n;
@@ -162,8 +162,17 @@ std::vector<Recording> simulate_joint(const Scenario& scenario) {
   if (const auto& e = scenario.precise_sweep) {
     keep(sweep(scenario, *e, "precise_sweep.csv", Role::precise_sweep), e->sample_rate_Hz);
   }
-  if (const auto& e = scenario.oscillation) {
-    keep(oscillation(scenario, *e), e->sample_rate_Hz);
+  if (const auto& first = scenario.oscillation) {
+    const bool is_only_one = scenario.further_oscillations.empty();
+    keep(oscillation(scenario, *first, is_only_one ? "oscillation.csv" : "oscillation_01.csv"),
+         first->sample_rate_Hz);
+    std::size_t number = 1;
+    for (const OscillationExperiment& e : scenario.further_oscillations) {
+      keep(oscillation(scenario, e, fmt::format("oscillation_{:02}.csv", ++number)),
+           e.sample_rate_Hz);
+    }
+  } else if (!scenario.further_oscillations.empty()) {
+    throw std::invalid_argument("further oscillations are stated without a first one");
   }
   if (const auto& e = scenario.constant_speed) {
     for (std::size_t i = 0; i < e->motor_speeds_rad_s.size(); ++i) {

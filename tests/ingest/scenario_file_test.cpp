@@ -101,6 +101,7 @@ TEST(PaperScenario, NoisyOnesDifferInTheDriveOnly) {
   EXPECT_EQ(noisy.noise.speed_filter_Hz, 100);
   EXPECT_EQ(noisy.oscillation->cycles, 10);
   EXPECT_FALSE(noisy.oscillation->record_bristle);
+  EXPECT_TRUE(noisy.further_oscillations.empty());
   EXPECT_TRUE(noisy.noise.ripple.empty());
   ASSERT_EQ(ripple.noise.ripple.size(), 2U);
   EXPECT_EQ(ripple.noise.ripple[0].periods_per_turn, 1);
@@ -111,6 +112,23 @@ TEST(PaperScenario, NoisyOnesDifferInTheDriveOnly) {
     EXPECT_EQ(s->sliding->named_parameters(), ideal.sliding->named_parameters());
     EXPECT_EQ(s->constant_speed->motor_speeds_rad_s, ideal.constant_speed->motor_speeds_rad_s);
   }
+}
+
+TEST(ScenarioFile, ReadsSeveralOscillationsAndPositions) {
+  const Scenario spread =
+      parse_scenario(with("cycles = 5", "cycles = 5\npositions = 8"), "scenario.toml");
+  EXPECT_EQ(spread.further_oscillations.size(), 7U);
+  const Scenario two = parse_scenario(
+      with("[oscillation]",
+           "[[oscillation]]\ncentre_deg = 0\namplitude_rad = 1e-3\nfrequency_Hz = 2\ncycles = 3\n"
+           "[[oscillation]]"),
+      "scenario.toml");
+  EXPECT_EQ(two.oscillation->amplitude_rad, 1e-3);
+  ASSERT_EQ(two.further_oscillations.size(), 1U);
+  EXPECT_EQ(two.further_oscillations[0].cycles, 5);
+  EXPECT_EQ(
+      refusal_without_line(with("cycles = 5", "cycles = 5\npositions = 0")),
+      "key 'oscillation.positions': not usable, found 0, expected a whole number from 1 to 99");
 }
 
 TEST(ScenarioFile, RefusesImpossibleParametersAtTheirKey) {

@@ -46,6 +46,34 @@ TEST(SimulateJoint, SweepTorqueIsFrictionPlusGravityWhileSpeedIsConstant) {
   EXPECT_GT(checked, 100'000U);
 }
 
+TEST(SimulateJoint, OscillatesAtPositionsOverOneMotorTurn) {
+  Scenario s = test::paper_joint();
+  const auto places = spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
+  ASSERT_EQ(places.size(), 8U);
+  EXPECT_EQ(places.front().centre_rad, s.oscillation->centre_rad);
+  // A torque of k periods a turn sums to nothing over the positions, except for whole eighths.
+  for (int k = 1; k < 8; ++k) {
+    double sine = 0;
+    double cosine = 0;
+    for (const OscillationExperiment& e : places) {
+      sine += std::sin(k * s.gear_ratio * e.centre_rad);
+      cosine += std::cos(k * s.gear_ratio * e.centre_rad);
+    }
+    EXPECT_NEAR(std::hypot(sine, cosine), 0, 1e-10) << k;
+  }
+  s.further_oscillations.assign(places.begin() + 1, places.end());
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.constant_speed.reset();
+  const auto recordings = simulate_joint(s);
+  ASSERT_EQ(recordings.size(), 8U);
+  EXPECT_EQ(recordings.front().name, "oscillation_01.csv");
+  EXPECT_EQ(recordings.back().name, "oscillation_08.csv");
+  EXPECT_EQ(recordings.back().role, Role::oscillation);
+  s.oscillation.reset();
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+}
+
 TEST(SimulateJoint, RefusesExperimentsThatCannotBe) {
   Scenario s = test::paper_joint();
   s.oscillation->cycles = 0.5;
