@@ -26,7 +26,8 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
   std::optional<Estimate> amplitude;
   if (c.rough.found) amplitude = c.rough.gravity_Nm;
   c.precise =
-      identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n, amplitude);
+      identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n, amplitude,
+                                 c.rough.ripple);
   for (const CogSweepResult* sweep : {&c.rough, &c.precise}) {
     if (!sweep->found) continue;
     if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {

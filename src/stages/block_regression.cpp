@@ -9,6 +9,69 @@
 #include "stages/student_t.h"
 
 namespace tribolog {
+namespace {
+
+/// The blocks in coordinates in which the coefficients of white errors are white.
+struct WhitenedBlocks {
+  std::vector<Eigen::MatrixXd> shares;  ///< Of each block in X'X; they add up to the unit matrix.
+  std::vector<Eigen::MatrixXd> corrections;  ///< (I - share)^(-1/2)
+  Eigen::MatrixXd shifts;                    ///< Corrected scores, one column for each block.
+};
+
+WhitenedBlocks whitened_blocks(const Eigen::MatrixXd& scaled, const BlockRegression& fit,
+                               const Eigen::MatrixXd& r_inverse,
+                               const std::vector<std::size_t>& block_of_row) {
+  // From this share on a block decides a direction alone, and its residual tells nothing.
+  constexpr double alone = 0.99;
+  const Eigen::Index columns = scaled.cols();
+  const std::size_t count = block_of_row.back() + 1;
+  WhitenedBlocks out;
+  out.shifts = Eigen::MatrixXd::Zero(columns, static_cast<Eigen::Index>(count));
+  Eigen::Index first = 0;
+  for (std::size_t b = 0; b < count; ++b) {
+    Eigen::Index last = first;
+    while (last < scaled.rows() && block_of_row[static_cast<std::size_t>(last)] == b) ++last;
+    const auto x = scaled.middleRows(first, last - first);
+    const Eigen::MatrixXd share = r_inverse.transpose() * (x.transpose() * x) * r_inverse;
+    const Eigen::VectorXd score =
+        r_inverse.transpose() * (x.transpose() * fit.residuals.segment(first, last - first));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(share);
+    const Eigen::MatrixXd& u = eigen.eigenvectors();
+    Eigen::VectorXd gain(columns);
+    Eigen::VectorXd along = u.transpose() * score;
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      const double lambda = eigen.eigenvalues()(k);
+      gain(k) = 1 / std::sqrt(1 - std::clamp(lambda, 0.0, alone));
+      along(k) = lambda > alone ? fit.residual_sd : gain(k) * along(k);
+    }
+    out.shifts.col(static_cast<Eigen::Index>(b)) = u * along;
+    out.corrections.emplace_back(u * gain.asDiagonal() * u.transpose());
+    out.shares.push_back(share);
+    first = last;
+  }
+  return out;
+}
+
+/// Of the variance of `direction` times the whitened coefficients: (tr G)^2 / tr(G^2), G the
+/// covariance of the blocks' contributions under white errors.
+double degrees_of_freedom(const WhitenedBlocks& blocks, const Eigen::VectorXd& direction) {
+  Eigen::MatrixXd common = Eigen::MatrixXd::Zero(direction.size(), direction.size());
+  double trace = 0;
+  double squares = 0;
+  for (std::size_t b = 0; b < blocks.shares.size(); ++b) {
+    const Eigen::VectorXd g = blocks.corrections[b] * direction;
+    const Eigen::VectorXd v = blocks.shares[b] * g;
+    const double own = g.dot(v);
+    trace += own - v.squaredNorm();
+    squares += own * own - 2 * own * v.squaredNorm();
+    common += v * v.transpose();
+  }
+  squares += common.squaredNorm();
+  const double freedom = trace * trace / squares;
+  return std::isfinite(freedom) ? std::max(1.0, freedom) : 1.0;
+}
+
+}  // namespace
 
 BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                  const std::vector<std::size_t>& block_of_row) {
@@ -33,24 +96,21 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   const double freedom = std::max<double>(1.0, static_cast<double>(rows - columns));
   out.residual_sd = std::sqrt(out.residuals.squaredNorm() / freedom);
 
-  const std::size_t blocks = block_of_row.empty() ? 0 : block_of_row.back() + 1;
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(columns, static_cast<Eigen::Index>(blocks));
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    scores.col(static_cast<Eigen::Index>(block_of_row[static_cast<std::size_t>(i)])) +=
-        out.residuals(i) * scaled.row(i).transpose();
-  }
   const Eigen::MatrixXd r_inverse =
       r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(columns, columns));
-  const Eigen::MatrixXd bread = r_inverse * r_inverse.transpose();
-  const auto m = static_cast<double>(blocks);
-  // Each column costs a degree of freedom among the blocks.
-  const double spare = std::max(1.0, m - static_cast<double>(columns));
-  const Eigen::MatrixXd meat = scores * scores.transpose() * (m / spare);
-  const Eigen::MatrixXd covariance = bread * meat * bread;
-  out.covariance =
-      norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
-  out.t_factor = student_t_975(spare);
+  const WhitenedBlocks blocks = whitened_blocks(scaled, out, r_inverse, block_of_row);
+  const Eigen::MatrixXd to_coefficients = norms.cwiseInverse().asDiagonal() * r_inverse;
+  out.block_shifts = to_coefficients * blocks.shifts;
+  out.covariance = out.block_shifts * out.block_shifts.transpose();
+  out.freedom.resize(columns);
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    out.freedom(k) = degrees_of_freedom(blocks, r_inverse.row(k).transpose());
+  }
   return out;
+}
+
+double BlockRegression::half_width(Eigen::Index k) const {
+  return student_t_975(freedom(k)) * std::sqrt(std::max(0.0, covariance(k, k)));
 }
 
 std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group,

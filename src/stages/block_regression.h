@@ -5,8 +5,14 @@
 // neighbours are correlated, and the textbook covariance is far too small. Rows are grouped into
 // blocks of neighbours; the covariance is the sandwich (X'X)^-1 (sum over blocks of s s') (X'X)^-1
 // with s = X_b' e_b, which is right for any correlation within a block and none between blocks.
-// It fails where correlation reaches over more than a block; few blocks make it coarse, which the
-// t factor pays for.
+// It fails where correlation reaches over more than a block.
+//
+// Residuals are smaller than errors, most of all where a block decides a coefficient. Each block's
+// residuals are therefore multiplied by (I - H_bb)^(-1/2), H the projection on the columns: the
+// covariance has no bias then where errors are white. Few blocks make it coarse, and how few they
+// are differs from coefficient to coefficient: degrees of freedom by Satterthwaite, for white
+// errors. Both after R. M. Bell and D. F. McCaffrey, Survey Methodology 28 (2002) 169-181. What a
+// single block alone shows has no scatter between blocks: white noise is all that is known of it.
 
 #include <cstddef>
 #include <vector>
@@ -21,7 +27,13 @@ struct BlockRegression {
   Eigen::VectorXd residuals;
   double residual_sd{};
   double condition{};  ///< Of X with its columns scaled to length 1; large: columns alike.
-  double t_factor{};   ///< For 95 % intervals: half width = t_factor * sqrt(variance).
+  /// What the error of each block (one column) does to the coefficients; the covariance is the sum
+  /// of their squares. A bootstrap draws blocks from here.
+  Eigen::MatrixXd block_shifts;
+  Eigen::VectorXd freedom;  ///< Degrees of freedom of each coefficient's variance, >= 1.
+
+  /// Half width of the 95 % interval of coefficient k.
+  [[nodiscard]] double half_width(Eigen::Index k) const;
 };
 
 /// @param block_of_row non-decreasing block number of each row, starting at 0.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "stages/block_regression.h"
+#include "stages/student_t.h"
 #include "stages/sweep_curves.h"
 #include "stages/sweep_noise.h"
 #include "stages/sweep_regression.h"
@@ -24,11 +25,28 @@ double nearest_turn(double q, double middle) {
   return q - 2 * std::numbers::pi * std::round((q - middle) / (2 * std::numbers::pi));
 }
 
+/// Mean of the rising offsets less that of the falling ones, halved, as a sum over coefficients.
+Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& samples) {
+  Eigen::VectorXd contrast = Eigen::VectorXd::Zero(d.x.cols());
+  if (d.direction >= 0) {
+    contrast(d.direction) = 1;
+    return contrast;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    contrast(d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = samples.direction[i];
+  }
+  const double ups = (contrast.array() > 0).count();
+  const double downs = (contrast.array() < 0).count();
+  return contrast.unaryExpr([&](double sign) {
+    return sign > 0 ? 0.5 / ups : sign < 0 ? -0.5 / downs : 0.0;
+  });
+}
+
 void read_friction(const SweepDesign& d, const SweepSamples& samples, const SweepGravityFit& fit,
                    double gear_ratio, CogSweepResult& out) {
   const Eigen::VectorXd& c = fit.regression.coefficients;
   const auto half_width = [&](Eigen::Index k) {
-    return fit.regression.t_factor * std::sqrt(std::max(0.0, fit.regression.covariance(k, k)));
+    return fit.regression.half_width(k);
   };
   const char* method = "least squares, blocks of neighbouring samples";
   if (!samples.constant_speed) {
@@ -42,29 +60,79 @@ void read_friction(const SweepDesign& d, const SweepSamples& samples, const Swee
                                           half_width(d.acceleration) / gear_ratio, method);
     return;
   }
-  // Mean of the rising and of the falling offsets.
-  double up = 0;
-  double down = 0;
-  double variance = 0;
-  std::vector<double> direction_of(static_cast<std::size_t>(d.offset_count), 0.0);
+  if (!samples.both_directions()) return;
+  const Eigen::VectorXd contrast = direction_contrast(d, samples);
+  const double error = std::sqrt(contrast.dot(fit.regression.covariance * contrast));
+  double freedom = INFINITY;
+  for (Eigen::Index k = 0; k < d.offset_count; ++k) {
+    freedom = std::min(freedom, fit.regression.freedom(d.offsets + k));
+  }
+  out.coulomb_Nm = symmetric_estimate(contrast.dot(c), student_t_975(freedom) * error, method);
+  out.offset_Nm = contrast.cwiseAbs().dot(c);
+}
+
+/// The ripple that the residual shows, and the fit without it.
+SweepGravityFit fit_without_ripple(const std::vector<const Recording*>& recordings,
+                                   const SweepSamples& samples, double gear_ratio, double middle,
+                                   const std::vector<std::size_t>& blocks,
+                                   const SweepGravityFit& first, SweepDesign& design,
+                                   CogSweepResult& out) {
+  const double white = white_torque_variance(recordings, samples);
+  out.ripple_Nm = torque_ripple_Nm(first.regression.residual_sd, white);
+  if (!(out.ripple_Nm > 0)) return first;
+  std::vector<double> angle(samples.size());
+  std::vector<double> residual(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    direction_of[d.offset_of_sample[i]] = samples.direction[i];
+    angle[i] = gear_ratio * angle_of(recordings, samples, i);
+    residual[i] = first.regression.residuals(static_cast<Eigen::Index>(i));
   }
-  const auto ups = static_cast<double>(std::count(direction_of.begin(), direction_of.end(), 1.0));
-  const auto downs = static_cast<double>(direction_of.size()) - ups;
-  for (std::size_t k = 0; k < direction_of.size(); ++k) {
-    const Eigen::Index column = d.offsets + static_cast<Eigen::Index>(k);
-    (direction_of[k] > 0 ? up : down) += c(column);
-    variance +=
-        fit.regression.covariance(column, column) / std::pow(direction_of[k] > 0 ? ups : downs, 2);
+  out.ripple = find_ripple(angle, residual, out.ripple_Nm, white);
+  if (out.ripple.lines.empty()) return first;
+  Eigen::VectorXd torque(design.y.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    torque(static_cast<Eigen::Index>(i)) = out.ripple.torque_Nm(angle[i]);
   }
-  if (ups > 0 && downs > 0) {
-    up /= ups;
-    down /= downs;
-    out.offset_Nm = (up + down) / 2;
-    out.coulomb_Nm = symmetric_estimate(
-        (up - down) / 2, fit.regression.t_factor * std::sqrt(std::max(0.0, variance)) / 2, method);
+  design.y -= torque;
+  SweepGravityFit fit = fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  fit.regression.residuals += torque;  // what the smooth fit leaves
+  return fit;
+}
+
+/// How far the ripple of another sweep moves the angle, each line at any phase.
+void widen_by_ripple(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
+                     const SweepDesign& design, double gear_ratio, const Ripple& ripple,
+                     CogSweepResult& out) {
+  std::vector<double> amplitudes;
+  const auto rows = static_cast<Eigen::Index>(samples.size());
+  for (const RippleLine& line : ripple.lines) {
+    Eigen::VectorXd cosine(rows);
+    Eigen::VectorXd sine(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double phase = line.periods_per_turn * gear_ratio *
+                           angle_of(recordings, samples, static_cast<std::size_t>(i));
+      cosine(i) = std::cos(phase);
+      sine(i) = std::sin(phase);
+    }
+    out.resampling.ripple_lever.push_back(std::hypot(effect_on_coefficients(design, cosine)(0),
+                                                     effect_on_coefficients(design, sine)(0)));
+    amplitudes.push_back(line.amplitude_Nm * out.resampling.ripple_lever.back());
   }
+  if (amplitudes.empty()) return;
+  out.q_peak_rad = symmetric_estimate(
+      out.q_peak_rad.value,
+      std::hypot(out.q_peak_rad.half_width(), random_phase_half_width(amplitudes, 0)),
+      out.q_peak_rad.method + ", widened by the ripple that the rough sweep shows");
+}
+
+void keep_for_resampling(const SweepDesign& design, const SweepSamples& samples,
+                         const SweepGravityFit& fit, CogSweepResult& out) {
+  const Eigen::MatrixXd& shifts = fit.block_shifts;
+  const Eigen::RowVectorXd coulomb =
+      direction_contrast(design, samples).transpose() * fit.regression.block_shifts;
+  for (Eigen::Index b = 0; b < shifts.cols(); ++b) {
+    out.resampling.block_shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
+  }
+  out.resampling.freedom = fit.freedom;
 }
 
 CogSweepResult skipped(const std::string& name, std::string reason, StageState state) {
@@ -77,7 +145,8 @@ CogSweepResult skipped(const std::string& name, std::string reason, StageState s
 
 CogSweepResult identify_cog_sweep(const std::string& name,
                                   const std::vector<const Recording*>& recordings,
-                                  double gear_ratio, const std::optional<Estimate>& gravity_Nm) {
+                                  double gear_ratio, const std::optional<Estimate>& gravity_Nm,
+                                  const Ripple& known_ripple) {
   const bool precise = name == "cog_precise";
   if (recordings.empty()) {
     return skipped(name,
@@ -124,15 +193,24 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  const SweepGravityFit fit =
+  SweepGravityFit fit =
       amplitude_known ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
                       : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  out.residual_Nm = fit.regression.residual_sd;
+  if (amplitude_known) {
+    out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));
+  } else {
+    fit = fit_without_ripple(recordings, samples, gear_ratio, middle, blocks, fit, design, out);
+  }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
   out.gravity_Nm = fit.gravity_Nm;
-  out.residual_Nm = fit.regression.residual_sd;
-  out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));
+  keep_for_resampling(design, samples, fit, out);
+  if (amplitude_known) {
+    out.resampling.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
+    widen_by_ripple(recordings, samples, design, gear_ratio, known_ripple, out);
+  }
   out.method = samples.constant_speed
                    ? "T = offset of each direction + G cos(q - q_peak)"
                    : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";

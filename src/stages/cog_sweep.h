@@ -11,12 +11,14 @@
 // cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude
 // is taken and only the angle is fitted.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "joint/recording.h"
 #include "stages/estimate.h"
+#include "stages/ripple_spectrum.h"
 
 namespace tribolog {
 
@@ -43,6 +45,17 @@ struct CogSweepResult {
   /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
   /// out.
   double ripple_Nm{};
+  Ripple ripple;  ///< Its periods, where the sweep is long enough to show them.
+  /// For resampling, not stored.
+  struct Resampling {
+    /// What the error of each block of neighbours does to q_peak, gravity and Coulomb torque, SI;
+    /// see BlockRegression.
+    std::vector<std::array<double, 3>> block_shifts;
+    double freedom{};          ///< Degrees of freedom of their scatter.
+    double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
+    std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
+  };
+  Resampling resampling;
 
   double lowest_rad{};  ///< Range of the samples used.
   double highest_rad{};
@@ -63,9 +76,12 @@ struct CogSweepResult {
 /// @param recordings those of one role; may be empty (then the stage is skipped and says so).
 /// @param name stage name, "cog_rough" or "cog_precise".
 /// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
+/// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
+/// interval is as wide as the ripple at any phase demands.
 CogSweepResult identify_cog_sweep(const std::string& name,
                                   const std::vector<const Recording*>& recordings,
                                   double gear_ratio,
-                                  const std::optional<Estimate>& gravity_Nm = std::nullopt);
+                                  const std::optional<Estimate>& gravity_Nm = std::nullopt,
+                                  const Ripple& known_ripple = {});
 
 }  // namespace tribolog

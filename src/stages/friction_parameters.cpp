@@ -38,7 +38,7 @@ CoulombViscousFit fit_line(const std::vector<CurvePoint>& points, std::size_t fi
     blocks[static_cast<std::size_t>(i)] = static_cast<std::size_t>(i);
   }
   const BlockRegression fit = block_regression(x, y, blocks);
-  const auto half_width = [&](int k) { return fit.t_factor * std::sqrt(fit.covariance(k, k)); };
+  const auto half_width = [&](int k) { return fit.half_width(k); };
   return {
       symmetric_estimate(fit.coefficients(0), half_width(0), "straight line, scatter of the runs"),
       symmetric_estimate(fit.coefficients(1), half_width(1), "straight line, scatter of the runs"),

@@ -9,6 +9,7 @@
 #include "stages/loop_midline.h"
 #include "stages/loop_points.h"
 #include "stages/moving_part.h"
+#include "stages/position_mean.h"
 #include "stages/student_t.h"
 
 namespace tribolog {
@@ -43,12 +44,18 @@ LoopTrace make_trace(const Recording& r) {
   return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}};
 }
 
-/// All whole turns of the trace from `first` on, averaged point by point.
-std::vector<LoopPoint> average_turns(const LoopTrace& trace, const TraceReader& reader,
-                                     std::size_t first) {
-  std::vector<std::vector<LoopPoint>> turns;
+using Turns = std::vector<std::vector<LoopPoint>>;
+
+/// The points of all whole turns of the trace from `first` on.
+Turns read_turns(const LoopTrace& trace, const TraceReader& reader, std::size_t first) {
+  Turns turns;
   std::size_t next = first;
   while (auto points = find_loop_points(trace, reader, next, next)) turns.push_back(*points);
+  return turns;
+}
+
+/// Averaged point by point.
+std::vector<LoopPoint> average_turns(const Turns& turns) {
   if (turns.empty()) return {};
   std::vector<LoopPoint> mean = turns.front();
   const auto n = static_cast<double>(turns.size());
@@ -71,6 +78,21 @@ std::vector<LoopPoint> average_turns(const LoopTrace& trace, const TraceReader& 
   return mean;
 }
 
+/// One reading scatters as the same reading of the steady turns does, which knows more than the
+/// noise of the torque: the instant to read at is uncertain too. A belongs to the start-up stroke,
+/// which has no like.
+void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
+                      std::vector<LoopPoint>& points) {
+  if (turns < 3) return;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].name == 'A') continue;
+    const double half_width = (steady[k].torque_high_Nm - steady[k].torque_low_Nm) / 2 *
+                              std::sqrt(static_cast<double>(turns));
+    points[k].torque_low_Nm = points[k].torque_Nm - half_width;
+    points[k].torque_high_Nm = points[k].torque_Nm + half_width;
+  }
+}
+
 struct LoopResult {
   Oscillation oscillation;
   LoopTrace trace;
@@ -78,34 +100,40 @@ struct LoopResult {
   std::string warning;
 };
 
-/// The mid-lines of all recordings as one estimate of the mean torque; where there are at least
-/// three, their scatter sets the interval (it carries what differs between positions: ripple).
-Estimate combine_midlines(const std::vector<LoopResult>& loops) {
-  if (loops.size() == 1) return loops.front().midline.torque_Nm;
+/// The mid-lines of all recordings as one estimate of the gravity torque. From three positions on
+/// their scatter sets the interval (it carries what differs between positions: ripple).
+void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple, double gear_ratio,
+                      HysteresisResult& out) {
+  if (loops.size() == 1) {
+    out.midline_Nm = loops.front().midline.torque_Nm;
+    return;
+  }
+  std::vector<double> gravity;
+  std::vector<double> angle;
+  double within = 0;
   const auto n = static_cast<double>(loops.size());
-  double mean = 0;
-  double variance = 0;
   for (const LoopResult& loop : loops) {
-    mean += loop.midline.torque_Nm.value / loop.midline.mean_cos / n;
-    variance += std::pow(loop.midline.torque_Nm.half_width() / n, 2);
+    gravity.push_back(loop.midline.torque_Nm.value / loop.midline.mean_cos);
+    angle.push_back(gear_ratio * loop.oscillation.centre_rad);
+    within += std::pow(loop.midline.torque_Nm.half_width() / n, 2);
   }
-  double squares = 0;
-  for (const LoopResult& loop : loops) {
-    squares += std::pow(loop.midline.torque_Nm.value / loop.midline.mean_cos - mean, 2);
+  if (loops.size() >= fewest_positions) {
+    const PositionMean mean = mean_over_positions(gravity, angle, ripple);
+    out.midline_Nm = mean.gravity_Nm;
+    out.position_freedom = mean.freedom;
+    return;
   }
-  if (n >= 3) {
-    const double error = std::sqrt(squares / (n - 1) / n);
-    return symmetric_estimate(mean, student_t_975(n - 1) * error, "scatter of the recordings");
-  }
-  const double between = std::sqrt(squares / (n - 1) / n) * student_t_975(n - 1);
-  return symmetric_estimate(mean, std::max(std::sqrt(variance), between),
-                            "scatter of the cycles and of the recordings");
+  const double between = student_t_975(1) * std::abs(gravity[0] - gravity[1]) / 2;
+  out.midline_Nm =
+      symmetric_estimate((gravity[0] + gravity[1]) / 2, std::max(std::sqrt(within), between),
+                         "scatter of the cycles and of the recordings");
 }
 
 /// The bristle state of the first loop: recorded, or observed by a fitted LuGre model.
 void observe_bristle(const Recording& recording, const OscillationMotion& motion, double gear_ratio,
-                     double q_peak, LoopTrace& trace, HysteresisResult& out) {
+                     double q_peak, const Ripple& ripple, LoopTrace& trace, HysteresisResult& out) {
   LuGreFit fit = fit_lugre(recording, motion, gear_ratio, q_peak);
+  fit.gravity_Nm = with_ripple(fit.gravity_Nm, ripple);
   if (!trace.z_rad.empty()) {
     out.bristle_source = "recorded";
   } else if (fit.converged) {
@@ -167,7 +195,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
           "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
           recording.name));
     }
-    if (loops.empty()) observe_bristle(recording, *motion, gear_ratio, q_peak, loop.trace, out);
+    if (loops.empty()) observe_bristle(recording, *motion, gear_ratio, q_peak, rough.ripple, loop.trace, out);
     loops.push_back(std::move(loop));
   }
   for (const std::string& reason : reasons) {
@@ -181,7 +209,8 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   out.found = true;
   out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
   const LoopResult& first = loops.front();
-  out.midline_Nm = combine_midlines(loops);
+  combine_midlines(loops, rough.ripple, gear_ratio, out);
+  out.cycle_means_Nm = first.midline.cycle_means_Nm;
   out.midline_q_rad = first.midline.mean_q_rad;
   out.midline_mean_cos = loops.size() == 1 ? first.midline.mean_cos : 1.0;
   const auto [low, high] =
@@ -192,7 +221,15 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     std::size_t next = 0;
     if (auto points = find_loop_points(first.trace, reader, 0, next)) {
       out.points = *points;
-      out.steady_points = average_turns(first.trace, reader, next);
+      const Turns turns = read_turns(first.trace, reader, next);
+      out.steady_points = average_turns(turns);
+      widen_by_scatter(out.steady_points, turns.size(), out.points);
+      for (const std::vector<LoopPoint>& turn : turns) {
+        out.turn_torques_Nm.emplace_back();
+        for (std::size_t k = 0; k < turn.size(); ++k) {
+          out.turn_torques_Nm.back()[k] = turn[k].torque_Nm;
+        }
+      }
       if (out.steady_points.empty()) out.steady_points = out.points;
     }
   } else {

@@ -55,6 +55,9 @@ struct Oscillation {
   double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
 };
 
+/// From this many positions on the mid-lines' own scatter carries the ripple.
+inline constexpr std::size_t fewest_positions = 3;
+
 struct HysteresisResult {
   StageReport stage;
   bool found{false};
@@ -73,6 +76,12 @@ struct HysteresisResult {
   std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
   double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
   std::optional<LuGreFit> lugre;  ///< Stage 8, where a fit was made.
+
+  // For resampling, not stored.
+  std::vector<double> cycle_means_Nm;  ///< Of the first recording's steady cycles.
+  /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
+  std::vector<std::array<double, 6>> turn_torques_Nm;
+  double position_freedom{};  ///< Degrees of freedom of the positions' scatter; 0: fewer than three.
 
   /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
   /// within which torque turns over, and the encoder's step.

@@ -79,7 +79,7 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
       std::sqrt(residuals.squaredNorm() /
                 std::max<double>(1, static_cast<double>(residuals.size()) - Model::parameters));
   const auto half_width = [&](Eigen::Index k) {
-    return around.t_factor * std::sqrt(std::max(0.0, around.covariance(k, k)));
+    return around.half_width(k);
   };
   const char* method = "loop fit, blocks of half a cycle";
   const auto positive = [&](Model::Index k) {

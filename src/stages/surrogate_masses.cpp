@@ -35,15 +35,6 @@ SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, do
   return m;
 }
 
-/// A torque read at one position, with the ripple that the sweep shows laid on its interval: over a
-/// micro-oscillation ripple is a constant, which no repetition averages out.
-Estimate with_ripple(Estimate torque, double ripple_Nm) {
-  if (!(ripple_Nm > 0)) return torque;
-  constexpr double normal_975 = 1.96;
-  return symmetric_estimate(torque.value, std::hypot(torque.half_width(), normal_975 * ripple_Nm),
-                            torque.method + ", widened by the ripple that the sweep shows");
-}
-
 const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
   const auto it = std::find_if(points.begin(), points.end(),
                                [name](const LoopPoint& p) { return p.name == name; });
@@ -75,8 +66,7 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     return context.q_peak_rad ? std::cos(q - *context.q_peak_rad) : 1.0;
   };
 
-  // From three positions on, the scatter between them carries the ripple.
-  const double ripple = hysteresis.oscillations.size() < 3 ? rough.ripple_Nm : 0.0;
+  const Ripple& ripple = rough.ripple;  // points and pairs are read at one position
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -98,8 +88,11 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, ripple),
-                                   hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
+    // From three positions on, the scatter between them carries the ripple.
+    const Estimate torque = hysteresis.oscillations.size() < fewest_positions
+                                ? with_ripple(*hysteresis.midline_Nm, ripple)
+                                : *hysteresis.midline_Nm;
+    out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
   }
   if (rough.found) {
     Context at_peak = context;

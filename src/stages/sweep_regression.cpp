@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "stages/student_t.h"
+
 namespace tribolog {
 
 double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
@@ -71,7 +73,8 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& rec
   const double c = fit.regression.coefficients(1);
   const auto& v = fit.regression.covariance;
   const double g = std::hypot(b, c);
-  const double t = fit.regression.t_factor;
+  fit.freedom = fit.regression.freedom.head<2>().minCoeff();
+  const double t = student_t_975(fit.freedom);
   const Eigen::Vector2d bc(b, c);
   const Eigen::Matrix2d v2 = v.topLeftCorner<2, 2>();
   fit.evidence = bc.dot(v2.ldlt().solve(bc));
@@ -81,6 +84,10 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& rec
   fit.q_peak_rad =
       symmetric_estimate(middle + std::atan2(c, b), t * std::sqrt(std::max(0.0, var_q)), method);
   fit.gravity_Nm = symmetric_estimate(g, t * std::sqrt(std::max(0.0, var_g)), method);
+  const auto& shifts = fit.regression.block_shifts;
+  fit.block_shifts.resize(2, shifts.cols());
+  fit.block_shifts.row(0) = (b * shifts.row(1) - c * shifts.row(0)) / (g * g);
+  fit.block_shifts.row(1) = (b * shifts.row(0) + c * shifts.row(1)) / g;
   // The offsets were fitted against cos q - 1: what belongs to gravity is taken out of them.
   for (Eigen::Index k = 0; k < d.offset_count; ++k) {
     fit.regression.coefficients(d.offsets + k) -= b;
@@ -106,15 +113,25 @@ SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
     q_peak += step;
     if (std::abs(step) < 1e-13) break;
   }
-  const double from_noise =
-      fit.regression.t_factor * std::sqrt(std::max(0.0, fit.regression.covariance(0, 0)));
+  const double from_noise = fit.regression.half_width(0);
   // An amplitude off by a share shifts the angle by that share of its distance from the middle.
   const double from_amplitude = (q_peak - middle) * gravity.half_width() / gravity.value;
   fit.q_peak_rad = symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
                                       "least squares with the amplitude of the rough sweep");
   fit.gravity_Nm = gravity;
+  fit.freedom = fit.regression.freedom(0);
+  fit.block_shifts = Eigen::MatrixXd::Zero(2, fit.regression.block_shifts.cols());
+  fit.block_shifts.row(0) = fit.regression.block_shifts.row(0);
   fit.evidence = std::numeric_limits<double>::infinity();  // the rough sweep has shown it
   return fit;
+}
+
+Eigen::VectorXd effect_on_coefficients(const SweepDesign& d, const Eigen::VectorXd& extra_Nm) {
+  const Eigen::VectorXd scale =
+      d.x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? 1 / n : 1.0; });
+  const Eigen::MatrixXd normal = scale.asDiagonal() * (d.x.transpose() * d.x) * scale.asDiagonal();
+  const Eigen::VectorXd right = scale.asDiagonal() * (d.x.transpose() * extra_Nm);
+  return scale.asDiagonal() * normal.ldlt().solve(right);
 }
 
 }  // namespace tribolog

@@ -40,6 +40,9 @@ struct SweepGravityFit {
   /// tell: noise too has a positive one.
   double evidence{};
   BlockRegression regression;
+  /// Rows q_peak and gravity: what the error of each block does to them.
+  Eigen::MatrixXd block_shifts;
+  double freedom{};  ///< Degrees of freedom of their scatter.
 };
 
 /// Amplitude and angle together, about the sweep's middle; fills the two columns of gravity.
@@ -52,6 +55,10 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& rec
 SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
                           const SweepSamples& samples, SweepDesign& design, double middle_rad,
                           const Estimate& gravity_Nm, const std::vector<std::size_t>& blocks);
+
+/// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted
+/// coefficients.
+Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::VectorXd& extra_Nm);
 
 /// Joint angle of a sample [rad].
 double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,

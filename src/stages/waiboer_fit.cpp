@@ -85,7 +85,7 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = i;
   const BlockRegression around = block_regression(j, -r, blocks);
   const auto positive = [&](int k) {
-    const double h = around.t_factor * std::sqrt(std::max(0.0, around.covariance(k, k)));
+    const double h = around.half_width(k);
     const double value = best.parameters(k);
     return Estimate{std::exp(value), std::exp(value - h), std::exp(value + h),
                     "curve fit, scatter of the runs"};

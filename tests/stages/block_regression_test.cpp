@@ -32,8 +32,7 @@ int coverage_of_300(double memory) {
       y(i) += noise;
     }
     const BlockRegression fit = block_regression(x, y, blocks);
-    const double half_width = fit.t_factor * std::sqrt(fit.covariance(1, 1));
-    covered += std::abs(fit.coefficients(1) + 2) <= half_width ? 1 : 0;
+    covered += std::abs(fit.coefficients(1) + 2) <= fit.half_width(1) ? 1 : 0;
   }
   return covered;
 }
