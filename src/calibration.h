@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "joint/dataset.h"
+#include "stages/bootstrap/bootstrap.h"
 #include "stages/cog_sweep.h"
+#include "stages/cross_checks.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
 #include "stages/quality_errors.h"
@@ -42,6 +44,8 @@ struct Calibration {
   QualityErrorsResult quality;
   SelectionResult selection;
   FrictionParametersResult friction;
+  IntervalsResult intervals;
+  CrossChecksResult cross_checks;
   Judgement judgement;
 
   /// All stages' reports in the order of the method.

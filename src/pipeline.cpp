@@ -2,11 +2,14 @@
 
 #include "verdict.h"
 
+#include "stages/bootstrap/stated_intervals.h"
+#include "stages/gravity_by_other_ways.h"
+
 namespace tribolog {
 
-Calibration identify(const Dataset& dataset, const IdentifyOptions&,
+Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
                      const StageProgress& progress) {
-  constexpr int all = 8;
+  constexpr int all = 10;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -25,9 +28,8 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
   begin("centre of gravity, precise sweep");
   std::optional<Estimate> amplitude;
   if (c.rough.found) amplitude = c.rough.gravity_Nm;
-  c.precise =
-      identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n, amplitude,
-                                 c.rough.ripple);
+  c.precise = identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n,
+                                 amplitude, c.rough.ripple);
   for (const CogSweepResult* sweep : {&c.rough, &c.precise}) {
     if (!sweep->found) continue;
     if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
@@ -56,6 +58,24 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+
+  begin("gravity by other ways");
+  const OtherWays other_ways = gravity_by_other_ways(dataset.with_role(Role::rough_sweep),
+                                                     dataset.with_role(Role::constant_speed),
+                                                     c.rough, c.viscous, c.q_peak_rad, n);
+  const ChainResults results{c.rough,      c.precise,  c.q_peak_rad, c.q_peak_source,
+                             c.hysteresis, c.masses,   c.viscous,    c.quality,
+                             c.selection,  c.friction, other_ways,   n};
+
+  begin("intervals");
+  c.intervals = resample_chain(
+      results, {options.resamples, options.seed, options.threads}, [&](std::size_t resamples) {
+        const std::string words = "intervals, resample " + std::to_string(resamples) + " of " +
+                                  std::to_string(options.resamples);
+        if (progress) progress(words, done - 1, all);
+      });
+  c.cross_checks = cross_check(results, c.intervals);
+  state_intervals(c.intervals, c.friction);
 
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);

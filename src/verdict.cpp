@@ -1,35 +1,6 @@
 #include "verdict.h"
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 namespace tribolog {
-namespace {
-
-/// Disagreement of two estimates in units of their joint 95 % interval; above 1 it is a finding.
-double disagreement(const Estimate& a, const Estimate& b) {
-  const double joint = std::hypot(a.half_width(), b.half_width());
-  return joint > 0 ? std::abs(a.value - b.value) / joint : 0.0;
-}
-
-void compare_masses(const Calibration& c, std::vector<std::string>& findings) {
-  const SurrogateMass* midline = c.masses.find("midline");
-  const SurrogateMass* sweep = c.masses.find("sweep");
-  if (midline == nullptr || sweep == nullptr) return;
-  const double difference = midline->mass_kg.value - sweep->mass_kg.value;
-  // A tenth of a percent is of no consequence, however narrow the intervals.
-  if (disagreement(midline->mass_kg, sweep->mass_kg) > 1 &&
-      std::abs(difference) > 1e-3 * sweep->mass_kg.value) {
-    findings.push_back(
-        fmt::format("mid-line and sweep disagree: {:.3f} kg against {:.3f} kg, more than their "
-                    "intervals allow; "
-                    "torque ripple or friction that depends on the load would do that",
-                    midline->mass_kg.value, sweep->mass_kg.value));
-  }
-}
-
-}  // namespace
 
 Judgement judge(const Calibration& c) {
   Judgement out;
@@ -40,8 +11,7 @@ Judgement judge(const Calibration& c) {
       out.findings.push_back(stage.reason);
     }
   }
-  std::vector<std::string> disagreements;
-  compare_masses(c, disagreements);
+  const std::vector<std::string>& disagreements = c.cross_checks.findings;
   out.findings.insert(out.findings.begin(), disagreements.begin(), disagreements.end());
 
   if (!has_angle || !has_mass) {
@@ -57,12 +27,12 @@ Judgement judge(const Calibration& c) {
   const bool complete = c.rough.stage.state == StageState::done &&
                         c.hysteresis.stage.state == StageState::done &&
                         c.viscous.stage.state == StageState::done && !c.quality.errors.empty();
-  if (complete && disagreements.empty()) {
+  if (complete && !c.cross_checks.doubtful) {
     out.verdict = Verdict::usable;
     out.sentence = "All stages have their data, and the independent estimates of the mass agree.";
   } else {
     out.verdict = Verdict::doubtful;
-    out.sentence = disagreements.empty()
+    out.sentence = !c.cross_checks.doubtful
                        ? "Angle and mass are known, but not every stage had the data it needs."
                        : "Angle and mass are known, but independent estimates disagree.";
   }

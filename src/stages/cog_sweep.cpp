@@ -45,9 +45,7 @@ Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& sam
 void read_friction(const SweepDesign& d, const SweepSamples& samples, const SweepGravityFit& fit,
                    double gear_ratio, CogSweepResult& out) {
   const Eigen::VectorXd& c = fit.regression.coefficients;
-  const auto half_width = [&](Eigen::Index k) {
-    return fit.regression.half_width(k);
-  };
+  const auto half_width = [&](Eigen::Index k) { return fit.regression.half_width(k); };
   const char* method = "least squares, blocks of neighbouring samples";
   if (!samples.constant_speed) {
     out.offset_Nm = c(d.offsets);
@@ -193,9 +191,9 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  SweepGravityFit fit =
-      amplitude_known ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
-                      : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  SweepGravityFit fit = amplitude_known
+                            ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
+                            : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
   out.residual_Nm = fit.regression.residual_sd;
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));

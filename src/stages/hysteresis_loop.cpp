@@ -195,7 +195,8 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
           "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
           recording.name));
     }
-    if (loops.empty()) observe_bristle(recording, *motion, gear_ratio, q_peak, rough.ripple, loop.trace, out);
+    if (loops.empty())
+      observe_bristle(recording, *motion, gear_ratio, q_peak, rough.ripple, loop.trace, out);
     loops.push_back(std::move(loop));
   }
   for (const std::string& reason : reasons) {

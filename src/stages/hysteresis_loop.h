@@ -81,7 +81,8 @@ struct HysteresisResult {
   std::vector<double> cycle_means_Nm;  ///< Of the first recording's steady cycles.
   /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
   std::vector<std::array<double, 6>> turn_torques_Nm;
-  double position_freedom{};  ///< Degrees of freedom of the positions' scatter; 0: fewer than three.
+  double
+      position_freedom{};  ///< Degrees of freedom of the positions' scatter; 0: fewer than three.
 
   /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
   /// within which torque turns over, and the encoder's step.

@@ -78,9 +78,7 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   fit.residual_Nm =
       std::sqrt(residuals.squaredNorm() /
                 std::max<double>(1, static_cast<double>(residuals.size()) - Model::parameters));
-  const auto half_width = [&](Eigen::Index k) {
-    return around.half_width(k);
-  };
+  const auto half_width = [&](Eigen::Index k) { return around.half_width(k); };
   const char* method = "loop fit, blocks of half a cycle";
   const auto positive = [&](Model::Index k) {
     const double h = half_width(k);

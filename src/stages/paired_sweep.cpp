@@ -83,6 +83,7 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
       run.torque_half_width_Nm = torque_width;
       run.q_rad = b.angle / b.samples;
       run.mean_cos = b.cosine / b.samples;
+      run.mean_sin = std::sin(run.q_rad - q_peak_rad);
       run.samples = static_cast<std::size_t>(b.samples);
       run.partner = partner;
       run.direction_difference_Nm = sign * difference;

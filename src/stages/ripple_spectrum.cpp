@@ -17,6 +17,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double bins_per_turn = 64;
+constexpr double most_periods_per_turn = 24;
 constexpr double fewest_periods = 3;
 constexpr std::size_t most_lines = 6;
 constexpr std::size_t most_bins = 1U << 16;
@@ -89,7 +90,9 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r) {
   const double turns = static_cast<double>(r.mean.size()) / bins_per_turn;
   const auto first = static_cast<std::size_t>(std::ceil(fewest_periods / turns / per_index));
   std::size_t best = 0;
-  for (std::size_t k = first; k < size / 2; ++k) {
+  // Bins resolve periods up to a few of them; towards half their number sines look alike.
+  const auto last = static_cast<std::size_t>(most_periods_per_turn / per_index);
+  for (std::size_t k = first; k <= last; ++k) {
     if (best == 0 || std::norm(spectrum[k]) > std::norm(spectrum[best])) best = k;
   }
   if (best == 0) return std::nullopt;
@@ -107,8 +110,7 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r) {
 void take_out(const RippleLine& line, BinnedResidual& r) {
   for (std::size_t b = 0; b < r.mean.size(); ++b) {
     if (r.count[b] == 0) continue;
-    r.mean[b] -=
-        line.amplitude_Nm * std::cos(line.periods_per_turn * r.angle(b) + line.phase_rad);
+    r.mean[b] -= line.amplitude_Nm * std::cos(line.periods_per_turn * r.angle(b) + line.phase_rad);
   }
 }
 

@@ -36,8 +36,7 @@ struct Ripple {
 /// @param ripple_Nm standard deviation of the residual beyond white noise; 0: no lines.
 /// @param white_variance of the torque.
 Ripple find_ripple(const std::vector<double>& motor_angle_rad,
-                   const std::vector<double>& residual_Nm, double ripple_Nm,
-                   double white_variance);
+                   const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance);
 
 /// A torque read at one position, with the ripple laid on its interval: over a micro-oscillation
 /// ripple is a constant, which no repetition averages out.

@@ -92,7 +92,8 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     const Estimate torque = hysteresis.oscillations.size() < fewest_positions
                                 ? with_ripple(*hysteresis.midline_Nm, ripple)
                                 : *hysteresis.midline_Nm;
-    out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
+    out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
+                                   hysteresis.midline_mean_cos, context));
   }
   if (rough.found) {
     Context at_peak = context;

@@ -23,9 +23,15 @@ struct RunSource {
   double low_rad, high_rad;
 };
 
-/// Mean of a signal over a plateau with the 95 % half width from the scatter of its blocks.
+struct BlockMean {
+  double mean{};
+  double half_width{};  // 95 %, from the scatter of the blocks
+  std::vector<double> blocks;
+};
+
+/// Mean of a signal over a plateau.
 template <class Signal>
-std::pair<double, double> block_mean(std::size_t first, std::size_t last, Signal signal) {
+BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
   constexpr std::size_t most_blocks = 10;
   const std::size_t n = last - first;
   const std::size_t blocks = std::clamp<std::size_t>(n / 5, 1, most_blocks);
@@ -39,11 +45,11 @@ std::pair<double, double> block_mean(std::size_t first, std::size_t last, Signal
     means[b] = sum / static_cast<double>(to - from);
     mean += sum / static_cast<double>(n);
   }
-  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity()};
+  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity(), {}};
   double squares = 0;
   for (double m : means) squares += (m - mean) * (m - mean);
   const auto b = static_cast<double>(blocks);
-  return {mean, student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b)};
+  return {mean, student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b), std::move(means)};
 }
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
@@ -55,26 +61,31 @@ ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gea
   run.samples = plateau.size();
   double q = 0;
   double cosine = 0;
+  double sine = 0;
   double torque = 0;
   for (std::size_t i = plateau.first; i < plateau.last; ++i) {
     q += r.q_rad[i];
     cosine += std::cos(r.q_rad[i] - q_peak);
+    sine += std::sin(r.q_rad[i] - q_peak);
     torque += r.torque_Nm[i];
   }
   const auto n = static_cast<double>(plateau.size());
   run.q_rad = q / n;
   run.mean_cos = cosine / n;
+  run.mean_sin = sine / n;
   run.torque_Nm = torque / n;
-  run.torque_half_width_Nm = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
-                               return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
-                             }).second;
+  BlockMean friction = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
+    return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+  });
+  run.torque_half_width_Nm = friction.half_width;
+  run.block_friction_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
   return run;
 }
 
 /// Mean torque of a run within [low, high], or NaN if it has no sample there.
-std::pair<double, double> torque_between(const RunSource& s, double low, double high) {
+BlockMean torque_between(const RunSource& s, double low, double high) {
   std::size_t from = s.last;
   std::size_t to = s.first;
   for (std::size_t i = s.first; i < s.last; ++i) {
@@ -82,7 +93,7 @@ std::pair<double, double> torque_between(const RunSource& s, double low, double 
     from = std::min(from, i);
     to = i + 1;
   }
-  if (from + 5 > to) return {nan, nan};
+  if (from + 5 > to) return {nan, nan, {}};
   return block_mean(from, to, [&](std::size_t i) { return s.recording->torque_Nm[i]; });
 }
 
@@ -109,11 +120,11 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
     runs[k].partner = static_cast<int>(i);
     const double low = std::max(sources[i].low_rad, sources[k].low_rad);
     const double high = std::min(sources[i].high_rad, sources[k].high_rad);
-    const auto [up, up_width] = torque_between(sources[i], low, high);
-    const auto [down, down_width] = torque_between(sources[k], low, high);
-    runs[i].direction_difference_Nm = (up - down) / 2;
-    runs[k].direction_difference_Nm = -(up - down) / 2;
-    runs[i].direction_difference_half_width_Nm = std::hypot(up_width, down_width) / 2;
+    const BlockMean up = torque_between(sources[i], low, high);
+    const BlockMean down = torque_between(sources[k], low, high);
+    runs[i].direction_difference_Nm = (up.mean - down.mean) / 2;
+    runs[k].direction_difference_Nm = -(up.mean - down.mean) / 2;
+    runs[i].direction_difference_half_width_Nm = std::hypot(up.half_width, down.half_width) / 2;
     runs[k].direction_difference_half_width_Nm = runs[i].direction_difference_half_width_Nm;
   }
 }

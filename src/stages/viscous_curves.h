@@ -29,6 +29,10 @@ struct ConstantSpeedRun {
   /// NaN without a partner or a common angle.
   double direction_difference_Nm{};
   double direction_difference_half_width_Nm{};
+  // For resampling, not stored.
+  double mean_sin{};  ///< Mean of sin(q - q_peak).
+  /// T less gravity, averaged over each of the run's blocks; empty if there are none.
+  std::vector<double> block_friction_Nm;
 };
 
 struct ViscousCurve {

@@ -17,10 +17,21 @@ namespace {
 constexpr std::size_t fewest_points = 8;
 constexpr int parameters = 5;
 
-/// Unknown: log Ta, log ws, log da, log cv, and log of the viscous exponent 1 - dv. All positive by
-/// construction.
-void evaluate(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p, Eigen::VectorXd& r,
-              Eigen::MatrixXd* j) {
+Eigen::VectorXd first_guess(const std::vector<CurvePoint>& points, double stribeck_speed,
+                            double stribeck_power) {
+  const double slow = std::max(points.front().friction_Nm, 1e-9);
+  const double fast = std::max(points.back().friction_Nm, 1e-9);
+  const double exponent = 0.6;
+  Eigen::VectorXd p(parameters);
+  p << std::log(slow), std::log(stribeck_speed), std::log(stribeck_power),
+      std::log(fast / std::pow(points.back().speed_rad_s, exponent)), std::log(exponent);
+  return p;
+}
+
+}  // namespace
+
+void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p,
+                       Eigen::VectorXd& r, Eigen::MatrixXd* j) {
   const double ta = std::exp(p(0));
   const double ws = std::exp(p(1));
   const double da = std::exp(p(2));
@@ -42,28 +53,17 @@ void evaluate(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p, E
   }
 }
 
-Eigen::VectorXd first_guess(const std::vector<CurvePoint>& points, double stribeck_speed,
-                            double stribeck_power) {
-  const double slow = std::max(points.front().friction_Nm, 1e-9);
-  const double fast = std::max(points.back().friction_Nm, 1e-9);
-  const double exponent = 0.6;
-  Eigen::VectorXd p(parameters);
-  p << std::log(slow), std::log(stribeck_speed), std::log(stribeck_power),
-      std::log(fast / std::pow(points.back().speed_rad_s, exponent)), std::log(exponent);
-  return p;
-}
-
-}  // namespace
-
 std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std::string& why_not) {
   if (points.size() < fewest_points) {
     why_not = fmt::format("{} runs for five parameters; at least {} are needed", points.size(),
                           fewest_points);
     return std::nullopt;
   }
-  const LeastSquaresProblem problem{static_cast<Eigen::Index>(points.size()),
-                                    [&](const Eigen::VectorXd& p, Eigen::VectorXd& r,
-                                        Eigen::MatrixXd* j) { evaluate(points, p, r, j); }};
+  const LeastSquaresProblem problem{
+      static_cast<Eigen::Index>(points.size()),
+      [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
+        waiboer_residuals(points, p, r, j);
+      }};
   LeastSquaresSolution best;
   best.cost = std::numeric_limits<double>::infinity();
   const double slowest = std::max(points.front().speed_rad_s, 1e-6);
@@ -80,7 +80,7 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   }
   Eigen::VectorXd r;
   Eigen::MatrixXd j;
-  evaluate(points, best.parameters, r, &j);
+  waiboer_residuals(points, best.parameters, r, &j);
   std::vector<std::size_t> blocks(points.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = i;
   const BlockRegression around = block_regression(j, -r, blocks);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "friction/waiboer.h"
 #include "stages/friction_parameters.h"
 
@@ -15,6 +17,11 @@ struct CurvePoint {
   double speed_rad_s{};
   double friction_Nm{};
 };
+
+/// Residuals model - measured, and their derivatives if asked for. Unknown: log Ta, log ws, log da,
+/// log cv, and log of the viscous exponent 1 - dv: all positive by construction.
+void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p,
+                       Eigen::VectorXd& r, Eigen::MatrixXd* j);
 
 /// @param points sorted by speed.
 /// @param why_not receives the reason in words where there is no fit.
