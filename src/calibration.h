@@ -11,6 +11,7 @@
 #include "stages/cross_checks.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
+#include "stages/position_plan.h"
 #include "stages/quality_errors.h"
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
@@ -46,6 +47,7 @@ struct Calibration {
   FrictionParametersResult friction;
   IntervalsResult intervals;
   CrossChecksResult cross_checks;
+  std::optional<PositionPlan> position_plan;  ///< Where to oscillate next, if ripple asks for it.
   Judgement judgement;
 
   /// All stages' reports in the order of the method.

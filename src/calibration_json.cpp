@@ -47,6 +47,10 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["quality"] = quality(c.quality);
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
+  all["intervals"] = intervals(c.intervals);
+  all["cross_checks"] = cross_checks(c.cross_checks);
+  all["ripple"] = ripple(c.rough.ripple);
+  all["position_plan"] = position_plan(c.position_plan);
   all["provenance"] = provenance_json(provenance);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -75,6 +75,7 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
         if (progress) progress(words, done - 1, all);
       });
   c.cross_checks = cross_check(results, c.intervals);
+  c.position_plan = plan_positions(c.rough, c.hysteresis, n);
   state_intervals(c.intervals, c.friction);
 
   c.judgement = judge(c);

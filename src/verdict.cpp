@@ -11,6 +11,9 @@ Judgement judge(const Calibration& c) {
       out.findings.push_back(stage.reason);
     }
   }
+  if (c.position_plan) {
+    out.findings.insert(out.findings.begin(), ripple_in_words(*c.position_plan, c.rough.ripple));
+  }
   const std::vector<std::string>& disagreements = c.cross_checks.findings;
   out.findings.insert(out.findings.begin(), disagreements.begin(), disagreements.end());
 

@@ -1,11 +1,14 @@
 #pragma once
 // Internal to calibration.json: the makers of its parts, one source file for each room.
 
+#include <optional>
+
 #include <nlohmann/json.hpp>
+
+#include "provenance.h"
 
 #include "calibration.h"
 #include "calibration_json/values.h"
-#include "provenance.h"
 
 namespace tribolog::json {
 
@@ -19,6 +22,10 @@ Json surrogate_masses(const SurrogateMassesResult& result);
 Json viscous(const ViscousCurvesResult& v);
 Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
+Json intervals(const IntervalsResult& result);
+Json cross_checks(const CrossChecksResult& result);
+Json ripple(const Ripple& ripple);
+Json position_plan(const std::optional<PositionPlan>& plan);
 Json friction(const Calibration& c, double gear_ratio);
 
 }  // namespace tribolog::json

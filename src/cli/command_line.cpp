@@ -45,6 +45,9 @@ The manifest says, for example:
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }
   effort = { name = "i", unit = "A" }
+  [intervals]                   # optional: of the 95 % intervals by resampling
+  resamples = 1000              # 0: closed forms alone
+  seed = 1
   [[recording]]
   role = "rough_sweep"          # precise_sweep, oscillation, constant_speed
   file = "sweep.csv"
@@ -62,6 +65,14 @@ void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
           "exit with status 1 at this verdict or a worse one: doubtful, not-identifiable")
       ->check(CLI::IsMember(verdicts))
       ->type_name("VERDICT");
+}
+
+void add_intervals(CLI::App& command, IntervalSettings& intervals) {
+  command.add_option("--resamples", intervals.resamples,
+                     "resamples of the bootstrap behind the intervals: " +
+                         allowed_resamples_in_words() + "; default: the manifest's, or 1000");
+  command.add_option("--seed", intervals.seed,
+                     "seed of the resamples; default: the manifest's, or 1");
 }
 
 void add_processes(CLI::App& command, int& processes) {
@@ -94,13 +105,14 @@ ExitStatus run_command_line(int argc, char** argv) {
       "\nWrites one CSV per recording, dataset.toml (for report) and truth.json.\n"
       "examples/paper/scenario.toml shows every key with its unit.");
 
-  IdentifyOptions identify;
+  IdentifyArguments identify;
   CLI::App* identify_command =
       app.add_subcommand("identify", "identify a joint: numbers with intervals, as JSON");
   identify_command->add_option("DATASET", identify.dataset, "dataset manifest (TOML)")->required();
   identify_command->add_option("-o,--output", identify.output, "calibration file (JSON) to write")
       ->required();
   add_fail_on(*identify_command, identify.fail_on);
+  add_intervals(*identify_command, identify.intervals);
   identify_command->footer(manifest_help);
 
   FiguresOptions figures;
@@ -120,6 +132,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   bool no_figures = false;
   report_command->add_flag("--no-figures", no_figures, "numbers and tables only");
   add_fail_on(*report_command, report.fail_on);
+  add_intervals(*report_command, report.intervals);
   add_processes(*report_command, report.processes);
   report_command->footer(
       std::string("\nThe numbers are written first, then the figures are drawn, then the report\n"

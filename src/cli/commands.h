@@ -17,10 +17,11 @@ struct SimulateOptions {
   std::optional<unsigned long long> seed;  ///< Instead of the scenario's.
 };
 
-struct IdentifyOptions {
+struct IdentifyArguments {
   std::string dataset;
   std::string output;
   std::optional<Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
+  IntervalSettings intervals;      ///< Win over the manifest's.
 };
 
 struct FiguresOptions {
@@ -34,6 +35,7 @@ struct ReportOptions {
   std::string output;
   std::string calibration;  ///< Empty: beside the report.
   std::optional<Verdict> fail_on;
+  IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};
 };
@@ -50,7 +52,7 @@ struct PaperOptions {
 
 /// @param arguments the whole command line, for the provenance.
 ExitStatus run_simulate(const SimulateOptions& options, Console& console);
-ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
+ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console);
 ExitStatus run_figures(const FiguresOptions& options, Console& console);
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,

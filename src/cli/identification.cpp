@@ -42,10 +42,25 @@ void protect_inputs(const Dataset& dataset, const std::string& manifest,
   check_output_can_be_written(output, files);
 }
 
-Calibration run_identification(const Dataset& dataset, Console& console) {
-  return identify(dataset, {}, [&](const std::string& stage, int done, int all) {
+Calibration run_identification(const Dataset& dataset, const IntervalSettings& arguments,
+                               Console& console) {
+  const IntervalSettings& stated = dataset.manifest.intervals;
+  IdentifyOptions options;
+  options.resamples = arguments.resamples.value_or(stated.resamples.value_or(options.resamples));
+  options.seed = arguments.seed.value_or(stated.seed.value_or(options.seed));
+  if (!resamples_are_allowed(options.resamples)) {
+    throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", options.resamples,
+                                 allowed_resamples_in_words()));
+  }
+  return identify(dataset, options, [&](const std::string& stage, int done, int all) {
     console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   });
+}
+
+std::vector<NamedText> interval_configuration(const IntervalsResult& intervals) {
+  if (intervals.resamples == 0) return {{"Resamples", "0: intervals by closed forms alone"}};
+  return {{"Resamples", std::to_string(intervals.resamples)},
+          {"Seed of the resamples", std::to_string(intervals.seed)}};
 }
 
 void tell_outcome(const Calibration& c, Console& console) {

@@ -4,6 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "provenance.h"
 
 #include "calibration.h"
 #include "cli/console.h"
@@ -25,7 +28,13 @@ Dataset load_dataset(const std::string& manifest, Console& console);
 void protect_inputs(const Dataset& dataset, const std::string& manifest, const std::string& output);
 
 /// Runs every stage.
-Calibration run_identification(const Dataset& dataset, Console& console);
+/// @param arguments of the command line; they win over the manifest's.
+/// @throw UsageError for a number of resamples that gives no interval.
+Calibration run_identification(const Dataset& dataset, const IntervalSettings& arguments,
+                               Console& console);
+
+/// What the provenance says about the intervals.
+std::vector<NamedText> interval_configuration(const IntervalsResult& intervals);
 
 /// A few lines for the terminal: verdict, angle, mass, friction, and rows left out.
 void tell_outcome(const Calibration& calibration, Console& console);

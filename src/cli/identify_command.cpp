@@ -5,13 +5,14 @@
 
 namespace tribolog {
 
-ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::string>& arguments,
+ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console) {
   check_output_can_be_written(options.output, {options.dataset});
-  const Provenance provenance = make_provenance(arguments);
+  Provenance provenance = make_provenance(arguments);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
-  const Calibration calibration = run_identification(dataset, console);
+  const Calibration calibration = run_identification(dataset, options.intervals, console);
+  provenance.configuration = interval_configuration(calibration.intervals);
   write_file_atomically(options.output, calibration_json(calibration, provenance));
   tell_outcome(calibration, console);
   console.say("calibration: " + options.output);

@@ -9,6 +9,7 @@
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
 #include "ingest/robot_file.h"
+#include "stages/bootstrap/bootstrap.h"
 
 namespace tribolog {
 namespace {
@@ -61,6 +62,18 @@ double read_sign(const TomlTable& effort) {
   return sign;
 }
 
+IntervalSettings read_intervals(const TomlTable& table) {
+  IntervalSettings settings;
+  if (table.has("resamples")) settings.resamples = table.count_or("resamples", 0);
+  if (table.has("seed")) settings.seed = table.count_or("seed", 0);
+  if (settings.resamples && !resamples_are_allowed(*settings.resamples)) {
+    table.refuse("resamples", {"not usable", fmt::format("{}", *settings.resamples),
+                               allowed_resamples_in_words(), ""});
+  }
+  table.refuse_unknown_keys();
+  return settings;
+}
+
 void read_circumstances(const TomlTable& top, Manifest& manifest) {
   if (const auto payload = top.find_table("payload")) {
     manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
@@ -77,6 +90,9 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
     manifest.gravity_m_s2 =
         surrogate->number_or("gravity_m_s2", manifest.gravity_m_s2, Sign::positive);
     surrogate->refuse_unknown_keys();
+  }
+  if (const auto intervals = top.find_table("intervals")) {
+    manifest.intervals = read_intervals(*intervals);
   }
   if (const auto reference = top.find_table("reference")) {
     manifest.reference = read_known_curve(*reference);

@@ -26,6 +26,12 @@ struct InputFile {
   std::vector<SkippedRows> skipped;
 };
 
+/// How the intervals by resampling are made, where the user states it.
+struct IntervalSettings {
+  std::optional<std::uint64_t> resamples;  ///< 0: closed forms alone.
+  std::optional<std::uint64_t> seed;
+};
+
 /// What the user states about the measurement. Texts may be empty where not stated.
 struct Manifest {
   std::string robot;
@@ -41,6 +47,7 @@ struct Manifest {
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
+  IntervalSettings intervals;
   std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
 };
 

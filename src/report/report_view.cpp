@@ -57,10 +57,15 @@ void place_figures(const Calibration& c, const std::vector<ReportFigure>& figure
     const auto* const home = std::find_if(
         std::begin(all_stages), std::end(all_stages),
         [&](StageId stage) { return stage_report(c, stage).name == figures[i].stage; });
-    Section& section = home == std::end(all_stages)
-                           ? others
-                           : view.sections[static_cast<std::size_t>(home - std::begin(all_stages))];
-    section.figures.push_back(cards[i]);
+    if (home != std::end(all_stages)) {
+      view.sections[static_cast<std::size_t>(home - std::begin(all_stages))].figures.push_back(
+          cards[i]);
+      continue;
+    }
+    // Sections behind the stages go by their anchor.
+    const auto behind = std::find_if(view.sections.begin(), view.sections.end(),
+                                     [&](const Section& s) { return s.id == figures[i].stage; });
+    (behind == view.sections.end() ? others : *behind).figures.push_back(cards[i]);
   }
   if (others.figures.empty()) return;
   others.number = static_cast<int>(view.sections.size()) + 1;
@@ -127,6 +132,8 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
         {std::to_string(section.number) + ". " + section.title + ": " + section.status, section.id,
          or_dash(section.reason), section.experiment});
   }
+  view.sections.push_back(cross_checks_section(c));
+  view.sections.back().number = static_cast<int>(view.sections.size());
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);
   view.paper_table = paper_comparison_table(c);

@@ -41,6 +41,10 @@ void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
 
+/// Behind the stages: gravity by every way, ripple, positions, intervals.
+Section cross_checks_section(const Calibration& calibration);
+void add_interval_tables(const Calibration& calibration, Section& section);
+
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);
 ErrataNumbers errata_numbers();

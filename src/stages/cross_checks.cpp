@@ -65,20 +65,30 @@ const GravityDifference* find(const std::vector<GravityDifference>& all, const s
   return it == all.end() ? nullptr : &*it;
 }
 
+std::string cause_of(const std::string& method) {
+  for (const Method& m : methods()) {
+    if (m.name == method) return m.cause;
+  }
+  return "";
+}
+
 std::string finding(const CrossCheck& check, const CrossCheck& recommended) {
-  const auto words = [](const std::string& name) {
-    return std::find_if(methods().begin(), methods().end(),
-                        [&](const Method& m) { return m.name == name; });
-  };
   return fmt::format(
       "{} and {} disagree: {:.3f} kg against {:.3f} kg, a difference of {:+.2f} % where {:.2g} % "
       "would be within its interval; {}",
-      words(recommended.method)->words, words(check.method)->words, recommended.mass_kg.value,
+      method_in_words(recommended.method), method_in_words(check.method), recommended.mass_kg.value,
       check.mass_kg.value, check.difference_percent, check.difference_half_width_percent,
-      words(check.method)->cause);
+      cause_of(check.method));
 }
 
 }  // namespace
+
+std::string method_in_words(const std::string& method) {
+  for (const Method& m : methods()) {
+    if (m.name == method) return m.words;
+  }
+  return method;
+}
 
 CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& intervals) {
   CrossChecksResult out;
@@ -107,8 +117,7 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
     check.difference_in_intervals = half_width > 0 ? std::abs(difference) / half_width : 0.0;
     check.disagrees = !check.is_recommended && std::abs(difference) > half_width &&
                       std::abs(difference) > least_difference * std::abs(ours.value);
-    if (!check.disagrees) continue;
-    out.doubtful = out.doubtful || check.method != "classical";
+    out.doubtful = out.doubtful || (check.disagrees && check.method != "classical");
   }
   for (const CrossCheck& check : checks) {
     if (check.disagrees) out.findings.push_back(finding(check, *recommended));

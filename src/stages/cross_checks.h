@@ -34,6 +34,9 @@ struct CrossChecksResult {
   bool doubtful{};
 };
 
+/// "mean of the sweep's directions at equal angle"; an unknown method as it is.
+std::string method_in_words(const std::string& method);
+
 /// A difference of less than this share is of no consequence, however narrow the intervals.
 inline constexpr double least_difference = 1e-3;
 

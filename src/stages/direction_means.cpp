@@ -18,7 +18,7 @@ struct Bin {
   double torque[2]{}, angle[2]{}, count[2]{};  // falling, rising
 };
 
-std::vector<Bin> bins_of(const CogSweepResult& rough) {
+std::vector<Bin> bins_of(const CogSweepResult& rough, double gear_ratio) {
   std::vector<Bin> bins(angle_bins);
   const double width = (rough.highest_rad - rough.lowest_rad) / static_cast<double>(angle_bins);
   for (std::size_t r = 0; r < rough.recordings.size(); ++r) {
@@ -32,7 +32,7 @@ std::vector<Bin> bins_of(const CogSweepResult& rough) {
       const std::size_t before = i >= 10 ? i - 10 : 0;
       const std::size_t after = std::min(recording.size() - 1, i + 10);
       const int side = recording.q_rad[after] > recording.q_rad[before] ? 1 : 0;
-      bins[bin].torque[side] += recording.torque_Nm[i];
+      bins[bin].torque[side] += recording.torque_Nm[i] - rough.ripple.torque_Nm(gear_ratio * q);
       bins[bin].angle[side] += q;
       bins[bin].count[side] += 1;
     }
@@ -42,12 +42,13 @@ std::vector<Bin> bins_of(const CogSweepResult& rough) {
 
 }  // namespace
 
-std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough) {
+std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough,
+                                                             double gear_ratio) {
   if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
   std::vector<Eigen::Vector2d> columns;
   std::vector<double> mean;
   const double middle = rough.q_peak_rad.value;
-  for (const Bin& bin : bins_of(rough)) {
+  for (const Bin& bin : bins_of(rough, gear_ratio)) {
     if (bin.count[0] == 0 || bin.count[1] == 0) continue;
     Eigen::Vector2d column = Eigen::Vector2d::Zero();
     double torque = 0;

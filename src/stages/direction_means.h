@@ -8,7 +8,8 @@
 namespace tribolog {
 
 /// From a sweep of both directions; absent otherwise.
-std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough);
+std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough,
+                                                             double gear_ratio);
 
 /// From pairs of runs of opposite direction; absent with fewer than three pairs.
 std::optional<GravityByOtherWay> gravity_of_run_directions(const ViscousCurvesResult& curves);

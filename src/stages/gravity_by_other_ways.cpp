@@ -18,7 +18,8 @@ OtherWays gravity_by_other_ways(const std::vector<const Recording*>& sweeps,
                                 const CogSweepResult& rough, const ViscousCurvesResult& curves,
                                 const std::optional<Estimate>& q_peak_rad, double gear_ratio) {
   OtherWays out;
-  if (auto way = gravity_of_sweep_directions(rough)) out.gravity.push_back(std::move(*way));
+  if (auto way = gravity_of_sweep_directions(rough, gear_ratio))
+    out.gravity.push_back(std::move(*way));
   if (q_peak_rad) {
     if (auto way = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*way));
     std::vector<const Recording*> moving = sweeps;

@@ -53,8 +53,9 @@ BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
 }
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
+/// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
 ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gear_ratio,
-                          double q_peak, double gravity) {
+                          double q_peak, double gravity, const Ripple& ripple) {
   ConstantSpeedRun run;
   run.recording = r.name;
   run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
@@ -77,6 +78,16 @@ ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gea
   BlockMean friction = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
     return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
   });
+  if (!ripple.lines.empty()) {
+    BlockMean without = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
+      return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak) -
+             ripple.torque_Nm(gear_ratio * r.q_rad[i]);
+    });
+    if (without.half_width < friction.half_width) {
+      run.torque_Nm += without.mean - friction.mean;
+      friction = std::move(without);
+    }
+  }
   run.torque_half_width_Nm = friction.half_width;
   run.block_friction_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
@@ -173,8 +184,8 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
           std::minmax_element(begin + static_cast<std::ptrdiff_t>(plateau.first),
                               begin + static_cast<std::ptrdiff_t>(plateau.last));
       sources.push_back({r, plateau.first, plateau.last, *low, *high});
-      out.runs.push_back(
-          make_run(*r, plateau, gear_ratio, q_peak, rough.found ? rough.gravity_Nm.value : 0.0));
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak,
+                                  rough.found ? rough.gravity_Nm.value : 0.0, rough.ripple));
       out.samples_used += plateau.size();
     }
     out.samples_left_out += r->size() - motion.samples_on_plateaus;

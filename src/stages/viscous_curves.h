@@ -19,7 +19,7 @@ namespace tribolog {
 struct ConstantSpeedRun {
   std::string recording;
   double speed_rad_s{};  ///< Motor side, signed.
-  double torque_Nm{};    ///< Mean driving torque T, motor side (inertia of a sweep removed).
+  double torque_Nm{};    ///< Mean driving torque T, motor side (inertia and ripple removed).
   double torque_half_width_Nm{};  ///< 95 % of the mean.
   double q_rad{};                 ///< Mean joint angle.
   double mean_cos{};              ///< Mean of cos(q - q_peak) over it.

@@ -111,6 +111,14 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
 
 }  // namespace
 
+bool resamples_are_allowed(std::uint64_t resamples) {
+  return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);
+}
+
+std::string allowed_resamples_in_words() {
+  return fmt::format("0 (closed forms alone), or {} to {}", fewest_resamples, most_resamples);
+}
+
 const Estimate* TwoIntervals::stated() const {
   if (bootstrap && (bootstrap_is_stated || !closed_form)) return &*bootstrap;
   return closed_form ? &*closed_form : nullptr;
@@ -137,11 +145,9 @@ const CurveBand* IntervalsResult::band(const std::string& estimator) const {
 
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t)>& progress) {
-  if (options.resamples > 0 && options.resamples < fewest_resamples) {
-    throw std::invalid_argument(
-        fmt::format("{} resamples are too few for a 95 % interval; it must be 0 (closed forms "
-                    "alone) or at least {}",
-                    options.resamples, fewest_resamples));
+  if (!resamples_are_allowed(options.resamples)) {
+    throw std::invalid_argument(fmt::format("{} resamples are not allowed; it must be {}",
+                                            options.resamples, allowed_resamples_in_words()));
   }
   IntervalsResult out;
   out.resamples = options.resamples;

@@ -99,11 +99,17 @@ struct ResamplingOptions {
 };
 
 /// @param progress is told how many resamples are done; may be empty.
-/// @throw std::invalid_argument for 1 to 99 resamples: no 95 % interval comes of them.
+/// @throw std::invalid_argument if the resamples are not allowed (below).
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
 
+/// 0, or from 100 to a million.
+bool resamples_are_allowed(std::uint64_t resamples);
+/// "0 (closed forms alone), or 100 to 1000000"
+std::string allowed_resamples_in_words();
+
 /// Fewest resamples from which the ends of a 95 % interval can be read.
 inline constexpr std::size_t fewest_resamples = 100;
+inline constexpr std::size_t most_resamples = 1000000;
 
 }  // namespace tribolog
