@@ -26,7 +26,7 @@ Table masses_table(const CrossChecksResult& r) {
                    {"Difference", "%", true},
                    {"95 % of the difference", "± %", true},
                    {"In intervals", "", true},
-                   {"", "", false}};
+                   {"Outcome", "", false}};
   for (std::size_t k = 0; k < r.checks.size(); ++k) {
     const CrossCheck& c = r.checks[k];
     const RoundedEstimate closed = round_by_interval(c.mass_kg, plain_scale("kg"));

@@ -83,12 +83,12 @@ std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple) {
   std::vector<std::string> periods;
   for (const RippleLine& line : ripple.lines) {
     periods.push_back(
-        fmt::format("{:.4g} N·m at {:.3g} periods", line.amplitude_Nm, line.periods_per_turn));
+        fmt::format("{:.3g} N·m at {:.4g}", line.amplitude_Nm, line.periods_per_turn));
   }
   const std::string lines =
       periods.empty()
           ? fmt::format("a standard deviation of {:.3g} N·m without a clear period", ripple.rest_Nm)
-          : fmt::format("{} a motor turn", fmt::join(periods, " and "));
+          : fmt::format("{} periods a motor turn", fmt::join(periods, " and "));
   return fmt::format(
       "the oscillation was recorded at one position only, where torque ripple is a constant that "
       "no "

@@ -156,7 +156,7 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
   ASSERT_TRUE(c.position_plan);
   EXPECT_EQ(c.position_plan->further_rad.size(), 7U);
   EXPECT_NEAR(c.position_plan->spread_motor_rad, 2 * std::numbers::pi, 1e-12);
-  EXPECT_NE(c.judgement.findings.front().find("at 1 periods and"), std::string::npos)
+  EXPECT_NE(c.judgement.findings.front().find("at 6 periods a motor turn"), std::string::npos)
       << c.judgement.findings.front();
   // The positions planned are those that the scenario would take, and they bring what was promised.
   const Scenario eight = from_eight_positions(s);
