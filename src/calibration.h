@@ -7,10 +7,12 @@
 
 #include "joint/dataset.h"
 #include "stages/bootstrap/bootstrap.h"
+#include "stages/break_away.h"
 #include "stages/cog_sweep.h"
 #include "stages/cross_checks.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
+#include "stages/loop_shape.h"
 #include "stages/position_plan.h"
 #include "stages/quality_errors.h"
 #include "stages/selection.h"
@@ -45,12 +47,15 @@ struct Calibration {
   QualityErrorsResult quality;
   SelectionResult selection;
   FrictionParametersResult friction;
+  std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
+  BreakAwayResult break_away;
   IntervalsResult intervals;
   CrossChecksResult cross_checks;
   std::optional<PositionPlan> position_plan;  ///< Where to oscillate next, if ripple asks for it.
   Judgement judgement;
 
-  /// All stages' reports in the order of the method.
+  /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
+  /// only where there are some.
   [[nodiscard]] std::vector<StageReport> stages() const;
 };
 

@@ -47,6 +47,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["quality"] = quality(c.quality);
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
+  all["loop_shapes"] = loop_shapes(c.loop_shapes);
+  all["break_away"] = break_away(c.break_away, n);
   all["intervals"] = intervals(c.intervals);
   all["cross_checks"] = cross_checks(c.cross_checks);
   all["ripple"] = ripple(c.rough.ripple);

@@ -27,5 +27,7 @@ Json cross_checks(const CrossChecksResult& result);
 Json ripple(const Ripple& ripple);
 Json position_plan(const std::optional<PositionPlan>& plan);
 Json friction(const Calibration& c, double gear_ratio);
+Json break_away(const BreakAwayResult& result, double gear_ratio);
+Json loop_shapes(const std::vector<LoopShape>& shapes);
 
 }  // namespace tribolog::json

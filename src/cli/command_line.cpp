@@ -49,7 +49,7 @@ The manifest says, for example:
   resamples = 1000              # 0: closed forms alone
   seed = 1
   [[recording]]
-  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed
+  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
   file = "sweep.csv"
 
 Each role may occur any number of times, and each is optional: what is absent
