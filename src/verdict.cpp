@@ -1,5 +1,7 @@
 #include "verdict.h"
 
+#include "curve_findings.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -40,6 +42,7 @@ Judgement judge(const Calibration& c) {
       out.findings.push_back(stage.reason);
     }
   }
+  for (std::string& finding : curve_findings(c)) out.findings.push_back(std::move(finding));
   std::vector<std::string> disagreements;
   compare_masses(c, disagreements);
   out.findings.insert(out.findings.begin(), disagreements.begin(), disagreements.end());

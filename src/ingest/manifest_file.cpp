@@ -8,6 +8,7 @@
 #include "ingest/closest_match.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
+#include "ingest/known_load_tables.h"
 #include "ingest/robot_file.h"
 
 namespace tribolog {
@@ -78,6 +79,8 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
         surrogate->number_or("gravity_m_s2", manifest.gravity_m_s2, Sign::positive);
     surrogate->refuse_unknown_keys();
   }
+  manifest.known_loads = read_known_loads(top);
+  manifest.known_gravity = read_known_gravity(top);
   if (const auto reference = top.find_table("reference")) {
     manifest.reference = read_known_curve(*reference);
   }

@@ -8,6 +8,7 @@
 
 #include "stages/block_regression.h"
 #include "stages/sweep_curves.h"
+#include "stages/sweep_load.h"
 #include "stages/sweep_noise.h"
 #include "stages/sweep_regression.h"
 #include "stages/sweep_samples.h"
@@ -35,6 +36,17 @@ void read_friction(const SweepDesign& d, const SweepSamples& samples, const Swee
     out.offset_Nm = c(d.offsets);
     if (d.direction >= 0) {
       out.coulomb_Nm = symmetric_estimate(c(d.direction), half_width(d.direction), method);
+    }
+    if (d.load >= 0) {
+      out.unloaded_coulomb_Nm = out.coulomb_Nm;
+      out.load_coulomb_Nm = symmetric_estimate(c(d.load), half_width(d.load), method);
+      const double load = d.x.col(d.load).cwiseAbs().mean();
+      const auto& v = fit.regression.covariance;
+      const double variance = v(d.direction, d.direction) + 2 * load * v(d.direction, d.load) +
+                              load * load * v(d.load, d.load);
+      out.coulomb_Nm =
+          symmetric_estimate(c(d.direction) + load * c(d.load),
+                             fit.regression.t_factor * std::sqrt(std::max(0.0, variance)), method);
     }
     out.viscous_Nms_rad =
         symmetric_estimate(c(d.speed) / gear_ratio, half_width(d.speed) / gear_ratio, method);
@@ -124,9 +136,12 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  const SweepGravityFit fit =
+  SweepGravityFit fit =
       amplitude_known ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
                       : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  if (!amplitude_known) {
+    fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
+  }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
                     fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
@@ -136,6 +151,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   out.method = samples.constant_speed
                    ? "T = offset of each direction + G cos(q - q_peak)"
                    : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";
+  if (design.load >= 0) out.method += " + Coulomb of the load sgn(q') |cos(q - q_peak)|";
   if (amplitude_known) out.method += ", G from the rough sweep";
   read_friction(design, samples, fit, gear_ratio, out);
 
