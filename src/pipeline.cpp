@@ -46,9 +46,9 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
       identify_hysteresis(dataset.with_role(Role::oscillation), c.rough, n, c.q_peak_rad);
 
   begin("surrogate masses");
-  c.masses = identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n,
-                                       m.surrogate_distance_m, m.gravity_m_s2,
-                                       {&c.run_gravity, m.known_gravity});
+  c.masses =
+      identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n, m.surrogate_distance_m,
+                                m.gravity_m_s2, {&c.run_gravity, m.known_gravity});
 
   begin("viscous curves");
   c.viscous = identify_viscous_curves(dataset.with_role(Role::constant_speed), c.rough, c.masses,

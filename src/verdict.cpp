@@ -1,10 +1,10 @@
 #include "verdict.h"
 
-#include "curve_findings.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "curve_findings.h"
 
 namespace tribolog {
 namespace {

@@ -3,9 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "calibration_json/values.h"
-#include "provenance.h"
 
 namespace tribolog::json {
 
@@ -20,5 +21,12 @@ Json viscous(const ViscousCurvesResult& v);
 Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
 Json friction(const Calibration& c, double gear_ratio);
+Json curve_model(const CurveModelChoice& c);
+Json direction_lines(const DirectionLinesResult& r, double gear_ratio);
+Json direction_asymmetry(const DirectionAsymmetryResult& a);
+Json load_dependence(const LoadDependenceResult& l);
+Json run_gravity(const RunGravityResult& r, double gear_ratio);
+Json known_loads(const std::vector<KnownLoad>& loads);
+Json known_gravity(const std::optional<KnownGravity>& g);
 
 }  // namespace tribolog::json

@@ -3,8 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "figures/curve_model_figure.h"
+#include "figures/direction_lines_figure.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
+#include "figures/load_dependence_figure.h"
 #include "figures/quality_error.h"
 #include "figures/selected_curve.h"
 #include "figures/sweep_motion.h"
@@ -27,6 +30,9 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(curve_model_figure(calibration));
+  candidates.push_back(direction_lines_figure(calibration));
+  candidates.push_back(load_dependence_figure(calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

@@ -43,10 +43,10 @@ void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role
       const ColumnHeader& header = column_named(table, name).header;
       const auto factor = find_si_factor(Quantity::angle, header.unit);
       if (!factor || *factor == load.radian_per_unit) continue;
-      throw InputError({table.file, 1, 0},
-                       {"unit of the column contradicts the [[known_load]] of " +
-                            printable(load.stated_at),
-                        in_quotes(header.full), "the unit that is stated there", ""});
+      throw InputError(
+          {table.file, 1, 0},
+          {"unit of the column contradicts the [[known_load]] of " + printable(load.stated_at),
+           in_quotes(header.full), "the unit that is stated there", ""});
     }
   }
 }

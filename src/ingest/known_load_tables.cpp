@@ -45,9 +45,8 @@ KnownLoad read_known_load(const TomlTable& table) {
   for (std::size_t i = 0; i < load.angles.size(); ++i) {
     const auto& name = load.angles[i];
     const auto begin = load.angles.begin();
-    const bool is_twice =
-        std::find(begin, begin + static_cast<std::ptrdiff_t>(i), name) !=
-        begin + static_cast<std::ptrdiff_t>(i);
+    const bool is_twice = std::find(begin, begin + static_cast<std::ptrdiff_t>(i), name) !=
+                          begin + static_cast<std::ptrdiff_t>(i);
     if (name.empty() || is_twice) {
       table.refuse("angles", {name.empty() ? "holds an empty name" : "names a column twice",
                               in_quotes(name), "columns of the log, each once", ""});

@@ -136,9 +136,9 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
       equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
-  SweepGravityFit fit =
-      amplitude_known ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
-                      : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  SweepGravityFit fit = amplitude_known
+                            ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
+                            : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
   if (!amplitude_known) {
     fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
   }

@@ -5,8 +5,8 @@
 // Ours: least squares of T = Tf(direction, speed) + b cos q + c sin q + J q'' over the whole sweep,
 // q_peak = atan2(c, b), gravity amplitude hypot(b, c). Terms of speed and acceleration take part
 // only where the sweep is not of constant speed; abrupt stops in such a sweep are left out, and
-// friction that grows with the load is a further term where held-out strokes pay for it. Directions have their own offset, so that
-// friction cancels where both were recorded.
+// friction that grows with the load is a further term where held-out strokes pay for it. Directions
+// have their own offset, so that friction cancels where both were recorded.
 //
 // Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone
 // cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude

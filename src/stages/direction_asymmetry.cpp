@@ -46,8 +46,8 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   }
   double squares = 0;
   for (const double a : out.asymmetry_Nm) squares += std::pow(a - sum / n, 2);
-  out.mean_Nm = symmetric_estimate(
-      sum / n, student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n), "scatter of the pairs");
+  out.mean_Nm = symmetric_estimate(sum / n, student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n),
+                                   "scatter of the pairs");
   out.gravity_could_explain_Nm = std::abs(mass->gravity_Nm.half_width() * cosines / n);
   out.examined = true;
   const double size = std::abs(out.mean_Nm.value);
@@ -55,13 +55,14 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   constexpr double rounding = 1e-6;
   const double explained = std::hypot(out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
   out.found = size > explained && size > rounding * mass->gravity_Nm.value;
-  const std::string numbers =
-      fmt::format("half the difference of rising and falling is {:.3g} ± {:.2g} N·m, of which an "
-                  "error of the gravity torque within its interval could be {:.2g} N·m",
-                  out.mean_Nm.value, out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
+  const std::string numbers = fmt::format(
+      "half the difference of rising and falling is {:.3g} ± {:.2g} N·m, of which an "
+      "error of the gravity torque within its interval could be {:.2g} N·m",
+      out.mean_Nm.value, out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
   out.sentence = out.found
                      ? "friction is not the same in both directions, or the torque signal has an "
-                       "offset, or gravity is off: " + numbers
+                       "offset, or gravity is off: " +
+                           numbers
                      : "no asymmetry of the directions shows: " + numbers;
   return out;
 }

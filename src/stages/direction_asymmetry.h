@@ -17,12 +17,12 @@
 namespace tribolog {
 
 struct DirectionAsymmetryResult {
-  bool examined{false};  ///< The numbers below are valid.
-  bool found{false};     ///< Larger than its interval and the error of gravity together.
-  std::string sentence;  ///< Never empty.
+  bool examined{false};             ///< The numbers below are valid.
+  bool found{false};                ///< Larger than its interval and the error of gravity together.
+  std::string sentence;             ///< Never empty.
   std::vector<double> speed_rad_s;  ///< Per pair of runs, motor side, > 0.
   std::vector<double> asymmetry_Nm;
-  Estimate mean_Nm;                  ///< Over the pairs; scatter of the pairs.
+  Estimate mean_Nm;                   ///< Over the pairs; scatter of the pairs.
   double gravity_could_explain_Nm{};  ///< Half width of the gravity torque, at the pairs' angles.
 };
 

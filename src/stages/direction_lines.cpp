@@ -55,9 +55,11 @@ std::vector<Point> points_of(const ViscousCurvesResult& curves, const ViscousCur
 }
 
 void keep_long_ways(std::vector<Point>& points, double widest) {
-  const auto is_short = [&](const Point& p) { return p.travel_rad() < least_travel_share * widest; };
-  const auto kept = std::count_if(points.begin(), points.end(),
-                                  [&](const Point& p) { return !is_short(p); });
+  const auto is_short = [&](const Point& p) {
+    return p.travel_rad() < least_travel_share * widest;
+  };
+  const auto kept =
+      std::count_if(points.begin(), points.end(), [&](const Point& p) { return !is_short(p); });
   if (static_cast<std::size_t>(kept) < fewest_runs) return;
   points.erase(std::remove_if(points.begin(), points.end(), is_short), points.end());
 }
@@ -86,8 +88,7 @@ std::size_t first_beyond_dip(const std::vector<Point>& points) {
   const auto dip = static_cast<std::size_t>(least - points.begin());
   if (dip == 0 || dip > points.size() / 2 || points.size() - dip < fewest_runs) return 0;
   const BlockRegression line = line_through(points, dip);
-  const double there =
-      line.coefficients(0) + line.coefficients(1) * points.front().speed_rad_s;
+  const double there = line.coefficients(0) + line.coefficients(1) * points.front().speed_rad_s;
   const double above = points.front().friction_Nm - there;
   return above > line.t_factor * line.residual_sd ? dip : 0;
 }
@@ -141,8 +142,8 @@ DirectionLinesResult fit_direction_lines(const ViscousCurvesResult& curves,
       for (const Point& p : *points) widest = std::max(widest, p.travel_rad());
     }
     const bool may_dip = !curves.from_sweep;
-    out.curves.push_back({estimator, fit_line(rising, widest, may_dip),
-                          fit_line(falling, widest, may_dip)});
+    out.curves.push_back(
+        {estimator, fit_line(rising, widest, may_dip), fit_line(falling, widest, may_dip)});
   }
   return out;
 }

@@ -178,8 +178,7 @@ LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
   for (std::size_t i = 0; i < rows.size(); ++i) {
     slowest = std::min(slowest, rows[i].speed_rad_s);
     fastest = std::max(fastest, rows[i].speed_rad_s);
-    out.lowest_load_Nm =
-        i == 0 ? rows[i].load_Nm : std::min(out.lowest_load_Nm, rows[i].load_Nm);
+    out.lowest_load_Nm = i == 0 ? rows[i].load_Nm : std::min(out.lowest_load_Nm, rows[i].load_Nm);
     out.highest_load_Nm = std::max(out.highest_load_Nm, rows[i].load_Nm);
     used_cells += i == 0 || rows[i].cell != rows[i - 1].cell ? 1 : 0;
   }
@@ -204,8 +203,8 @@ LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     y(static_cast<Eigen::Index>(i)) = rows[i].friction_Nm;
-    const bool is_new = i > 0 && rows[i].cell / cells_in_a_block !=
-                                     rows[i - 1].cell / cells_in_a_block;
+    const bool is_new =
+        i > 0 && rows[i].cell / cells_in_a_block != rows[i - 1].cell / cells_in_a_block;
     blocks.push_back(i == 0 ? 0 : blocks.back() + (is_new ? 1 : 0));
   }
   const BlockRegression fit = block_regression(columns_of(rows, with), y, blocks);
@@ -237,8 +236,7 @@ LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
         100 * out.per_load.value, 100 * out.per_load.low, 100 * out.per_load.high, error_words);
     return out;
   }
-  const bool speed_rivals =
-      speed_changes && out.held_out_speed_alone_Nm <= out.held_out_Nm;
+  const bool speed_rivals = speed_changes && out.held_out_speed_alone_Nm <= out.held_out_Nm;
   out.sentence = fmt::format(
       "friction depends on the load: it grows by {:.3g} % of the gravity torque (95 %: {:.3g} to "
       "{:.3g} %), from {:.3g} N·m unloaded by {:.3g} N·m at the largest load of the sweep; {}{}",

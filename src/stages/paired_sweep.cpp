@@ -64,8 +64,8 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
         std::min(angle_bins - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
     const double torque =
         r.torque_Nm[samples.index[i]] - sweep.offset_Nm - inertia * samples.acceleration_rad_s2[i];
-    (samples.direction[i] > 0 ? up : down)[bin].add(
-        samples.stroke[i], torque, samples.speed_rad_s[i], q, q_peak_rad);
+    (samples.direction[i] > 0 ? up : down)[bin].add(samples.stroke[i], torque,
+                                                    samples.speed_rad_s[i], q, q_peak_rad);
   }
   std::vector<ConstantSpeedRun> runs;
   for (std::size_t bin = 0; bin < angle_bins; ++bin) {
@@ -94,8 +94,8 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
       run.direction_difference_Nm = sign * difference;
       run.direction_difference_half_width_Nm = half_width;
       run.direction_mean_Nm = (torque_up + torque_down) / 2;
-      run.direction_mean_cos = (up[bin].cosine / up[bin].samples +
-                                down[bin].cosine / down[bin].samples) / 2;
+      run.direction_mean_cos =
+          (up[bin].cosine / up[bin].samples + down[bin].cosine / down[bin].samples) / 2;
       return run;
     };
     runs.push_back(make(down[bin], torque_down, width_down, index + 1, -1));

@@ -35,7 +35,7 @@ std::string evidence_in_words(const QualityErrorsResult& q) {
       "the reference itself is known to {:.2g} % of the driving torque (rms, 95 %): {}",
       q.reference_rms_percent,
       within.empty() ? "all errors are larger and count as evidence"
-                     : "an error below that is no evidence, which holds for " + within);
+                     : "an error below that is no evidence, as those of " + within + " are");
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct QualityErrorsResult {
   /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
   /// torque: an rms error below it is no evidence against a mass.
   double reference_rms_percent{};
-  std::string evidence;  ///< What the reference can tell, in words; empty without errors.
-  std::size_t runs_left_out{};       ///< Without a reference or with a driving torque near zero.
+  std::string evidence;         ///< What the reference can tell, in words; empty without errors.
+  std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
 
   [[nodiscard]] const QualityError* find(const std::string& estimator) const;
 };

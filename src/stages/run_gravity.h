@@ -27,7 +27,7 @@ struct RunGravityResult {
   bool found{false};   ///< The values below are valid.
   std::string reason;  ///< Why not found; empty if it is.
   Estimate q_peak_rad;
-  Estimate gravity_Nm;  ///< Amplitude G/n at the motor.
+  Estimate gravity_Nm;   ///< Amplitude G/n at the motor.
   double residual_Nm{};  ///< Standard deviation of what the fit leaves in cells of the angle.
   std::size_t runs_used{};
   std::size_t runs_left_out{};  ///< Plateaus with too short a way.

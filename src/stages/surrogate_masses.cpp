@@ -100,8 +100,7 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
                                                 const HysteresisResult& hysteresis,
                                                 const std::optional<Estimate>& q_peak_rad,
                                                 double gear_ratio, double distance_m,
-                                                double gravity_m_s2,
-                                                const OtherGravity& other) {
+                                                double gravity_m_s2, const OtherGravity& other) {
   SurrogateMassesResult out;
   out.distance_m = distance_m;
   out.gravity_m_s2 = gravity_m_s2;
@@ -155,9 +154,9 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     out.stage.reason = fmt::format(
         "without a hysteresis loop the paper's six masses and the mid-line are not to be had; the "
         "mass is that of the {}",
-        rough.found                                   ? "sweep's gravity amplitude"
+        rough.found                   ? "sweep's gravity amplitude"
         : out.find("runs") != nullptr ? "gravity amplitude of the runs at constant speed"
-                                                      : "gravity that the manifest states");
+                                      : "gravity that the manifest states");
   } else if (hysteresis.points.empty()) {
     out.stage.state = StageState::partial;
     out.stage.reason =

@@ -11,12 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "joint/known_load.h"
 #include "stages/cog_sweep.h"
 #include "stages/estimate.h"
 #include "stages/hysteresis_loop.h"
 #include "stages/run_gravity.h"
-
-#include "joint/known_load.h"
 
 namespace tribolog {
 

@@ -160,7 +160,8 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
 DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
   constexpr double least_travel_share = 0.25;
   double widest = 0;
-  for (const ConstantSpeedRun& run : runs) widest = std::max(widest, run.highest_rad - run.lowest_rad);
+  for (const ConstantSpeedRun& run : runs)
+    widest = std::max(widest, run.highest_rad - run.lowest_rad);
   DirectionAngles out;
   for (const ConstantSpeedRun& run : runs) {
     if (run.highest_rad - run.lowest_rad < least_travel_share * widest) continue;
@@ -203,12 +204,14 @@ bool DirectionAngles::share_angles() const {
 
 std::string DirectionAngles::in_words() const {
   constexpr double degrees = 180 / std::numbers::pi;
+  if (!has_rising && !has_falling) return "the angles of the runs are not known";
   if (!has_rising || !has_falling) {
-    return has_rising ? "the joint angle rises in all of them" : "the joint angle falls in all of them";
+    return has_rising ? "the joint angle rises in all of them"
+                      : "the joint angle falls in all of them";
   }
   return fmt::format("rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
-                     degrees * rising_low_rad, degrees * rising_high_rad,
-                     degrees * falling_low_rad, degrees * falling_high_rad,
+                     degrees * rising_low_rad, degrees * rising_high_rad, degrees * falling_low_rad,
+                     degrees * falling_high_rad,
                      share_angles() ? "" : ": the directions share no angle");
 }
 

@@ -30,8 +30,8 @@ struct ConstantSpeedRun {
   /// NaN without a partner or a common angle.
   double direction_difference_Nm{};
   double direction_difference_half_width_Nm{};
-  double mean_sin{};   ///< Mean of sin(q - q_peak).
-  double mean_load{};  ///< Mean of |cos(q - q_peak)|: share of the gravity torque that loads it.
+  double mean_sin{};    ///< Mean of sin(q - q_peak).
+  double mean_load{};   ///< Mean of |cos(q - q_peak)|: share of the gravity torque that loads it.
   double lowest_rad{};  ///< Joint angles that it covers.
   double highest_rad{};
   /// (T(+v) + T(-v))/2 over the angles that both directions share, and the mean of cos(q - q_peak)
@@ -64,7 +64,7 @@ struct ViscousCurvesResult {
   std::vector<ConstantSpeedRun> runs;  ///< Sorted by speed.
   std::vector<ViscousCurve> curves;    ///< One per surrogate mass, in that order.
   DirectionAngles angles;
-  bool from_sweep{};                   ///< Runs are angle bins of a sweep of varying speed.
+  bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
   std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
   std::size_t recordings_without_plateau{};

@@ -44,10 +44,9 @@ bool is_speed(const CurveModel& model, Eigen::Index k) {
 }
 
 std::pair<double, double> bounds(const CurveModel& model, Eigen::Index k, double slowest) {
-  return is_speed(model, k)
-             ? std::pair{std::log(least_speed_share * std::max(slowest, 1e-9)),
-                         std::log(largest_speed)}
-             : std::pair{std::log(least_power), std::log(largest_power)};
+  return is_speed(model, k) ? std::pair{std::log(least_speed_share * std::max(slowest, 1e-9)),
+                                        std::log(largest_speed)}
+                            : std::pair{std::log(least_power), std::log(largest_power)};
 }
 
 Eigen::VectorXd clamped(const CurveModel& model, Eigen::VectorXd shape, double slowest) {
@@ -71,8 +70,7 @@ struct Projection {
     const auto rows = static_cast<Eigen::Index>(data.samples.size());
     columns.resize(rows, model.linear_parameters());
     if (with_slopes) {
-      slopes.assign(static_cast<std::size_t>(shape.size()),
-                    Eigen::MatrixXd(rows, columns.cols()));
+      slopes.assign(static_cast<std::size_t>(shape.size()), Eigen::MatrixXd(rows, columns.cols()));
     }
     Eigen::RowVectorXd row;
     std::vector<Eigen::RowVectorXd> row_slopes;
@@ -120,7 +118,8 @@ std::vector<Eigen::VectorXd> grid(const CurveModel& model, double slowest) {
   };
   std::vector<Eigen::VectorXd> starts;
   if (model.law == CurveLaw::power_viscous) {
-    for (const double p : {0.3, 0.6, 1.2, 2.0}) starts.push_back(Eigen::VectorXd::Constant(1, std::log(p)));
+    for (const double p : {0.3, 0.6, 1.2, 2.0})
+      starts.push_back(Eigen::VectorXd::Constant(1, std::log(p)));
   } else if (model.law == CurveLaw::stribeck) {
     for (const double s : speeds()) starts.push_back(Eigen::VectorXd::Constant(1, s));
   } else {

@@ -18,7 +18,9 @@ int CurveModel::shape_parameters() const {
 
 int CurveModel::linear_parameters() const {
   const int of_law = law == CurveLaw::coulomb ? 1 : law == CurveLaw::stribeck ? 3 : 2;
-  const int of_direction = asymmetry == Asymmetry::none ? 0 : asymmetry == Asymmetry::coulomb ? 1 : 2;
+  const int of_direction = asymmetry == Asymmetry::none      ? 0
+                           : asymmetry == Asymmetry::coulomb ? 1
+                                                             : 2;
   return of_law + of_direction + (load ? 1 : 0);
 }
 

@@ -41,8 +41,8 @@ class Parameters {
   void add_positive(const char* name, const char* words, const char* unit, const Quantity& log_q) {
     const double value = log_q(at_);
     const double h = half_width(log_q);
-    list_.push_back({name, words, unit,
-                     {std::exp(value), std::exp(value - h), std::exp(value + h), method_}});
+    list_.push_back(
+        {name, words, unit, {std::exp(value), std::exp(value - h), std::exp(value + h), method_}});
   }
 
   [[nodiscard]] double speed() const { return fit_.speed_scale_rad_s; }
@@ -61,8 +61,7 @@ class Parameters {
       down(k) -= step;
       slope(k) = (q(up) - q(down)) / (2 * step);
     }
-    return around_.t_factor *
-           std::sqrt(std::max(0.0, slope.dot(around_.covariance * slope)));
+    return around_.t_factor * std::sqrt(std::max(0.0, slope.dot(around_.covariance * slope)));
   }
 
   const CurveFit& fit_;

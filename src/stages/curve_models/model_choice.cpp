@@ -60,8 +60,8 @@ class Chooser {
 
  private:
   const Tried& tried(const CurveModel& model) {
-    const auto key = std::tuple(static_cast<int>(model.law), static_cast<int>(model.asymmetry),
-                                model.load);
+    const auto key =
+        std::tuple(static_cast<int>(model.law), static_cast<int>(model.asymmetry), model.load);
     const auto at = memory_.find(key);
     if (at != memory_.end()) return at->second;
     return memory_.emplace(key, attempt(model)).first->second;
@@ -126,7 +126,7 @@ class Chooser {
   /// Coulomb friction alone has no viscous term to be different in each direction.
   static Asymmetry terms_for(CurveLaw law, Asymmetry asymmetry) {
     return law == CurveLaw::coulomb && asymmetry == Asymmetry::coulomb_viscous ? Asymmetry::coulomb
-                                                                              : asymmetry;
+                                                                               : asymmetry;
   }
 
   /// An error that is only the computer's: nothing is left to explain.
@@ -189,9 +189,8 @@ std::string choice_in_words(const CurveModelChoice& c) {
   for (const CurveModelTrial& t : c.ladder) {
     if (t.excluded_because.empty() && t.held_out_rms_Nm < best->held_out_rms_Nm) best = &t;
   }
-  std::string words =
-      fmt::format("{}: {} parameters, error {} at speeds held out", in_words(c.chosen),
-                  c.chosen.parameters(), error_words(chosen));
+  std::string words = fmt::format("{}: {} parameters, error {} at speeds held out",
+                                  in_words(c.chosen), c.chosen.parameters(), error_words(chosen));
   if (best != &chosen) {
     words += fmt::format("; {} with {} parameters has {}, a gain within its standard error",
                          in_words(best->model.law), best->model.parameters(), error_words(*best));
@@ -214,13 +213,16 @@ void judge_five(CurveModelChoice& c) {
   if (c.carries_five) {
     c.five_sentence = "the curve carries Waiboer's five parameters";
   } else if (!five.excluded_because.empty()) {
-    c.five_sentence =
-        "the curve cannot carry Waiboer's five parameters: " + five.excluded_because;
+    c.five_sentence = "the curve cannot carry Waiboer's five parameters: " + five.excluded_because;
   } else {
+    const CurveModelTrial& chosen = *c.find(c.chosen.law);
+    const bool is_worse = five.held_out_rms_Nm >= chosen.held_out_rms_Nm;
     c.five_sentence = fmt::format(
-        "the curve cannot carry Waiboer's five parameters: at speeds held out they bring {} "
-        "against {} of the model with {}",
-        error_words(five), error_words(*c.find(c.chosen.law)), c.chosen.parameters());
+        "the curve cannot carry Waiboer's five parameters: at speeds held out their error is {}, "
+        "{} "
+        "{} of the model with {}{}",
+        error_words(five), is_worse ? "no less than the" : "against", error_words(chosen),
+        c.chosen.parameters(), is_worse ? "" : ", a gain within its standard error");
   }
 }
 
@@ -229,9 +231,10 @@ CurveModelChoice Chooser::choose() {
   out.speeds = group_count(samples_);
   out.curve_speed_rad_s = curve_speeds_;
   if (out.speeds < fewest_speeds) {
-    out.sentence = fmt::format("{} speed{} cannot tell friction models apart; at least {} are "
-                               "needed, ten or more would be good",
-                               out.speeds, out.speeds == 1 ? "" : "s", fewest_speeds);
+    out.sentence = fmt::format(
+        "{} speed{} cannot tell friction models apart; at least {} are "
+        "needed, ten or more would be good",
+        out.speeds, out.speeds == 1 ? "" : "s", fewest_speeds);
     return out;
   }
   // Terms first, with the law that fits best where all of them are in, so that a missing term is
@@ -240,8 +243,9 @@ CurveModelChoice Chooser::choose() {
   auto law = simplest_law({CurveLaw::coulomb, full, load_varies_});
   if (!law) law = simplest_law({});
   if (!law) {
-    out.sentence = "no friction model describes this curve with parameters that a joint can have: " +
-                   tried({}).trial.excluded_because;
+    out.sentence =
+        "no friction model describes this curve with parameters that a joint can have: " +
+        tried({}).trial.excluded_because;
     return out;
   }
   const CurveModel terms = with_terms_that_pay(*law, out);

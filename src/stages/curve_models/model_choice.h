@@ -36,9 +36,9 @@ struct CurveModelTrial {
 
 /// A parameter of the chosen model, motor side.
 struct CurveParameter {
-  std::string name;    ///< "coulomb_Nm", "viscous_exponent": with its unit, for results.
-  std::string words;   ///< "Coulomb torque T_c"
-  std::string unit;    ///< "N·m"; empty: none.
+  std::string name;   ///< "coulomb_Nm", "viscous_exponent": with its unit, for results.
+  std::string words;  ///< "Coulomb torque T_c"
+  std::string unit;   ///< "N·m"; empty: none.
   Estimate estimate;
 };
 
@@ -47,11 +47,11 @@ struct CurveModelChoice {
   std::string sentence;    ///< What was chosen and why, or why nothing; never empty.
   std::string curve;       ///< Estimator whose curve it is.
   CurveModel chosen;
-  std::vector<CurveModelTrial> ladder;   ///< The laws, all with the terms that were taken up.
-  std::vector<CurveModelTrial> options;  ///< The terms tried, with the law that tried them.
+  std::vector<CurveModelTrial> ladder;     ///< The laws, all with the terms that were taken up.
+  std::vector<CurveModelTrial> options;    ///< The terms tried, with the law that tried them.
   std::vector<CurveParameter> parameters;  ///< Of the chosen model, with 95 % intervals.
   std::vector<double> curve_speed_rad_s;
-  std::size_t speeds{};                    ///< Groups held together: speeds, or parts of a sweep.
+  std::size_t speeds{};  ///< Groups held together: speeds, or parts of a sweep.
   /// Whether the curve carries Waiboer's five parameters: they were chosen.
   bool carries_five{false};
   std::string five_sentence;  ///< On Waiboer's five, in words; empty if nothing was chosen.

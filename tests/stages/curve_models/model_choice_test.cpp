@@ -21,7 +21,7 @@ struct Terms {
   double load_Nm{0};
 };
 
-const std::vector<double> twenty{1,  1.5, 2.2, 3.3, 5,  7,   10,  14,  20,  28,
+const std::vector<double> twenty{1,  1.5, 2.2, 3.3, 5,   7,   10,  14,  20,  28,
                                  40, 55,  75,  100, 130, 165, 200, 235, 270, 300};
 
 /// Both directions of each speed, each at its own load between 0.3 and 1.
@@ -34,7 +34,8 @@ std::vector<CurveSample> curve(const Law& law, double noise_Nm, std::uint64_t se
       const double w = speeds[k];
       const double load =
           0.65 + 0.35 * std::sin(2.4 * static_cast<double>(k) + (direction > 0 ? 1.0 : 0.0));
-      const double friction = law(w) + direction * (t.asymmetry_Nm + t.viscous_asymmetry_Nms_rad * w) +
+      const double friction = law(w) +
+                              direction * (t.asymmetry_Nm + t.viscous_asymmetry_Nms_rad * w) +
                               t.load_Nm * load + noise_Nm * random.normal();
       samples.push_back({w, friction, direction, load, k});
     }
