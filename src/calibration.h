@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "joint/dataset.h"
+#include "stages/break_away.h"
 #include "stages/cog_sweep.h"
 #include "stages/curve_models/model_choice.h"
 #include "stages/direction_asymmetry.h"
@@ -13,6 +14,7 @@
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
 #include "stages/load_dependence.h"
+#include "stages/loop_shape.h"
 #include "stages/quality_errors.h"
 #include "stages/run_gravity.h"
 #include "stages/selection.h"
@@ -52,9 +54,12 @@ struct Calibration {
   LoadDependenceResult load_dependence;
   DirectionAsymmetryResult direction_asymmetry;
   CurveModelChoice curve_model;
+  std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
+  BreakAwayResult break_away;
   Judgement judgement;
 
-  /// All stages' reports in the order of the method.
+  /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
+  /// only where there are some.
   [[nodiscard]] std::vector<StageReport> stages() const;
 };
 

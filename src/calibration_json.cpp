@@ -54,6 +54,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["run_gravity"] = run_gravity(c.run_gravity, n);
   all["known_loads"] = known_loads(c.manifest.known_loads);
   all["known_gravity"] = known_gravity(c.manifest.known_gravity);
+  all["loop_shapes"] = loop_shapes(c.loop_shapes);
+  all["break_away"] = break_away(c.break_away, n);
   all["provenance"] = provenance_json(provenance);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

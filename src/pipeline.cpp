@@ -3,10 +3,20 @@
 #include "verdict.h"
 
 namespace tribolog {
+namespace {
+
+/// What the earlier stages know of gravity.
+std::optional<KnownGravity> known_gravity(const Calibration& c) {
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr || !c.q_peak_rad) return std::nullopt;
+  return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
+}
+
+}  // namespace
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions&,
                      const StageProgress& progress) {
-  constexpr int all = 8;
+  constexpr int all = 9;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -67,6 +77,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
       c.viscous, c.masses.find(c.selection.recommended), c.rough.offset_Nm);
   c.curve_model = choose_curve_model(c.viscous, c.selection.recommended);
   c.direction_lines = fit_direction_lines(c.viscous, c.selection.recommended);
+
+  begin("break-away ramps and loop shapes");
+  c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);
+  c.break_away = identify_break_away(dataset.with_role(Role::break_away), known_gravity(c));
 
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);

@@ -5,6 +5,7 @@
 
 #include "figures/curve_model_figure.h"
 #include "figures/direction_lines_figure.h"
+#include "figures/break_away_ramps.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
 #include "figures/load_dependence_figure.h"
@@ -33,6 +34,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(curve_model_figure(calibration));
   candidates.push_back(direction_lines_figure(calibration));
   candidates.push_back(load_dependence_figure(calibration));
+  candidates.push_back(break_away_figure(dataset, calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr Role all_roles[] = {Role::rough_sweep, Role::precise_sweep, Role::oscillation,
-                              Role::constant_speed};
+                              Role::constant_speed, Role::break_away};
 
 std::vector<Role> read_roles(const TomlTable& table) {
   std::vector<Role> roles;
