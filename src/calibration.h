@@ -10,11 +10,16 @@
 #include "stages/break_away.h"
 #include "stages/cog_sweep.h"
 #include "stages/cross_checks.h"
+#include "stages/curve_models/model_choice.h"
+#include "stages/direction_asymmetry.h"
+#include "stages/direction_lines.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
+#include "stages/load_dependence.h"
 #include "stages/loop_shape.h"
 #include "stages/position_plan.h"
 #include "stages/quality_errors.h"
+#include "stages/run_gravity.h"
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
 #include "stages/viscous_curves.h"
@@ -40,13 +45,18 @@ struct Calibration {
   CogSweepResult rough;
   CogSweepResult precise;
   std::optional<Estimate> q_peak_rad;  ///< The one of the two with the narrower interval.
-  std::string q_peak_source;           ///< "cog_rough" or "cog_precise"
+  std::string q_peak_source;           ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
   HysteresisResult hysteresis;
+  RunGravityResult run_gravity;
   SurrogateMassesResult masses;
   ViscousCurvesResult viscous;
   QualityErrorsResult quality;
   SelectionResult selection;
   FrictionParametersResult friction;
+  DirectionLinesResult direction_lines;
+  LoadDependenceResult load_dependence;
+  DirectionAsymmetryResult direction_asymmetry;
+  CurveModelChoice curve_model;
   std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
   BreakAwayResult break_away;
   IntervalsResult intervals;

@@ -47,6 +47,13 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["quality"] = quality(c.quality);
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
+  all["curve_model"] = curve_model(c.curve_model);
+  all["direction_lines"] = direction_lines(c.direction_lines, n);
+  all["direction_asymmetry"] = direction_asymmetry(c.direction_asymmetry);
+  all["load_dependence"] = load_dependence(c.load_dependence);
+  all["run_gravity"] = run_gravity(c.run_gravity, n);
+  all["known_loads"] = known_loads(c.manifest.known_loads);
+  all["known_gravity"] = known_gravity(c.manifest.known_gravity);
   all["loop_shapes"] = loop_shapes(c.loop_shapes);
   all["break_away"] = break_away(c.break_away, n);
   all["intervals"] = intervals(c.intervals);

@@ -48,17 +48,24 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
     }
   }
 
+  c.run_gravity = identify_run_gravity(dataset.with_role(Role::constant_speed));
+  if (!c.q_peak_rad && c.run_gravity.found) {
+    c.q_peak_rad = c.run_gravity.q_peak_rad;
+    c.q_peak_source = "runs";
+  }
+
   begin("hysteresis loop");
   c.hysteresis =
       identify_hysteresis(dataset.with_role(Role::oscillation), c.rough, n, c.q_peak_rad);
 
   begin("surrogate masses");
-  c.masses = identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n,
-                                       m.surrogate_distance_m, m.gravity_m_s2);
+  c.masses =
+      identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n, m.surrogate_distance_m,
+                                m.gravity_m_s2, {&c.run_gravity, m.known_gravity});
 
   begin("viscous curves");
   c.viscous = identify_viscous_curves(dataset.with_role(Role::constant_speed), c.rough, c.masses,
-                                      c.q_peak_rad, n);
+                                      c.q_peak_rad, n, m.known_gravity);
 
   begin("quality errors");
   c.quality = identify_quality_errors(c.viscous, m.reference.get());
@@ -68,6 +75,11 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+  c.load_dependence = identify_load_dependence(c.rough, c.q_peak_rad, n);
+  c.direction_asymmetry = identify_direction_asymmetry(
+      c.viscous, c.masses.find(c.selection.recommended), c.rough.offset_Nm);
+  c.curve_model = choose_curve_model(c.viscous, c.selection.recommended);
+  c.direction_lines = fit_direction_lines(c.viscous, c.selection.recommended);
 
   begin("break-away ramps and loop shapes");
   c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);

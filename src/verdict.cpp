@@ -1,5 +1,7 @@
 #include "verdict.h"
 
+#include "curve_findings.h"
+
 namespace tribolog {
 
 Judgement judge(const Calibration& c) {
@@ -11,6 +13,7 @@ Judgement judge(const Calibration& c) {
       out.findings.push_back(stage.reason);
     }
   }
+  for (std::string& finding : curve_findings(c)) out.findings.push_back(std::move(finding));
   if (c.position_plan) {
     out.findings.insert(out.findings.begin(), ripple_in_words(*c.position_plan, c.rough.ripple));
   }

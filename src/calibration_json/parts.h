@@ -27,6 +27,13 @@ Json cross_checks(const CrossChecksResult& result);
 Json ripple(const Ripple& ripple);
 Json position_plan(const std::optional<PositionPlan>& plan);
 Json friction(const Calibration& c, double gear_ratio);
+Json curve_model(const CurveModelChoice& c);
+Json direction_lines(const DirectionLinesResult& r, double gear_ratio);
+Json direction_asymmetry(const DirectionAsymmetryResult& a);
+Json load_dependence(const LoadDependenceResult& l);
+Json run_gravity(const RunGravityResult& r, double gear_ratio);
+Json known_loads(const std::vector<KnownLoad>& loads);
+Json known_gravity(const std::optional<KnownGravity>& g);
 Json break_away(const BreakAwayResult& result, double gear_ratio);
 Json loop_shapes(const std::vector<LoopShape>& shapes);
 

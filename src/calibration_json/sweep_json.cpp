@@ -18,6 +18,8 @@ Json cog(const CogSweepResult& r, double gear_ratio) {
           {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
           {"gravity_joint_Nm", joint},
           {"coulomb_Nm", interval(r.coulomb_Nm)},
+          {"unloaded_coulomb_Nm", interval(r.unloaded_coulomb_Nm)},
+          {"load_coulomb_Nm", interval(r.load_coulomb_Nm)},
           {"viscous_Nms_rad", interval(r.viscous_Nms_rad)},
           {"inertia_kgm2", interval(r.inertia_kgm2)},
           {"offset_Nm", if_found(r.offset_Nm)},

@@ -19,7 +19,7 @@ constexpr double room = 2.0;              // of the chosen curves' largest value
 constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
 constexpr double resolved_share = 0.008;  // of an axis: about one line width
 
-const std::vector<std::string> unbiased{"midline", "sweep", "AB", "CD", "EF"};
+const std::vector<std::string> unbiased{"midline", "sweep", "runs", "AB", "CD", "EF"};
 
 std::ptrdiff_t rank(const std::string& estimator) {
   return std::find(unbiased.begin(), unbiased.end(), estimator) - unbiased.begin();
@@ -57,7 +57,9 @@ std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves, doubl
     if (twin == drawn.end()) {
       drawn.push_back(std::move(curve));
     } else {
-      twin->same.push_back(curve.estimator == "sweep" ? "sweep fit" : curve.estimator);
+      twin->same.push_back(curve.estimator == "sweep" || curve.estimator == "runs"
+                               ? estimator_words(curve.estimator)
+                               : curve.estimator);
     }
   }
   return drawn;

@@ -34,6 +34,10 @@ const std::array<NamedStyle, styled_names.size()> styles{{
      {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 11.0}},
     {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 6.0, 20.0}},
     {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}},
+    {"runs",
+     "fit of the runs",
+     {colour::purple, LineStyle::dash_dot, Marker::circle, usual_px, 15.0}},
+    {"stated", "stated gravity", {colour::black, LineStyle::dot, Marker::triangle, usual_px, 12.0}},
     {"reference", "reference", {colour::black, LineStyle::solid, Marker::none, 2.0, 6.0}},
 }};
 

@@ -4,8 +4,11 @@
 #include <utility>
 
 #include "figures/break_away_ramps.h"
+#include "figures/curve_model_figure.h"
+#include "figures/direction_lines_figure.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
+#include "figures/load_dependence_figure.h"
 #include "figures/mass_comparison.h"
 #include "figures/quality_error.h"
 #include "figures/selected_curve.h"
@@ -29,6 +32,9 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(curve_model_figure(calibration));
+  candidates.push_back(direction_lines_figure(calibration));
+  candidates.push_back(load_dependence_figure(calibration));
   candidates.push_back(break_away_figure(dataset, calibration));
   candidates.push_back(mass_comparison_figure(calibration));
 

@@ -8,6 +8,7 @@
 #include "ingest/closest_match.h"
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
+#include "ingest/known_load_tables.h"
 #include "ingest/robot_file.h"
 #include "stages/bootstrap/bootstrap.h"
 
@@ -94,6 +95,8 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
   if (const auto intervals = top.find_table("intervals")) {
     manifest.intervals = read_intervals(*intervals);
   }
+  manifest.known_loads = read_known_loads(top);
+  manifest.known_gravity = read_known_gravity(top);
   if (const auto reference = top.find_table("reference")) {
     manifest.reference = read_known_curve(*reference);
   }

@@ -12,6 +12,11 @@
 //   [payload]     mass_kg, note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
+//   [known_gravity] amplitude_Nm (joint side), q_peak_deg (optional; of the joint, as from its
+//                 design: a candidate beside those identified)
+//   [[known_load]] amplitude_Nm (joint side), angles (columns of the log); phase_deg = 0,
+//                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
+//                 amplitude cos(sum of the angles + phase) is subtracted when reading
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate (optional);
 //                 angle and speed: side = "joint" (default) | "motor"
 //   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ingest/closest_match.h"
+#include "ingest/known_load_rows.h"
 #include "ingest/row_choice.h"
 
 namespace tribolog {
@@ -70,14 +71,16 @@ void note_implausible_units(const RecordingEntry& entry, const Recording& r,
 }  // namespace
 
 CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path) {
+                         const std::string& path, const std::vector<KnownLoad>& loads) {
   const auto entries = entries_in_order(entry.columns);
   std::vector<WantedColumn> wanted;
   for (const ColumnEntry* column : entries) {
     const bool is_effort = column == &*entry.columns.effort;
     wanted.push_back({column->name, is_effort ? without_effort : ""});
   }
+  add_load_columns(loads, entry.role, wanted);
   CsvTable table = read_csv(bytes, path, wanted);
+  refuse_unusable_load_columns(loads, entry.role, table);
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const CsvColumn& column = table.columns[k];
     refuse_contradicting_unit(*entries[k], column.header);
@@ -90,7 +93,8 @@ CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
 }
 
 Recording make_recording(const RecordingEntry& entry, const CsvTable& table, const Drive& drive,
-                         double effort_sign, std::vector<std::string>& notes_of_all) {
+                         double effort_sign, std::vector<std::string>& notes_of_all,
+                         std::vector<KnownLoad>* loads) {
   RecordingNotes notes(entry.file, notes_of_all);
   for (const std::string& note : table.notes) notes.add(note);
   note_gaps(table, notes);
@@ -121,6 +125,7 @@ Recording make_recording(const RecordingEntry& entry, const CsvTable& table, con
   r.dq_rad_s = take(c.speed, 1.0);
   r.z_rad = take(c.bristle, 1.0);
   r.dz_rad_s = take(c.bristle_rate, 1.0);
+  if (loads != nullptr) subtract_known_loads(table, choice.rows, drive.gear_ratio(), *loads, r);
   note_implausible_units(entry, r, notes);
   return r;
 }

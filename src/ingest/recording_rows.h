@@ -12,18 +12,21 @@ namespace tribolog {
 
 /// Reads the columns that the entry names.
 /// @param path of the log, for messages.
+/// @param loads the angles of those that load the recording are read behind the others.
 /// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
 /// in
 ///        the log's header that contradicts the manifest.
 CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path);
+                         const std::string& path, const std::vector<KnownLoad>& loads = {});
 
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
 /// counted in `skipped`. Time running back by up to a second is put in order.
 /// @param notes receives what the user should know.
+/// @param loads those that load the recording are subtracted from its torque and count it.
 /// @throw InputError if time runs back further, more than 5 % of the time stamps stand twice, or
 ///        fewer than 20 rows are left.
 Recording make_recording(const RecordingEntry& entry, const CsvTable& table, const Drive& drive,
-                         double effort_sign, std::vector<std::string>& notes);
+                         double effort_sign, std::vector<std::string>& notes,
+                         std::vector<KnownLoad>* loads = nullptr);
 
 }  // namespace tribolog

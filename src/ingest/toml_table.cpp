@@ -162,6 +162,23 @@ std::vector<double> TomlTable::numbers(const std::string& key, Sign sign) const 
   return values;
 }
 
+std::vector<std::string> TomlTable::texts(const std::string& key, const std::string& hint) const {
+  const toml::node& node = view_->need(*this, key, hint);
+  const auto* array = node.as_array();
+  if (array == nullptr) refuse(key, {"wrong type", describe(node), "an array of texts", hint});
+  std::vector<std::string> values;
+  for (const toml::node& element : *array) {
+    const auto* text = element.as_string();
+    if (text == nullptr) {
+      throw InputError(location_of(view_->file, element.source()),
+                       {"key " + in_quotes(view_->path + key) + ": wrong type", describe(element),
+                        "a text", hint});
+    }
+    values.push_back(text->get());
+  }
+  return values;
+}
+
 TomlTable TomlTable::table(const std::string& key, const std::string& hint) const {
   const toml::node& node = view_->need(*this, key, hint);
   const auto* table = node.as_table();

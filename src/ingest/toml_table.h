@@ -31,6 +31,9 @@ class TomlTable {
   [[nodiscard]] double number(const std::string& key, Sign sign = Sign::any,
                               const std::string& hint = {}) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, Sign sign = Sign::any) const;
+  /// An array of texts.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key,
+                                               const std::string& hint = {}) const;
   [[nodiscard]] TomlTable table(const std::string& key, const std::string& hint = {}) const;
   /// Index of the text among the options.
   [[nodiscard]] std::size_t choice(const std::string& key, const std::vector<std::string>& options,

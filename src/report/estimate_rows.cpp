@@ -56,6 +56,8 @@ std::string estimator_name(const std::string& estimator) {
   }
   if (estimator == "midline") return "Mid-line";
   if (estimator == "sweep") return "Sweep";
+  if (estimator == "runs") return "Runs at constant speed";
+  if (estimator == "stated") return "Stated";
   return estimator;
 }
 

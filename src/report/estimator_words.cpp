@@ -18,6 +18,8 @@ std::string point_meaning(const std::string& point) {
   if (point == "EF") return "mean of E and F, steady loop";
   if (point == "midline") return "mid-line of the steady loop";
   if (point == "sweep") return "gravity amplitude of the rough sweep";
+  if (point == "runs") return "gravity amplitude of the runs at constant speed";
+  if (point == "stated") return "gravity that the manifest states; nothing is decided by it";
   return "–";
 }
 

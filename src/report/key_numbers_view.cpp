@@ -57,6 +57,12 @@ class KeyNumbers {
   void angles() {
     const char* const peak = "Joint angle of largest gravity torque, q_peak";
     if (c_.q_peak_rad) {
+      if (c_.q_peak_source == "runs") {
+        angle(peak, *c_.q_peak_rad,
+              stage_reference(StageId::viscous_curves) + ", fit of the runs at constant speed");
+        link_angle();
+        return;
+      }
       const bool precise = c_.q_peak_source == "cog_precise";
       const StageId stage = precise ? StageId::cog_precise : StageId::cog_rough;
       angle(peak, *c_.q_peak_rad,
@@ -64,6 +70,10 @@ class KeyNumbers {
     } else {
       missing(peak, StageId::cog_rough);
     }
+    link_angle();
+  }
+
+  void link_angle() {
     const char* const link = "Link angle of the centre of gravity, q_c = −q_peak";
     if (c_.selection.q_c_rad) {
       angle(link, *c_.selection.q_c_rad, stage_reference(StageId::selection));

@@ -86,6 +86,7 @@ void describe_parameters(const Calibration& c, Section& section) {
                                                  ? "half the difference of the two directions"
                                                  : "that of " + estimator_name(f.curve)});
   }
+  describe_curve_models(c, section);
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));
   if (f.coulomb_viscous) section.tables.push_back(line_table(*f.coulomb_viscous, n, section));
   if (c.hysteresis.lugre) section.tables.push_back(lugre_table(*c.hysteresis.lugre, n, section));

@@ -1,5 +1,7 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
+#include <cmath>
+
 #include "report/units.h"
 #include "report/view_parts.h"
 
@@ -59,6 +61,20 @@ std::string effort_in_words(const Drive& drive) {
   return "–";
 }
 
+/// "1.825 N·m cos(q1_rad + q2_rad − 90°) at the joint, from 42 900 samples, up to 1.825 N·m"
+std::string load_in_words(const KnownLoad& load) {
+  std::string angles;
+  for (const std::string& name : load.angles) angles += (angles.empty() ? "" : " + ") + name;
+  const double phase = load.phase_rad * degree_scale().factor;
+  if (phase != 0)
+    angles += (phase > 0 ? " + " : " − ") + with_unit(as_stated(std::abs(phase)), "°");
+  constexpr int digits = 4;
+  return with_unit(as_stated(load.amplitude_Nm), "N·m") + " cos(" + angles +
+         ") at the joint, from " + count(load.samples) + " samples, up to " +
+         with_unit(significant(load.largest_Nm, digits), "N·m") +
+         (load.note.empty() ? "" : "; " + load.note);
+}
+
 Table manifest_table(const Manifest& m) {
   Table table = two_columns("table-manifest", "What the manifest states", "Fact");
   add(table, "Gear ratio n", as_stated(m.drive.gear_ratio()));
@@ -77,6 +93,15 @@ Table manifest_table(const Manifest& m) {
       m.temperature_C ? with_unit(as_stated(*m.temperature_C), "°C") : "not stated");
   add(table, "Surrogate distance r", with_unit(as_stated(m.surrogate_distance_m), "m"));
   add(table, "Gravity g", with_unit(as_stated(m.gravity_m_s2), "m/s²"));
+  for (const KnownLoad& load : m.known_loads) {
+    add(table, "Known load, subtracted", load_in_words(load));
+  }
+  if (m.known_gravity) {
+    add(table, "Known gravity",
+        with_unit(as_stated(m.known_gravity->amplitude_Nm()), "N·m") +
+            " at the joint, largest at " +
+            with_unit(as_stated(m.known_gravity->q_peak_rad() * degree_scale().factor), "°"));
+  }
   add(table, "Known friction curve",
       m.reference ? "yes, of the model " + m.reference->name() + ": the data are simulated"
                   : "none");

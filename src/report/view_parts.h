@@ -41,6 +41,7 @@ void describe_viscous_curves(const Calibration& calibration, Section& section);
 void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
+void describe_curve_models(const Calibration& calibration, Section& section);
 
 void describe_break_away(const Calibration& calibration, Section& section);
 /// The loops without any model; no rows where none was recorded.

@@ -23,6 +23,24 @@ std::string mean_text(const ConstantSpeedRun& run) {
   return round_by_interval(mean, plain_scale("N·m")).plus_minus();
 }
 
+void describe_run_gravity(const Calibration& c, Section& section) {
+  const RunGravityResult& r = c.run_gravity;
+  if (c.viscous.from_sweep) return;
+  if (!r.found) {
+    section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
+    return;
+  }
+  const Estimate gravity = scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
+  section.facts.push_back(
+      {"Gravity from the runs",
+       in_words(gravity, torque_scale(gravity.value)) + " at the joint, largest at " +
+           in_words(r.q_peak_rad, degree_scale()) + "; one offset for each of " +
+           count(r.runs_used) + " runs, " + count(r.runs_left_out) + " travel too short a way." +
+           (r.always_lifts ? " The drive lifts the load all the way: friction that grows with the "
+                             "load is in it."
+                           : "")});
+}
+
 }  // namespace
 
 void describe_viscous_curves(const Calibration& c, Section& section) {
@@ -39,6 +57,9 @@ void describe_viscous_curves(const Calibration& c, Section& section) {
   section.facts.push_back(
       {"Runs", count(v.runs.size()) + (v.from_sweep ? " angle bins of a sweep in both directions"
                                                     : " plateaus of constant speed")});
+
+  if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.in_words())});
+  describe_run_gravity(c, section);
 
   const ViscousCurve* recommended = v.find(c.selection.recommended);
   const ViscousCurve* papers =

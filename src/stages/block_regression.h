@@ -34,6 +34,9 @@ struct BlockRegression {
 
   /// Half width of the 95 % interval of coefficient k.
   [[nodiscard]] double half_width(Eigen::Index k) const;
+  /// The same of a quantity with this gradient by the coefficients; its degrees of freedom are
+  /// taken as the fewest among the coefficients that it depends on.
+  [[nodiscard]] double half_width_along(const Eigen::VectorXd& gradient) const;
 };
 
 /// @param block_of_row non-decreasing block number of each row, starting at 0.

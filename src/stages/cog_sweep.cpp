@@ -9,6 +9,7 @@
 #include "stages/block_regression.h"
 #include "stages/student_t.h"
 #include "stages/sweep_curves.h"
+#include "stages/sweep_load.h"
 #include "stages/sweep_noise.h"
 #include "stages/sweep_regression.h"
 #include "stages/sweep_samples.h"
@@ -51,6 +52,16 @@ void read_friction(const SweepDesign& d, const SweepSamples& samples, const Swee
     out.offset_Nm = c(d.offsets);
     if (d.direction >= 0) {
       out.coulomb_Nm = symmetric_estimate(c(d.direction), half_width(d.direction), method);
+    }
+    if (d.load >= 0) {
+      out.unloaded_coulomb_Nm = out.coulomb_Nm;
+      out.load_coulomb_Nm = symmetric_estimate(c(d.load), half_width(d.load), method);
+      const double load = d.x.col(d.load).cwiseAbs().mean();
+      Eigen::VectorXd mean = Eigen::VectorXd::Zero(c.size());
+      mean(d.direction) = 1;
+      mean(d.load) = load;
+      out.coulomb_Nm =
+          symmetric_estimate(mean.dot(c), fit.regression.half_width_along(mean), method);
     }
     out.viscous_Nms_rad =
         symmetric_estimate(c(d.speed) / gear_ratio, half_width(d.speed) / gear_ratio, method);
@@ -198,6 +209,8 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   if (amplitude_known) {
     out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));
   } else {
+    fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
+    out.residual_Nm = fit.regression.residual_sd;
     fit = fit_without_ripple(recordings, samples, gear_ratio, middle, blocks, fit, design, out);
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
@@ -212,6 +225,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   out.method = samples.constant_speed
                    ? "T = offset of each direction + G cos(q - q_peak)"
                    : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";
+  if (design.load >= 0) out.method += " + Coulomb of the load sgn(q') |cos(q - q_peak)|";
   if (amplitude_known) out.method += ", G from the rough sweep";
   read_friction(design, samples, fit, gear_ratio, out);
 

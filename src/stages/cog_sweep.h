@@ -4,8 +4,9 @@
 // Paper: the joint angle at the largest driving torque (figures 13 and 14).
 // Ours: least squares of T = Tf(direction, speed) + b cos q + c sin q + J q'' over the whole sweep,
 // q_peak = atan2(c, b), gravity amplitude hypot(b, c). Terms of speed and acceleration take part
-// only where the sweep is not of constant speed. Directions have their own offset, so that
-// friction cancels where both were recorded.
+// only where the sweep is not of constant speed; abrupt stops in such a sweep are left out, and
+// friction that grows with the load is a further term where held-out strokes pay for it. Directions
+// have their own offset, so that friction cancels where both were recorded.
 //
 // Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone
 // cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude
@@ -35,7 +36,12 @@ struct CogSweepResult {
 
   Estimate q_peak_rad;                 ///< Ours.
   Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
-  std::optional<Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor side.
+  std::optional<Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor side; at
+                                       ///< the mean load of the sweep.
+  /// Where Coulomb friction that grows with the load describes strokes held out better: what is
+  /// left without load, and what the full gravity torque adds. Motor side.
+  std::optional<Estimate> unloaded_coulomb_Nm;
+  std::optional<Estimate> load_coulomb_Nm;
   std::optional<Estimate>
       viscous_Nms_rad;                   ///< Per motor speed; only from a sweep of varying speed.
   std::optional<Estimate> inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.

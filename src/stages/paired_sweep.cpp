@@ -15,9 +15,9 @@ constexpr std::size_t angle_bins = 24;
 struct Bin {
   std::vector<std::size_t> strokes;
   std::vector<double> torque_sum, count;
-  double speed{}, angle{}, cosine{}, samples{};
+  double speed{}, angle{}, cosine{}, sine{}, load{}, samples{};
 
-  void add(std::size_t stroke, double torque, double v, double q, double c) {
+  void add(std::size_t stroke, double torque, double v, double q, double q_peak) {
     if (strokes.empty() || strokes.back() != stroke) {
       strokes.push_back(stroke);
       torque_sum.push_back(0);
@@ -27,7 +27,9 @@ struct Bin {
     count.back() += 1;
     speed += v;
     angle += q;
-    cosine += c;
+    cosine += std::cos(q - q_peak);
+    sine += std::sin(q - q_peak);
+    load += std::abs(std::cos(q - q_peak));
     samples += 1;
   }
 
@@ -62,8 +64,8 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
         std::min(angle_bins - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
     const double torque =
         r.torque_Nm[samples.index[i]] - sweep.offset_Nm - inertia * samples.acceleration_rad_s2[i];
-    (samples.direction[i] > 0 ? up : down)[bin].add(
-        samples.stroke[i], torque, samples.speed_rad_s[i], q, std::cos(q - q_peak_rad));
+    (samples.direction[i] > 0 ? up : down)[bin].add(samples.stroke[i], torque,
+                                                    samples.speed_rad_s[i], q, q_peak_rad);
   }
   std::vector<ConstantSpeedRun> runs;
   for (std::size_t bin = 0; bin < angle_bins; ++bin) {
@@ -83,11 +85,17 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
       run.torque_half_width_Nm = torque_width;
       run.q_rad = b.angle / b.samples;
       run.mean_cos = b.cosine / b.samples;
-      run.mean_sin = std::sin(run.q_rad - q_peak_rad);
+      run.mean_sin = b.sine / b.samples;
+      run.mean_load = b.load / b.samples;
+      run.lowest_rad = sweep.lowest_rad + static_cast<double>(bin) * width;
+      run.highest_rad = run.lowest_rad + width;
       run.samples = static_cast<std::size_t>(b.samples);
       run.partner = partner;
       run.direction_difference_Nm = sign * difference;
       run.direction_difference_half_width_Nm = half_width;
+      run.direction_mean_Nm = (torque_up + torque_down) / 2;
+      run.direction_mean_cos =
+          (up[bin].cosine / up[bin].samples + down[bin].cosine / down[bin].samples) / 2;
       return run;
     };
     runs.push_back(make(down[bin], torque_down, width_down, index + 1, -1));

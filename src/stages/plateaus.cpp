@@ -81,6 +81,7 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
   }
   constexpr std::size_t windows_in_recording = 500;
   const std::size_t h = std::max<std::size_t>(3, n / windows_in_recording / 2);
+  out.window = 2 * h;
   out.speed_rad_s = local_slope(recording.t_s, recording.q_rad, h);
   out.acceleration_rad_s2 = local_slope(recording.t_s, out.speed_rad_s, h);
   const std::vector<double>& v = out.speed_rad_s;

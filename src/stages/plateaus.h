@@ -26,6 +26,7 @@ struct MotionSegments {
   std::size_t samples_accelerating{};  ///< Speeding up, slowing down, reversing.
   std::size_t samples_trimmed{};       ///< Cut off a plateau's ends as settling.
   double fastest_rad_s{};              ///< Largest |local slope|.
+  std::size_t window{};                ///< Samples that a local slope is made from.
   /// Share of the moving samples that lies on plateaus; low for a sine.
   [[nodiscard]] double plateau_share() const;
 };

@@ -12,6 +12,31 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // A driving torque below this share of the largest makes a percentage of it meaningless.
 constexpr double smallest_torque_share = 0.05;
+// With a reference for less than this share of the runs, an error would speak of a few stray ones.
+constexpr double least_share_with_reference = 0.2;
+
+std::string no_reference(const ViscousCurvesResult& curves, std::size_t with_reference) {
+  return fmt::format(
+      "no reference: {} of {} runs have a partner of opposite direction at the same speed over "
+      "common angles ({}), and no true curve is known; half the difference of the directions "
+      "cannot serve; recording every speed in both directions over the same angles would give it",
+      with_reference == 0 ? std::string("none") : std::to_string(with_reference),
+      curves.runs.size(), curves.angles.in_words());
+}
+
+std::string evidence_in_words(const QualityErrorsResult& q) {
+  if (q.reference == "analytic") return "the reference is known exactly";
+  std::string within;
+  for (const QualityError& e : q.errors) {
+    if (e.rms_percent > q.reference_rms_percent) continue;
+    within += (within.empty() ? "" : ", ") + e.estimator;
+  }
+  return fmt::format(
+      "the reference itself is known to {:.2g} % of the driving torque (rms, 95 %): {}",
+      q.reference_rms_percent,
+      within.empty() ? "all errors are larger and count as evidence"
+                     : "an error below that is no evidence, as those of " + within + " are");
+}
 
 }  // namespace
 
@@ -29,21 +54,21 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
     out.stage.reason = "there is no viscous curve to judge";
     return out;
   }
-  bool any = false;
+  std::size_t with_reference = 0;
   double largest = 0;
   for (const ConstantSpeedRun& run : curves.runs) {
     const double reference =
         analytic != nullptr ? analytic->torque_Nm(run.speed_rad_s) : run.direction_difference_Nm;
     out.reference_Nm.push_back(reference);
-    any = any || std::isfinite(reference);
+    out.reference_half_width_Nm.push_back(
+        analytic != nullptr ? 0.0 : run.direction_difference_half_width_Nm);
+    with_reference += std::isfinite(reference) ? 1 : 0;
     largest = std::max(largest, std::abs(run.torque_Nm));
   }
-  if (!any) {
+  if (static_cast<double>(with_reference) <
+      std::max(1.0, least_share_with_reference * static_cast<double>(curves.runs.size()))) {
     out.stage.state = StageState::not_identifiable;
-    out.stage.reason =
-        "no reference: no run has a partner of opposite direction at the same speed over common "
-        "angles, and no true curve is known; recording both directions over the same angles would "
-        "give one";
+    out.stage.reason = no_reference(curves, with_reference);
     return out;
   }
   out.reference = analytic != nullptr ? "analytic" : "direction_difference";
@@ -54,6 +79,13 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
   std::size_t used = 0;
   for (std::size_t i = 0; i < curves.runs.size(); ++i) used += usable(i) ? 1 : 0;
   out.runs_left_out = curves.runs.size() - used;
+  double reference_squares = 0;
+  for (std::size_t i = 0; i < curves.runs.size(); ++i) {
+    if (!usable(i)) continue;
+    const double percent = 100 * out.reference_half_width_Nm[i] / curves.runs[i].torque_Nm;
+    reference_squares += percent * percent / static_cast<double>(used);
+  }
+  out.reference_rms_percent = std::sqrt(reference_squares);
   for (const ViscousCurve& curve : curves.curves) {
     QualityError error{curve.estimator, {}, 0.0};
     double squares = 0;
@@ -67,6 +99,7 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
     error.rms_percent = used > 0 ? std::sqrt(squares / static_cast<double>(used)) : nan;
     out.errors.push_back(std::move(error));
   }
+  out.evidence = evidence_in_words(out);
   out.stage.state = StageState::done;
   if (out.runs_left_out > 0) {
     out.stage.state = StageState::partial;

@@ -53,8 +53,18 @@ SelectionResult select_estimator(const SurrogateMassesResult& masses,
   } else if (masses.find("sweep") != nullptr) {
     out.recommended = "sweep";
     out.why =
-        "No hysteresis loop was recorded; the gravity amplitude of the rough sweep is the only "
+        "No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the rough "
+        "sweep is the only "
         "estimate of the mass.";
+  } else if (masses.find("runs") != nullptr) {
+    out.recommended = "runs";
+    out.why =
+        "Neither a hysteresis loop at the gravity peak nor a sweep was recorded; the gravity "
+        "amplitude of the runs at constant speed is the only estimate of the mass.";
+  } else if (masses.find(stated_estimator) != nullptr) {
+    out.recommended = stated_estimator;
+    out.why =
+        "No recording shows the gravity torque; the mass is the one that the manifest states.";
   }
   if (out.recommended.empty()) {
     out.stage.state = StageState::skipped;

@@ -18,7 +18,8 @@ struct SelectionResult {
   /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
   /// may be as near to the recommended mass.
   std::vector<std::string> paper_rule_rivals;
-  std::string recommended;  ///< Ours: "midline" where there is one, else "sweep"; may be empty.
+  std::string recommended;  ///< Ours: the first there is of "midline", "sweep", "runs" and
+                            ///< "stated"; may be empty.
   std::string why;          ///< A few sentences for the report.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
   std::optional<double> q_c_corrected_rad;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
 
 #include "joint/gravity_load.h"
 
@@ -41,38 +44,20 @@ const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
   return it == points.end() ? nullptr : &*it;
 }
 
-}  // namespace
-
-const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) const {
-  const auto it = std::find_if(masses.begin(), masses.end(),
-                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
-  return it == masses.end() ? nullptr : &*it;
+double cosine_at(const Context& c, double q_rad) {
+  return c.q_peak_rad ? std::cos(q_rad - *c.q_peak_rad) : 1.0;
 }
 
-SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
-                                                const HysteresisResult& hysteresis,
-                                                const std::optional<Estimate>& q_peak_rad,
-                                                double gear_ratio, double distance_m,
-                                                double gravity_m_s2) {
-  SurrogateMassesResult out;
-  out.distance_m = distance_m;
-  out.gravity_m_s2 = gravity_m_s2;
-  Context context{{}, 0, gear_ratio, distance_m, gravity_m_s2};
-  if (q_peak_rad) {
-    context.q_peak_rad = q_peak_rad->value;
-    context.q_peak_half_width = q_peak_rad->half_width();
-  }
-  const auto cosine_at = [&](double q) {
-    return context.q_peak_rad ? std::cos(q - *context.q_peak_rad) : 1.0;
-  };
-
+/// The paper's six, the pair means and the mid-line.
+void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hysteresis,
+                     const Context& context, SurrogateMassesResult& out) {
   const Ripple& ripple = rough.ripple;  // points and pairs are read at one position
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
     const Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, "one reading"};
     out.masses.push_back(make_mass(std::string(1, name), with_ripple(torque, ripple), p->q_rad,
-                                   cosine_at(p->q_rad), context));
+                                   cosine_at(context, p->q_rad), context));
   }
   for (const auto& [first, second] : {std::pair{'A', 'B'}, {'C', 'D'}, {'E', 'F'}}) {
     const LoopPoint* p = find_point(hysteresis.steady_points, first);
@@ -81,7 +66,7 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     const double half_width =
         std::hypot(p->torque_high_Nm - p->torque_low_Nm, q->torque_high_Nm - q->torque_low_Nm) / 4;
     const double angle = (p->q_rad + q->q_rad) / 2;
-    const double cosine = (cosine_at(p->q_rad) + cosine_at(q->q_rad)) / 2;
+    const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const Estimate torque =
         symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
     out.masses.push_back(
@@ -95,6 +80,32 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
                                    hysteresis.midline_mean_cos, context));
   }
+}
+
+}  // namespace
+
+const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) const {
+  const auto it = std::find_if(masses.begin(), masses.end(),
+                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
+  return it == masses.end() ? nullptr : &*it;
+}
+
+SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
+                                                const HysteresisResult& hysteresis,
+                                                const std::optional<Estimate>& q_peak_rad,
+                                                double gear_ratio, double distance_m,
+                                                double gravity_m_s2, const OtherGravity& other) {
+  SurrogateMassesResult out;
+  out.distance_m = distance_m;
+  out.gravity_m_s2 = gravity_m_s2;
+  Context context{{}, 0, gear_ratio, distance_m, gravity_m_s2};
+  if (q_peak_rad) {
+    context.q_peak_rad = q_peak_rad->value;
+    context.q_peak_half_width = q_peak_rad->half_width();
+  }
+  const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
+  const bool is_near_peak = !hysteresis.found || loop_cosine >= least_loop_cosine;
+  if (is_near_peak) add_loop_masses(rough, hysteresis, context, out);
   if (rough.found) {
     Context at_peak = context;
     at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it
@@ -102,17 +113,44 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
                                    context.q_peak_rad.value_or(rough.q_peak_rad.value), 1.0,
                                    at_peak));
   }
+  if (other.runs != nullptr && other.runs->found) {
+    Context at_peak = context;
+    at_peak.q_peak_rad = other.runs->q_peak_rad.value;
+    at_peak.q_peak_half_width = 0;
+    out.masses.push_back(
+        make_mass("runs", other.runs->gravity_Nm, other.runs->q_peak_rad.value, 1.0, at_peak));
+  }
+  if (other.stated) {
+    Context at_peak = context;
+    at_peak.q_peak_rad = other.stated->q_peak_rad();
+    at_peak.q_peak_half_width = 0;
+    const double torque = other.stated->amplitude_Nm() / gear_ratio;
+    out.masses.push_back(make_mass(stated_estimator,
+                                   {torque, torque, torque, "stated in the manifest"},
+                                   other.stated->q_peak_rad(), 1.0, at_peak));
+  }
 
   out.stage.name = "surrogate_masses";
   if (out.masses.empty()) {
     out.stage.state = StageState::skipped;
     out.stage.reason =
-        "neither an oscillation nor a sweep gives a gravity torque, so there is no surrogate mass";
+        "neither an oscillation, a sweep nor the runs give a gravity torque, so there is no "
+        "surrogate mass";
+  } else if (!is_near_peak) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format(
+        "the oscillation lies {:.0f}° from the gravity peak, where {:.0f} % of the gravity torque "
+        "show: the paper's six masses and the mid-line are not to be had there; oscillate at the "
+        "peak",
+        180 / std::numbers::pi * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
   } else if (!hysteresis.found) {
     out.stage.state = StageState::partial;
-    out.stage.reason =
+    out.stage.reason = fmt::format(
         "without a hysteresis loop the paper's six masses and the mid-line are not to be had; the "
-        "mass is that of the sweep's gravity amplitude";
+        "mass is that of the {}",
+        rough.found                   ? "sweep's gravity amplitude"
+        : out.find("runs") != nullptr ? "gravity amplitude of the runs at constant speed"
+                                      : "gravity that the manifest states");
   } else if (hysteresis.points.empty()) {
     out.stage.state = StageState::partial;
     out.stage.reason =

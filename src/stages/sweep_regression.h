@@ -3,6 +3,7 @@
 //
 //   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
 //   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
+//                        [+ load sgn(q') |cos(q - q_peak)|]
 
 #include <cstddef>
 #include <vector>
@@ -25,6 +26,7 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
+  Eigen::Index load{-1};  // sgn(q') |cos(q - q_peak)|, last; only where it pays (sweep_load.h)
   std::vector<std::size_t> offset_of_sample;
 };
 

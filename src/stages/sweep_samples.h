@@ -18,7 +18,7 @@ struct SweepSamples {
   std::vector<double> direction;       ///< +1: joint angle rising, -1: falling.
   std::vector<double> speed_rad_s;     ///< Joint side, local slope.
   std::vector<double> acceleration_rad_s2;
-  std::size_t left_out{};  ///< Rest, acceleration, reversal, settling.
+  std::size_t left_out{};  ///< Rest, acceleration, reversal, settling, abrupt stops.
 
   [[nodiscard]] std::size_t size() const { return index.size(); }
   [[nodiscard]] bool both_directions() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct RunSource {
   const Recording* recording;
   std::size_t first, last;
-  double low_rad, high_rad;
 };
 
 struct BlockMean {
@@ -63,17 +63,23 @@ ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gea
   double q = 0;
   double cosine = 0;
   double sine = 0;
+  double load = 0;
   double torque = 0;
+  run.lowest_rad = run.highest_rad = r.q_rad[plateau.first];
   for (std::size_t i = plateau.first; i < plateau.last; ++i) {
     q += r.q_rad[i];
     cosine += std::cos(r.q_rad[i] - q_peak);
     sine += std::sin(r.q_rad[i] - q_peak);
+    load += std::abs(std::cos(r.q_rad[i] - q_peak));
+    run.lowest_rad = std::min(run.lowest_rad, r.q_rad[i]);
+    run.highest_rad = std::max(run.highest_rad, r.q_rad[i]);
     torque += r.torque_Nm[i];
   }
   const auto n = static_cast<double>(plateau.size());
   run.q_rad = q / n;
   run.mean_cos = cosine / n;
   run.mean_sin = sine / n;
+  run.mean_load = load / n;
   run.torque_Nm = torque / n;
   BlockMean friction = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
     return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
@@ -92,11 +98,26 @@ ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gea
   run.block_friction_Nm = std::move(friction.blocks);
   run.direction_difference_Nm = nan;
   run.direction_difference_half_width_Nm = nan;
+  run.direction_mean_Nm = nan;
+  run.direction_mean_cos = nan;
   return run;
 }
 
-/// Mean torque of a run within [low, high], or NaN if it has no sample there.
-BlockMean torque_between(const RunSource& s, double low, double high) {
+/// Gravity as the sweep has it, for the scatter of what is left without it.
+struct GravityShape {
+  double q_peak_rad, gravity_Nm;
+  [[nodiscard]] double torque_Nm(double q_rad) const {
+    return gravity_Nm * std::cos(q_rad - q_peak_rad);
+  }
+};
+
+struct MeanTorque {
+  double torque_Nm, half_width_Nm, cosine;
+};
+
+/// Mean torque of a run within [low, high], gravity and all, with the interval that friction and
+/// noise leave it; NaN if it has too few samples there.
+MeanTorque torque_between(const RunSource& s, double low, double high, const GravityShape& shape) {
   std::size_t from = s.last;
   std::size_t to = s.first;
   for (std::size_t i = s.first; i < s.last; ++i) {
@@ -104,12 +125,23 @@ BlockMean torque_between(const RunSource& s, double low, double high) {
     from = std::min(from, i);
     to = i + 1;
   }
-  if (from + 5 > to) return {nan, nan, {}};
-  return block_mean(from, to, [&](std::size_t i) { return s.recording->torque_Nm[i]; });
+  if (from + 5 > to) return {nan, nan, nan};
+  MeanTorque mean{0, 0, 0};
+  for (std::size_t i = from; i < to; ++i) {
+    mean.torque_Nm += s.recording->torque_Nm[i];
+    mean.cosine += std::cos(s.recording->q_rad[i] - shape.q_peak_rad);
+  }
+  mean.torque_Nm /= static_cast<double>(to - from);
+  mean.cosine /= static_cast<double>(to - from);
+  mean.half_width_Nm = block_mean(from, to, [&](std::size_t i) {
+                         return s.recording->torque_Nm[i] - shape.torque_Nm(s.recording->q_rad[i]);
+                       }).half_width;
+  return mean;
 }
 
 /// Pairs each rising run with the falling one of the same speed that shares most of its angles.
-void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunSource>& sources) {
+void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunSource>& sources,
+                     const GravityShape& shape) {
   constexpr double same_speed = 0.03;
   constexpr double least_overlap = 0.2;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -118,9 +150,9 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const double ratio = -runs[k].speed_rad_s / runs[i].speed_rad_s;
       if (runs[k].partner >= 0 || std::abs(ratio - 1) > same_speed) continue;
-      const double low = std::max(sources[i].low_rad, sources[k].low_rad);
-      const double high = std::min(sources[i].high_rad, sources[k].high_rad);
-      const double overlap = (high - low) / (sources[i].high_rad - sources[i].low_rad);
+      const double low = std::max(runs[i].lowest_rad, runs[k].lowest_rad);
+      const double high = std::min(runs[i].highest_rad, runs[k].highest_rad);
+      const double overlap = (high - low) / (runs[i].highest_rad - runs[i].lowest_rad);
       if (overlap > best) {
         best = overlap;
         runs[i].partner = static_cast<int>(k);
@@ -129,15 +161,38 @@ void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunS
     if (runs[i].partner < 0) continue;
     const auto k = static_cast<std::size_t>(runs[i].partner);
     runs[k].partner = static_cast<int>(i);
-    const double low = std::max(sources[i].low_rad, sources[k].low_rad);
-    const double high = std::min(sources[i].high_rad, sources[k].high_rad);
-    const BlockMean up = torque_between(sources[i], low, high);
-    const BlockMean down = torque_between(sources[k], low, high);
-    runs[i].direction_difference_Nm = (up.mean - down.mean) / 2;
-    runs[k].direction_difference_Nm = -(up.mean - down.mean) / 2;
-    runs[i].direction_difference_half_width_Nm = std::hypot(up.half_width, down.half_width) / 2;
-    runs[k].direction_difference_half_width_Nm = runs[i].direction_difference_half_width_Nm;
+    const double low = std::max(runs[i].lowest_rad, runs[k].lowest_rad);
+    const double high = std::min(runs[i].highest_rad, runs[k].highest_rad);
+    const MeanTorque up = torque_between(sources[i], low, high, shape);
+    const MeanTorque down = torque_between(sources[k], low, high, shape);
+    const double difference = (up.torque_Nm - down.torque_Nm) / 2;
+    for (const std::size_t run : {i, k}) {
+      runs[run].direction_difference_Nm = run == i ? difference : -difference;
+      runs[run].direction_difference_half_width_Nm =
+          std::hypot(up.half_width_Nm, down.half_width_Nm) / 2;
+      runs[run].direction_mean_Nm = (up.torque_Nm + down.torque_Nm) / 2;
+      runs[run].direction_mean_cos = (up.cosine + down.cosine) / 2;
+    }
   }
+}
+
+DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
+  constexpr double least_travel_share = 0.25;
+  double widest = 0;
+  for (const ConstantSpeedRun& run : runs)
+    widest = std::max(widest, run.highest_rad - run.lowest_rad);
+  DirectionAngles out;
+  for (const ConstantSpeedRun& run : runs) {
+    if (run.highest_rad - run.lowest_rad < least_travel_share * widest) continue;
+    const bool is_rising = run.speed_rad_s > 0;
+    bool& has = is_rising ? out.has_rising : out.has_falling;
+    double& low = is_rising ? out.rising_low_rad : out.falling_low_rad;
+    double& high = is_rising ? out.rising_high_rad : out.falling_high_rad;
+    low = has ? std::min(low, run.lowest_rad) : run.lowest_rad;
+    high = has ? std::max(high, run.highest_rad) : run.highest_rad;
+    has = true;
+  }
+  return out;
 }
 
 void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
@@ -161,6 +216,24 @@ void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
 
 }  // namespace
 
+bool DirectionAngles::share_angles() const {
+  return has_rising && has_falling &&
+         std::max(rising_low_rad, falling_low_rad) < std::min(rising_high_rad, falling_high_rad);
+}
+
+std::string DirectionAngles::in_words() const {
+  constexpr double degrees = 180 / std::numbers::pi;
+  if (!has_rising && !has_falling) return "the angles of the runs are not known";
+  if (!has_rising || !has_falling) {
+    return has_rising ? "the joint angle rises in all of them"
+                      : "the joint angle falls in all of them";
+  }
+  return fmt::format("rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
+                     degrees * rising_low_rad, degrees * rising_high_rad, degrees * falling_low_rad,
+                     degrees * falling_high_rad,
+                     share_angles() ? "" : ": the directions share no angle");
+}
+
 const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
   const auto it = std::find_if(curves.begin(), curves.end(),
                                [&](const ViscousCurve& c) { return c.estimator == estimator; });
@@ -171,7 +244,8 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
                                             const CogSweepResult& rough,
                                             const SurrogateMassesResult& masses,
                                             const std::optional<Estimate>& q_peak_rad,
-                                            double gear_ratio) {
+                                            double gear_ratio,
+                                            const std::optional<KnownGravity>& stated) {
   ViscousCurvesResult out;
   out.stage = {"viscous_curves", StageState::skipped, ""};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
@@ -179,11 +253,7 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
   for (const Recording* r : recordings) {
     const MotionSegments motion = find_plateaus(*r);
     for (const Plateau& plateau : motion.plateaus) {
-      const auto begin = r->q_rad.begin();
-      const auto [low, high] =
-          std::minmax_element(begin + static_cast<std::ptrdiff_t>(plateau.first),
-                              begin + static_cast<std::ptrdiff_t>(plateau.last));
-      sources.push_back({r, plateau.first, plateau.last, *low, *high});
+      sources.push_back({r, plateau.first, plateau.last});
       out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak,
                                   rough.found ? rough.gravity_Nm.value : 0.0, rough.ripple));
       out.samples_used += plateau.size();
@@ -192,7 +262,7 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
     if (motion.plateaus.empty()) ++out.recordings_without_plateau;
   }
   if (!out.runs.empty()) {
-    pair_directions(out.runs, sources);
+    pair_directions(out.runs, sources, {q_peak, rough.found ? rough.gravity_Nm.value : 0.0});
   } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
     out.runs = pair_sweep_by_angle(rough, gear_ratio, q_peak);
     out.from_sweep = !out.runs.empty();
@@ -200,10 +270,14 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
     out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
   }
   sort_by_speed(out.runs);
+  out.angles = direction_angles(out.runs);
   for (const SurrogateMass& mass : masses.masses) {
     ViscousCurve curve{mass.estimator, {}};
+    const bool is_stated = stated && mass.estimator == stated_estimator;
+    const double away = is_stated ? stated->q_peak_rad() - q_peak : 0.0;
     for (const ConstantSpeedRun& run : out.runs) {
-      curve.friction_Nm.push_back(run.torque_Nm - mass.gravity_Nm.value * run.mean_cos);
+      const double cosine = std::cos(away) * run.mean_cos + std::sin(away) * run.mean_sin;
+      curve.friction_Nm.push_back(run.torque_Nm - mass.gravity_Nm.value * cosine);
     }
     out.curves.push_back(std::move(curve));
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "joint/known_load.h"
 #include "joint/recording.h"
 #include "stages/cog_sweep.h"
 #include "stages/estimate.h"
@@ -29,10 +30,31 @@ struct ConstantSpeedRun {
   /// NaN without a partner or a common angle.
   double direction_difference_Nm{};
   double direction_difference_half_width_Nm{};
+  double mean_sin{};    ///< Mean of sin(q - q_peak).
+  double mean_load{};   ///< Mean of |cos(q - q_peak)|: share of the gravity torque that loads it.
+  double lowest_rad{};  ///< Joint angles that it covers.
+  double highest_rad{};
+  /// (T(+v) + T(-v))/2 over the angles that both directions share, and the mean of cos(q - q_peak)
+  /// there; the same for both partners. NaN without a partner.
+  double direction_mean_Nm{};
+  double direction_mean_cos{};
   // For resampling, not stored.
-  double mean_sin{};  ///< Mean of sin(q - q_peak).
   /// T less gravity, averaged over each of the run's blocks; empty if there are none.
   std::vector<double> block_friction_Nm;
+};
+
+/// Angles of the runs that travel a quarter of the widest way or more.
+struct DirectionAngles {
+  bool has_rising{false};
+  bool has_falling{false};
+  double rising_low_rad{};
+  double rising_high_rad{};
+  double falling_low_rad{};
+  double falling_high_rad{};
+
+  [[nodiscard]] bool share_angles() const;
+  /// "rising runs cover 3° to 172°, falling ones −166° to −4°: they share no angle"
+  [[nodiscard]] std::string in_words() const;
 };
 
 struct ViscousCurve {
@@ -44,7 +66,8 @@ struct ViscousCurvesResult {
   StageReport stage;
   std::vector<ConstantSpeedRun> runs;  ///< Sorted by speed.
   std::vector<ViscousCurve> curves;    ///< One per surrogate mass, in that order.
-  bool from_sweep{};                   ///< Runs are angle bins of a sweep of varying speed.
+  DirectionAngles angles;
+  bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
   std::size_t samples_used{};
   std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
   std::size_t recordings_without_plateau{};
@@ -52,10 +75,12 @@ struct ViscousCurvesResult {
   [[nodiscard]] const ViscousCurve* find(const std::string& estimator) const;
 };
 
+/// @param stated gravity known beforehand: the curve "stated", at its own angle of the peak.
 ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& runs,
                                             const CogSweepResult& rough,
                                             const SurrogateMassesResult& masses,
                                             const std::optional<Estimate>& q_peak_rad,
-                                            double gear_ratio);
+                                            double gear_ratio,
+                                            const std::optional<KnownGravity>& stated = {});
 
 }  // namespace tribolog

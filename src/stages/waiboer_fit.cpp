@@ -81,8 +81,15 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   Eigen::VectorXd r;
   Eigen::MatrixXd j;
   waiboer_residuals(points, best.parameters, r, &j);
-  std::vector<std::size_t> blocks(points.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = i;
+  // Runs of one speed are no independent witnesses of it: what is left over them is the same.
+  constexpr double same_speed = 0.03;
+  std::vector<std::size_t> blocks(points.size(), 0);
+  double first_rad_s = points.front().speed_rad_s;
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    const bool is_new = points[i].speed_rad_s > (1 + same_speed) * first_rad_s;
+    if (is_new) first_rad_s = points[i].speed_rad_s;
+    blocks[i] = blocks[i - 1] + (is_new ? 1 : 0);
+  }
   const BlockRegression around = block_regression(j, -r, blocks);
   const auto positive = [&](int k) {
     const double h = around.half_width(k);

@@ -30,7 +30,7 @@ TEST(RealLogs, CiceseArmGivesOscillationsAndRuns) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   const Dataset d = manifest("cicese_joint1.toml");
   EXPECT_EQ(d.with_role(Role::oscillation).size(), 3U);
-  EXPECT_EQ(d.with_role(Role::constant_speed).size(), 57U);
+  EXPECT_EQ(d.with_role(Role::constant_speed).size(), 40U);
   for (const Recording& r : d.recordings) EXPECT_EQ(r.dq_rad_s.size(), r.size()) << r.name;
 }
 

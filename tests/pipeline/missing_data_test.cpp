@@ -25,9 +25,10 @@ TEST(MissingData, EverySubsetOfRolesRuns) {
     const Dataset d = test::simulated_dataset(s);
     const Calibration c = identify(d);
     expect_every_gap_has_words(c);
-    const bool has_sweep = (subset & 3) != 0;
+    const bool has_runs = (subset & 8) != 0;  // their angle travels: gravity shows in them too
+    const bool has_sweep = (subset & 3) != 0 || has_runs;
     EXPECT_EQ(c.q_peak_rad.has_value(), has_sweep) << subset;
-    const bool has_mass = (subset & 4) != 0 || (subset & 1) != 0;
+    const bool has_mass = (subset & 4) != 0 || (subset & 1) != 0 || has_runs;
     EXPECT_EQ(!c.selection.recommended.empty(), has_mass) << subset;
     // The precise sweep adds nothing that the rough one cannot give; the others are needed.
     EXPECT_EQ(c.judgement.verdict == Verdict::usable, (subset & 13) == 13) << subset;
