@@ -136,10 +136,10 @@ Section cross_checks_section(const Calibration& c) {
   section.status = c.cross_checks.checks.size() < 2 ? "nothing to compare"
                    : c.cross_checks.doubtful        ? "disagreement"
                                                     : "agreement";
-  if (c.cross_checks.checks.empty()) {
+  if (c.cross_checks.checks.size() < 2) {
     section.reason =
-        "No gravity torque was identified, so there is nothing to hold against others.";
-    return section;
+        "Fewer than two ways gave a gravity torque, so there is nothing to hold against each "
+        "other.";
   }
   section.tables.push_back(masses_table(c.cross_checks));
   section.tables.push_back(ripple_table(c.rough.ripple));

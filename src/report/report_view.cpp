@@ -134,8 +134,10 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
         {std::to_string(section.number) + ". " + section.title + ": " + section.status, section.id,
          or_dash(section.reason), section.experiment});
   }
-  view.sections.push_back(cross_checks_section(c));
-  view.sections.back().number = static_cast<int>(view.sections.size());
+  if (!c.cross_checks.checks.empty() || !c.intervals.quantities.empty()) {
+    view.sections.push_back(cross_checks_section(c));
+    view.sections.back().number = static_cast<int>(view.sections.size());
+  }
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);
   view.paper_table = paper_comparison_table(c);

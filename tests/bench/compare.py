@@ -106,6 +106,8 @@ def main():
     peer = [sys.executable, "run.py"]
     integrator(build)
     print_model_ratios(build)
+    print(subprocess.run([f"{build}/tests/bench/intervals_bench"], check=True, capture_output=True,
+                         text=True).stdout, end="")
     with tempfile.TemporaryDirectory() as scratch:
         scenario = without_drawings(f"{ROOT}/examples/paper/scenario.toml", scratch)
 

@@ -128,5 +128,26 @@ TEST(Commands, AReaderThatGoesAwayIsNoFault) {
   EXPECT_NE(run.err.find("status 0"), std::string::npos) << run.err;
 }
 
+TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
+  const SmallDataset dataset(
+      replaced(small_manifest(), "[columns]", "[intervals]\nresamples = 300\nseed = 5\n[columns]"));
+  const auto numbers = [&](const std::string& options) {
+    const ProgramRun run = dataset.run("identify " + options, "c.json");
+    EXPECT_EQ(run.status, 0) << run.err;
+    return read_text(dataset.file("c.json"));
+  };
+  const auto holds = [](const std::string& text, const std::string& piece) {
+    return text.find(piece) != std::string::npos;
+  };
+  const std::string stated = numbers("");
+  EXPECT_TRUE(holds(stated, "\"resamples\": 300,\n    \"seed\": 5,"));
+  EXPECT_TRUE(holds(stated, "\"name\": \"Resamples\""));
+  EXPECT_TRUE(holds(numbers("--resamples 200"), "\"resamples\": 200,\n    \"seed\": 5,"));
+  EXPECT_TRUE(holds(numbers("--seed 6"), "\"resamples\": 300,\n    \"seed\": 6,"));
+  EXPECT_TRUE(holds(numbers("--resamples 0"), "closed forms alone"));
+  EXPECT_EQ(dataset.run("identify --resamples 7", "c.json").status, 2);
+  EXPECT_EQ(dataset.run("identify --resamples many", "c.json").status, 2);
+}
+
 }  // namespace
 }  // namespace tribolog::test

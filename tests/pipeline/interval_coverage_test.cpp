@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "parallel/parallel_for.h"
+
 #include "pipeline.h"
 #include "simulate/random_stream.h"
 #include "support/paper_joint.h"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr std::size_t seeds = 200;
 
-/// Of 200 intervals at 95 %, 190 hold the truth; 4 standard errors are 12. The bounds are those that
-/// the program promises.
+/// Of 200 intervals at 95 %, 190 hold the truth; 4 standard errors are 12. The bounds are those
+/// that the program promises.
 constexpr double least_coverage = 0.91;
 constexpr double largest_coverage = 0.99;
 

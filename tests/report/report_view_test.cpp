@@ -116,6 +116,43 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
   EXPECT_EQ(section.tables.front().rows.front().cells[5], "censored: did not break away");
 }
 
+TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
+  Calibration c = complete_calibration();
+  CrossCheck ours;
+  ours.method = "midline";
+  ours.mass_kg = symmetric_estimate(79.17, 0.01, "");
+  ours.is_recommended = true;
+  CrossCheck other = ours;
+  other.method = "sweep_directions";
+  other.mass_kg = symmetric_estimate(79.97, 0.02, "");
+  other.resampled_kg = symmetric_estimate(79.97, 0.02, "");
+  other.is_recommended = false;
+  other.difference_percent = 1.01;
+  other.difference_half_width_percent = 0.028;
+  other.difference_in_intervals = 36;
+  other.disagrees = true;
+  c.cross_checks.checks = {ours, other};
+  c.cross_checks.doubtful = true;
+  c.intervals.resamples = 1000;
+  c.intervals.quantities = {{"waiboer.stribeck_power", symmetric_estimate(0.7, 0.1, ""),
+                             symmetric_estimate(0.7, 0.05, ""), true}};
+  const ReportView view = view_of(c);
+  ASSERT_EQ(view.sections.size(), 9U);
+  const Section& section = view.sections.back();
+  EXPECT_EQ(section.number, 9);
+  EXPECT_EQ(section.status, "disagreement");
+  ASSERT_GE(section.tables.size(), 2U);
+  const std::vector<std::string>& row = section.tables.front().rows[1].cells;
+  EXPECT_EQ(row.front(), "2. mean of the sweep's directions at equal angle");
+  EXPECT_EQ(row[4], "+1.010");
+  EXPECT_EQ(row.back(), "disagrees");
+  const Table& intervals = section.tables.back();
+  ASSERT_EQ(intervals.rows.size(), 1U);
+  EXPECT_EQ(intervals.rows[0].cells[3], "0.60 … 0.80");
+  EXPECT_EQ(intervals.rows[0].cells[5], "0.50");
+  EXPECT_EQ(intervals.rows[0].cells.back(), "bootstrap");
+}
+
 TEST(ReportView, AFigureOfNoStageIsNotLost) {
   auto figures = sample_figures(complete_calibration());
   figures[0].stage = "models";

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "parallel/parallel_for.h"
+
 #include "stages/bootstrap/block_draw.h"
 #include "stages/bootstrap/quantiles.h"
 #include "stages/student_t.h"
