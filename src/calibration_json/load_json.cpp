@@ -60,7 +60,7 @@ Json known_loads(const std::vector<KnownLoad>& loads) {
   return list;
 }
 
-Json known_gravity(const std::optional<KnownGravity>& g) {
+Json known_gravity(const std::optional<StatedGravity>& g) {
   if (!g) return nullptr;
   return {{"amplitude_joint_Nm", number(g->amplitude_Nm())},
           {"q_peak_rad", number(g->q_peak_rad())}};

@@ -33,7 +33,7 @@ Json direction_asymmetry(const DirectionAsymmetryResult& a);
 Json load_dependence(const LoadDependenceResult& l);
 Json run_gravity(const RunGravityResult& r, double gear_ratio);
 Json known_loads(const std::vector<KnownLoad>& loads);
-Json known_gravity(const std::optional<KnownGravity>& g);
+Json known_gravity(const std::optional<StatedGravity>& g);
 Json break_away(const BreakAwayResult& result, double gear_ratio);
 Json loop_shapes(const std::vector<LoopShape>& shapes);
 

@@ -72,7 +72,7 @@ std::vector<KnownLoad> read_known_loads(const TomlTable& top) {
   return loads;
 }
 
-std::optional<KnownGravity> read_known_gravity(const TomlTable& top) {
+std::optional<StatedGravity> read_known_gravity(const TomlTable& top) {
   const auto table = top.find_table("known_gravity");
   if (!table) return std::nullopt;
   const double amplitude_Nm = table->number("amplitude_Nm", Sign::positive);
@@ -80,7 +80,7 @@ std::optional<KnownGravity> read_known_gravity(const TomlTable& top) {
       table->number("q_peak_deg", Sign::any, "the joint angle at which gravity torque is largest") *
       rad_per_deg;
   table->refuse_unknown_keys();
-  return guarded(*table, "amplitude_Nm", [&] { return KnownGravity(amplitude_Nm, q_peak_rad); });
+  return guarded(*table, "amplitude_Nm", [&] { return StatedGravity(amplitude_Nm, q_peak_rad); });
 }
 
 }  // namespace tribolog

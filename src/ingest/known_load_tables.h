@@ -14,6 +14,6 @@ namespace tribolog {
 std::vector<KnownLoad> read_known_loads(const TomlTable& top);
 
 /// @throw InputError for a missing, unknown or impossible key.
-std::optional<KnownGravity> read_known_gravity(const TomlTable& top);
+std::optional<StatedGravity> read_known_gravity(const TomlTable& top);
 
 }  // namespace tribolog

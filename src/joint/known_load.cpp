@@ -18,7 +18,7 @@ double KnownLoad::torque_Nm(double angle_sum_rad) const {
   return amplitude_Nm * std::cos(angle_sum_rad + phase_rad);
 }
 
-KnownGravity::KnownGravity(double amplitude_Nm, double q_peak_rad)
+StatedGravity::StatedGravity(double amplitude_Nm, double q_peak_rad)
     : amplitude_Nm_(amplitude_Nm), q_peak_rad_(q_peak_rad) {
   require_positive(amplitude_Nm, "amplitude of the known gravity", "N·m");
   if (!std::isfinite(q_peak_rad)) {

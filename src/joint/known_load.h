@@ -32,11 +32,11 @@ struct KnownLoad {
 
 /// Gravity of the joint known beforehand, as from its design: a candidate beside those identified,
 /// by which nothing else is decided.
-class KnownGravity {
+class StatedGravity {
  public:
   /// @param amplitude_Nm > 0, joint side. @param q_peak_rad joint angle at which it is largest.
   /// @throw std::invalid_argument quoting the value and the rule.
-  KnownGravity(double amplitude_Nm, double q_peak_rad);
+  StatedGravity(double amplitude_Nm, double q_peak_rad);
 
   [[nodiscard]] double amplitude_Nm() const { return amplitude_Nm_; }
   [[nodiscard]] double q_peak_rad() const { return q_peak_rad_; }

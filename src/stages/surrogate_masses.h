@@ -27,7 +27,7 @@ inline constexpr double least_loop_cosine = 0.5;
 /// Gravity that comes from neither sweep nor loop.
 struct OtherGravity {
   const RunGravityResult* runs{nullptr};
-  std::optional<KnownGravity> stated;
+  std::optional<StatedGravity> stated;
 };
 
 struct SurrogateMass {

@@ -245,24 +245,27 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
                                             const SurrogateMassesResult& masses,
                                             const std::optional<Estimate>& q_peak_rad,
                                             double gear_ratio,
-                                            const std::optional<KnownGravity>& stated) {
+                                            const std::optional<StatedGravity>& stated) {
   ViscousCurvesResult out;
   out.stage = {"viscous_curves", StageState::skipped, ""};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
+  const SurrogateMass* of_runs = masses.find("runs");
+  const double gravity = rough.found          ? rough.gravity_Nm.value
+                         : of_runs != nullptr ? of_runs->gravity_Nm.value
+                                              : 0.0;
   std::vector<RunSource> sources;
   for (const Recording* r : recordings) {
     const MotionSegments motion = find_plateaus(*r);
     for (const Plateau& plateau : motion.plateaus) {
       sources.push_back({r, plateau.first, plateau.last});
-      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak,
-                                  rough.found ? rough.gravity_Nm.value : 0.0, rough.ripple));
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple));
       out.samples_used += plateau.size();
     }
     out.samples_left_out += r->size() - motion.samples_on_plateaus;
     if (motion.plateaus.empty()) ++out.recordings_without_plateau;
   }
   if (!out.runs.empty()) {
-    pair_directions(out.runs, sources, {q_peak, rough.found ? rough.gravity_Nm.value : 0.0});
+    pair_directions(out.runs, sources, {q_peak, gravity});
   } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
     out.runs = pair_sweep_by_angle(rough, gear_ratio, q_peak);
     out.from_sweep = !out.runs.empty();

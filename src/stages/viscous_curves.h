@@ -81,6 +81,6 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
                                             const SurrogateMassesResult& masses,
                                             const std::optional<Estimate>& q_peak_rad,
                                             double gear_ratio,
-                                            const std::optional<KnownGravity>& stated = {});
+                                            const std::optional<StatedGravity>& stated = {});
 
 }  // namespace tribolog

@@ -92,7 +92,7 @@ TEST(KnownLoad, ImpossibleOnesAreRefusedAtTheirPlace) {
   EXPECT_NE(refusal(head + "angles = [\"q\"]\nphase = 3\n").find("phase_deg"), std::string::npos);
 }
 
-TEST(KnownGravity, IsReadAndRefused) {
+TEST(StatedGravity, IsReadAndRefused) {
   const TemporaryDirectory directory;
   (void)directory.file("a.csv", log("q2"));
   const auto with = [&](const std::string& lines) {
@@ -104,8 +104,8 @@ TEST(KnownGravity, IsReadAndRefused) {
   EXPECT_NEAR(d.manifest.known_gravity->q_peak_rad(), std::numbers::pi / 2, 1e-15);
   const std::string negative = with("amplitude_Nm = -1\nq_peak_deg = 90\n");
   EXPECT_THROW((void)read_dataset(negative), InputError);
-  EXPECT_THROW((void)KnownGravity(1, NAN), std::invalid_argument);
-  EXPECT_THROW((void)KnownGravity(0, 1), std::invalid_argument);
+  EXPECT_THROW((void)StatedGravity(1, NAN), std::invalid_argument);
+  EXPECT_THROW((void)StatedGravity(0, 1), std::invalid_argument);
 }
 
 }  // namespace
