@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "verdict/quantity_verdict.h"
+
 #include "joint/dataset.h"
 #include "stages/cog_sweep.h"
+#include "stages/data_check.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
 #include "stages/quality_errors.h"
@@ -16,15 +19,12 @@
 
 namespace tribolog {
 
-enum class Verdict { usable, doubtful, not_identifiable };
-
-std::string to_string(Verdict verdict);
-
 /// The verdict, with what it rests on.
 struct Judgement {
   Verdict verdict{Verdict::not_identifiable};
-  std::string sentence;               ///< One sentence for the top of the report.
-  std::vector<std::string> findings;  ///< What the reader must know, most important first.
+  std::string sentence;                     ///< One sentence for the top of the report.
+  std::vector<std::string> findings;        ///< What the reader must know, most important first.
+  std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
 };
 
 struct Calibration {
@@ -32,6 +32,7 @@ struct Calibration {
   std::vector<InputFile> inputs;
   std::vector<std::string> notes;  ///< From reading the input.
 
+  DataChecksResult data_checks;
   CogSweepResult rough;
   CogSweepResult precise;
   std::optional<Estimate> q_peak_rad;  ///< The one of the two with the narrower interval.

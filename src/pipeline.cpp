@@ -1,12 +1,15 @@
 #include "pipeline.h"
 
-#include "verdict.h"
+#include "verdict/judge.h"
+#include "without_torque.h"
+
+#include "stages/data_checks/data_checks.h"
 
 namespace tribolog {
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions&,
                      const StageProgress& progress) {
-  constexpr int all = 8;
+  constexpr int all = 9;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -18,6 +21,15 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
   c.manifest = m;
   c.inputs = dataset.inputs;
   c.notes = dataset.notes;
+
+  begin("checks on the data");
+  c.data_checks = check_recordings(dataset);
+  if (m.drive.kind() == EffortKind::none) {
+    refuse_for_want_of_torque(c);
+    c.judgement = judge(c);
+    if (progress) progress("identified", all, all);
+    return c;
+  }
 
   begin("centre of gravity, rough sweep");
   c.rough = identify_cog_sweep("cog_rough", dataset.with_role(Role::rough_sweep), n);
@@ -34,6 +46,8 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
       c.q_peak_source = sweep->stage.name;
     }
   }
+
+  add_gravity_checks(dataset, c.rough, c.q_peak_rad, c.data_checks);
 
   begin("hysteresis loop");
   c.hysteresis =

@@ -3,12 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "calibration_json/values.h"
-#include "provenance.h"
 
 namespace tribolog::json {
 
+Json verdict(const Judgement& judgement);
+Json data_checks(const DataChecksResult& result);
 Json robot(const Manifest& m);
 Json drive(const Drive& d);
 Json inputs(const std::vector<InputFile>& files);

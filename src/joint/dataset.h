@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "friction/static_friction.h"
+#include "joint/acceptance_limit.h"
 #include "joint/drive.h"
 #include "joint/recording.h"
 
@@ -42,6 +43,7 @@ struct Manifest {
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
   std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
+  std::vector<AcceptanceLimit> limits;              ///< What the user accepts; may be empty.
 };
 
 struct Dataset {
