@@ -41,6 +41,8 @@ void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
 
+std::vector<QuantityRow> quantity_rows(const Judgement& judgement);
+std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks);
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);
 ErrataNumbers errata_numbers();
