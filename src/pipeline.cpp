@@ -6,10 +6,20 @@
 #include "stages/data_checks/data_checks.h"
 
 namespace tribolog {
+namespace {
+
+/// What the earlier stages know of gravity.
+std::optional<KnownGravity> known_gravity(const Calibration& c) {
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr || !c.q_peak_rad) return std::nullopt;
+  return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
+}
+
+}  // namespace
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions&,
                      const StageProgress& progress) {
-  constexpr int all = 9;
+  constexpr int all = 10;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -69,6 +79,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+
+  begin("break-away ramps and loop shapes");
+  c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);
+  c.break_away = identify_break_away(dataset.with_role(Role::break_away), known_gravity(c));
 
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);

@@ -23,5 +23,7 @@ Json viscous(const ViscousCurvesResult& v);
 Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
 Json friction(const Calibration& c, double gear_ratio);
+Json break_away(const BreakAwayResult& result, double gear_ratio);
+Json loop_shapes(const std::vector<LoopShape>& shapes);
 
 }  // namespace tribolog::json

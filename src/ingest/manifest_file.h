@@ -21,8 +21,9 @@
 //                 the torque at constant speed is meant
 //   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
 //                 user accepts (limit_tables.h; optional)
-//   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed",
-//                 file (relative to the manifest); from_s, to_s, columns, note (optional)
+//   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
+//                 "break_away", file (relative to the manifest); from_s, to_s, columns, note
+//                 (optional)
 
 #include <cstdint>
 #include <optional>

@@ -135,7 +135,7 @@ struct ReportView {
   std::vector<DataCheckRow> data_checks;
   Table key_numbers;
   std::vector<MissingResult> missing;
-  std::vector<Section> sections;  ///< Stages 1 to 8, and other figures if there are any.
+  std::vector<Section> sections;  ///< Stages 1 to 8, then what was recorded beyond.
   Table paper_table;
   ErrataNumbers errata;
   std::vector<std::string> notes;  ///< From reading the input.

@@ -10,7 +10,7 @@ using Keys = std::vector<std::string>;
 
 const Keys gravity{"cog_angle", "gravity_torque", "surrogate_mass"};
 const Keys mass{"gravity_torque", "surrogate_mass"};
-const Keys bristle{"break_away_torque", "bristle_stiffness", "bristle_damping"};
+const Keys bristle{"bristle_stiffness", "bristle_damping"};
 const Keys curve{"coulomb_torque", "stribeck_speed", "viscous_coefficient", "viscous_curve"};
 const Keys slopes{"stribeck_speed", "viscous_coefficient", "viscous_curve"};
 const Keys per_speed{"bristle_damping", "inertia"};
@@ -27,9 +27,11 @@ struct Consequence {
   Verdict lowered_to;
 };
 
-std::vector<Consequence> consequences(bool has_runs, bool mass_from_sweep) {
-  const Keys torque = mass + bristle + curve + Keys{"inertia"};
-  const Keys everything = gravity + bristle + curve + Keys{"inertia"};
+std::vector<Consequence> consequences(const Sources& sources) {
+  const Keys torque = mass + bristle + curve + Keys{"break_away_torque", "inertia"};
+  const Keys everything = torque + Keys{"cog_angle"};
+  const Keys of_loop =
+      sources.break_away_from_ramps ? bristle : bristle + Keys{"break_away_torque"};
   const auto doubtful = Verdict::doubtful;
   const auto none = Verdict::not_identifiable;
   std::vector<Consequence> all{
@@ -53,14 +55,16 @@ std::vector<Consequence> consequences(bool has_runs, bool mass_from_sweep) {
       {"torque_ripple", mass, doubtful},
       {"friction_drift", curve + Keys{"break_away_torque"}, doubtful},
       {"temperature", curve + Keys{"break_away_torque"}, doubtful},
-      {"encoder_step", bristle, none},
-      {"oscillation_cycles", mass + bristle, doubtful},
-      {"oscillation_slides", {"break_away_torque"}, none},
+      {"encoder_step", of_loop, none},
+      {"oscillation_cycles", mass + of_loop, doubtful},
       {"oscillation_at_peak", mass, doubtful},
       {"gravity_within_torque", gravity, none},
       {"sweep_directions", {"cog_angle"}, doubtful}};
-  if (mass_from_sweep) all.push_back({"sweep_directions", mass, doubtful});
-  if (!has_runs) {
+  if (!sources.break_away_from_ramps) {
+    all.push_back({"oscillation_slides", {"break_away_torque"}, none});
+  }
+  if (sources.mass_from_sweep) all.push_back({"sweep_directions", mass, doubtful});
+  if (!sources.friction_from_runs) {
     all.push_back({"sweep_directions", {"coulomb_torque"}, none});
     all.push_back({"sweep_directions", {"viscous_curve"}, doubtful});
     all.push_back({"sweep_common_angles", curve, doubtful});
@@ -70,9 +74,9 @@ std::vector<Consequence> consequences(bool has_runs, bool mass_from_sweep) {
 
 }  // namespace
 
-void apply_data_checks(const DataChecksResult& checks, bool has_runs, bool mass_from_sweep,
+void apply_data_checks(const DataChecksResult& checks, const Sources& sources,
                        std::vector<QuantityVerdict>& quantities) {
-  for (const Consequence& consequence : consequences(has_runs, mass_from_sweep)) {
+  for (const Consequence& consequence : consequences(sources)) {
     const DataCheck* check = checks.find(consequence.check);
     if (check == nullptr || check->state != CheckState::fails) continue;
     for (QuantityVerdict& quantity : quantities) {

@@ -9,11 +9,15 @@
 
 namespace tribolog {
 
+/// Which recordings the quantities come from: a failing check of others does not touch them.
+struct Sources {
+  bool friction_from_runs{};     ///< Runs at constant speed, not the sweep.
+  bool mass_from_sweep{};        ///< The recommended mass is the sweep's.
+  bool break_away_from_ramps{};  ///< Not from the oscillation.
+};
+
 /// Lowers the quantities that the failing checks touch, with the check's words as the reason.
-/// @param has_runs runs at constant speed were recorded: friction then rests on them, not on the
-///        sweep.
-/// @param mass_from_sweep the recommended mass is the sweep's.
-void apply_data_checks(const DataChecksResult& checks, bool has_runs, bool mass_from_sweep,
+void apply_data_checks(const DataChecksResult& checks, const Sources& sources,
                        std::vector<QuantityVerdict>& quantities);
 
 }  // namespace tribolog

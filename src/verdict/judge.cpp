@@ -22,8 +22,9 @@ std::vector<QuantityVerdict> judge_quantities(const Calibration& c,
             "the micro-oscillation at eight positions spread over one turn of the motor");
     }
   }
-  const bool has_runs = !c.viscous.runs.empty() && !c.viscous.from_sweep;
-  apply_data_checks(c.data_checks, has_runs, c.selection.recommended == "sweep", all);
+  const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
+                        c.selection.recommended == "sweep", c.break_away.mean_Nm.has_value()};
+  apply_data_checks(c.data_checks, sources, all);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), all);
   return all;
 }

@@ -32,6 +32,10 @@ struct CheckedRecording {
   double interval_s{};      ///< Median time from sample to sample.
   double angle_step_rad{};  ///< 0: continuous.
 
+  /// Sweep or run: what moves on its way, neither to and fro nor from rest.
+  [[nodiscard]] bool travels() const {
+    return recording->role != Role::oscillation && recording->role != Role::break_away;
+  }
   [[nodiscard]] double range_rad() const { return highest_rad - lowest_rad; }
   /// What the recording is there for: the plateaus of a run at constant speed, else its strokes. A
   /// run's start, its stop and its way back are not its business.

@@ -41,7 +41,7 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
   check.unit = percent_sign;
   check.at_most = most_percent;
   for (const CheckedRecording& r : data.recordings) {
-    if (r.recording->role == Role::oscillation) continue;  // no stage reads a speed off a loop
+    if (!r.travels()) continue;  // no stage reads a speed off a loop or a ramp
     const double noise = noise_percent(r);
     if (noise < 0 || (check.measured && noise <= *check.measured)) continue;
     check.measured = noise;

@@ -30,6 +30,7 @@ struct SpeedScale {
 std::optional<SpeedScale> speed_scale(const CheckedRecording& r) {
   const Recording& log = *r.recording;
   if (log.dq_rad_s.empty() || r.strokes.empty()) return std::nullopt;
+  if (log.role == Role::break_away) return std::nullopt;  // hardly a motion to compare
   const std::size_t width = std::max(fewest_samples_a_window, log.size() / windows);
   double xx = 0, xy = 0, yy = 0, count = 0;
   for (std::size_t first = 0; first + width < log.size(); first += width) {

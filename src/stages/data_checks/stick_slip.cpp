@@ -54,7 +54,7 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
   check.at_most = most_stops;
   std::size_t affected = 0;
   for (const CheckedRecording& r : data.recordings) {
-    if (r.recording->role == Role::oscillation) continue;
+    if (!r.travels()) continue;
     std::size_t stops = 0;
     for (const Stroke& stroke : r.strokes) stops = std::max(stops, stops_within(r, stroke));
     const auto count = static_cast<double>(stops);
