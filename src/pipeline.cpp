@@ -1,9 +1,8 @@
 #include "pipeline.h"
 
+#include "stages/data_checks/data_checks.h"
 #include "verdict/judge.h"
 #include "without_torque.h"
-
-#include "stages/data_checks/data_checks.h"
 
 namespace tribolog {
 namespace {

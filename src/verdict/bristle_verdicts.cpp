@@ -43,6 +43,7 @@ std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c) {
   const auto of_fit = [&](Estimate LuGreFit::*member) {
     return fitted ? std::optional<Estimate>((*fit).*member) : std::nullopt;
   };
+  // What a fit says of each of its parameters lowers that one here.
   std::vector<QuantityVerdict> all{
       break_away(c, of_fit(&LuGreFit::static_Nm), why),
       by_estimate("bristle_stiffness", "Bristle stiffness", "N·m/rad",

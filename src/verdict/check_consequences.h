@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "verdict/quantity_verdict.h"
-
 #include "stages/data_check.h"
+#include "verdict/quantity_verdict.h"
 
 namespace tribolog {
 

@@ -34,6 +34,7 @@ std::vector<QuantityVerdict> curve_verdicts(const Calibration& c) {
   std::optional<Estimate> stribeck;
   if (line) viscous = line->viscous_Nms_rad;
   if (waiboer && waiboer->converged) stribeck = waiboer->stribeck_speed_rad_s;
+  // Which model of the curve was chosen, and what it shows of each parameter, enters here.
   std::vector<QuantityVerdict> all{
       by_estimate("coulomb_torque", "Coulomb torque", "N·m", coulomb_torque(c), why, record_runs),
       by_estimate("stribeck_speed", "Stribeck velocity", "rad/s", stribeck,

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "verdict/quantity_verdict.h"
-
 #include "calibration.h"
+#include "verdict/quantity_verdict.h"
 
 namespace tribolog {
 

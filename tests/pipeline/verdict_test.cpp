@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "verdict/acceptance.h"
-
 #include "pipeline.h"
 #include "support/paper_joint.h"
+#include "verdict/acceptance.h"
 
 namespace tribolog {
 namespace {

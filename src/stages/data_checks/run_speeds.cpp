@@ -11,7 +11,7 @@ namespace tribolog {
 
 DataCheck check_run_speeds(const CheckedDataset& data) {
   constexpr double same_speed = 1.1;  // ratio of two speeds that count as one
-  constexpr std::size_t fewest = 5;   // of Waiboer's curve has five parameters
+  constexpr std::size_t fewest = 5;   // the curve of eq. (6) has five parameters
   constexpr std::size_t fewest_for_a_line = 3;
   DataCheck check;
   check.name = "run_speeds";
