@@ -11,6 +11,7 @@
 #include "stages/cog_sweep.h"
 #include "stages/cross_checks.h"
 #include "stages/curve_models/model_choice.h"
+#include "stages/data_check.h"
 #include "stages/direction_asymmetry.h"
 #include "stages/direction_lines.h"
 #include "stages/friction_parameters.h"
@@ -23,18 +24,16 @@
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
 #include "stages/viscous_curves.h"
+#include "verdict/quantity_verdict.h"
 
 namespace tribolog {
-
-enum class Verdict { usable, doubtful, not_identifiable };
-
-std::string to_string(Verdict verdict);
 
 /// The verdict, with what it rests on.
 struct Judgement {
   Verdict verdict{Verdict::not_identifiable};
-  std::string sentence;               ///< One sentence for the top of the report.
-  std::vector<std::string> findings;  ///< What the reader must know, most important first.
+  std::string sentence;                     ///< One sentence for the top of the report.
+  std::vector<std::string> findings;        ///< What the reader must know, most important first.
+  std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
 };
 
 struct Calibration {
@@ -42,6 +41,7 @@ struct Calibration {
   std::vector<InputFile> inputs;
   std::vector<std::string> notes;  ///< From reading the input.
 
+  DataChecksResult data_checks;
   CogSweepResult rough;
   CogSweepResult precise;
   std::optional<Estimate> q_peak_rad;  ///< The one of the two with the narrower interval.

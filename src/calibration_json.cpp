@@ -29,9 +29,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["units"] = units;
   all["robot"] = robot(c.manifest);
   all["drive"] = drive(c.manifest.drive);
-  all["verdict"] = {{"verdict", to_string(c.judgement.verdict)},
-                    {"sentence", c.judgement.sentence},
-                    {"findings", c.judgement.findings}};
+  all["verdict"] = verdict(c.judgement);
+  all["data_checks"] = data_checks(c.data_checks);
   all["inputs"] = inputs(c.inputs);
   all["notes"] = c.notes;
   all["stages"] = stage_list(c);

@@ -1,6 +1,8 @@
 #include "pipeline.h"
 
-#include "verdict.h"
+#include "stages/data_checks/data_checks.h"
+#include "verdict/judge.h"
+#include "without_torque.h"
 
 #include "stages/bootstrap/stated_intervals.h"
 #include "stages/gravity_by_other_ways.h"
@@ -19,7 +21,7 @@ std::optional<KnownGravity> known_gravity(const Calibration& c) {
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
                      const StageProgress& progress) {
-  constexpr int all = 11;
+  constexpr int all = 12;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -31,6 +33,15 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
   c.manifest = m;
   c.inputs = dataset.inputs;
   c.notes = dataset.notes;
+
+  begin("checks on the data");
+  c.data_checks = check_recordings(dataset);
+  if (m.drive.kind() == EffortKind::none) {
+    refuse_for_want_of_torque(c);
+    c.judgement = judge(c);
+    if (progress) progress("identified", all, all);
+    return c;
+  }
 
   begin("centre of gravity, rough sweep");
   c.rough = identify_cog_sweep("cog_rough", dataset.with_role(Role::rough_sweep), n);
@@ -53,6 +64,7 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
     c.q_peak_rad = c.run_gravity.q_peak_rad;
     c.q_peak_source = "runs";
   }
+  add_gravity_checks(dataset, c.rough, c.q_peak_rad, c.data_checks);
 
   begin("hysteresis loop");
   c.hysteresis =

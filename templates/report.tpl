@@ -26,8 +26,10 @@
 <h2 id="contents">Contents</h2>
 <ol>
 <li><a href="#verdict">Verdict</a></li>
+{{#HAS_QUANTITIES}}<li><a href="#quantities">Verdict on each quantity</a></li>{{/HAS_QUANTITIES}}
 <li><a href="#key-numbers">Key numbers</a></li>
 {{#HAS_MISSING}}<li><a href="#missing">What is missing, and why</a></li>{{/HAS_MISSING}}
+{{#HAS_DATA_CHECKS}}<li><a href="#data-checks">Checks on the data</a></li>{{/HAS_DATA_CHECKS}}
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}}. {{TITLE}}</a> <span class="state {{OUTCOME}}">{{STATUS}}</span></li>
 {{/CONTENTS_ENTRY}}
 <li><a href="#intervals">About the intervals</a></li>
@@ -37,11 +39,13 @@
 </nav>
 <main id="content">
 {{>VERDICT}}
+{{>QUANTITIES}}
 <section id="key-numbers" aria-labelledby="key-numbers-title">
 <h2 id="key-numbers-title">Key numbers <a class="self" href="#key-numbers" aria-label="Link to this section">#</a></h2>
 {{>KEY_NUMBERS}}
 </section>
 {{>MISSING}}
+{{>DATA_CHECKS}}
 {{>STAGE}}
 <section id="intervals" aria-labelledby="intervals-title">
 <h2 id="intervals-title">About the intervals <a class="self" href="#intervals" aria-label="Link to this section">#</a></h2>

@@ -12,6 +12,8 @@
 
 namespace tribolog::json {
 
+Json verdict(const Judgement& judgement);
+Json data_checks(const DataChecksResult& result);
 Json robot(const Manifest& m);
 Json drive(const Drive& d);
 Json inputs(const std::vector<InputFile>& files);

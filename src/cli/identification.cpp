@@ -73,6 +73,15 @@ void tell_outcome(const Calibration& c, Console& console) {
   };
   console.say(
       fmt::format("verdict: {} - {}", to_string(c.judgement.verdict), c.judgement.sentence));
+  for (const DataCheck* check : c.data_checks.in_state(CheckState::fails)) {
+    console.say(printable(fmt::format("  check fails: {}: {}", check->title, check->found), 600));
+  }
+  for (const QuantityVerdict& quantity : c.judgement.quantities) {
+    if (quantity.verdict == Verdict::usable || !quantity.decides) continue;
+    console.say(printable(fmt::format("  {}: {}: {}", to_string(quantity.verdict), quantity.words,
+                                      quantity.reasons.front()),
+                          600));
+  }
   const double n = c.manifest.drive.gear_ratio();
   if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees, "deg");
   if (const SurrogateMass* mass = c.masses.find(c.selection.recommended)) {

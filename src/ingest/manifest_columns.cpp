@@ -1,6 +1,7 @@
 #include "ingest/manifest_columns.h"
 
 #include "ingest/closest_match.h"
+#include "ingest/voltage.h"
 
 namespace tribolog {
 namespace {
@@ -39,6 +40,11 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
 
 ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
                            const ColumnEntries& otherwise) {
+  if (effort_kind == EffortKind::none && table.has("effort")) {
+    table.refuse("effort", {"contradicts effort.kind", "an effort, of kind 'none'", "",
+                            "state what kind of effort the column is, or leave it out"});
+  }
+  if (const auto column = table.find_table("effort")) refuse_voltage_unit(*column);
   const Quantity effort =
       effort_kind == EffortKind::motor_current ? Quantity::current : Quantity::torque;
   const auto read = [&](const char* key, Quantity quantity, bool has_side, const auto& fallback) {
@@ -52,6 +58,7 @@ ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
   entries.bristle = read("bristle", Quantity::angle, false, otherwise.bristle);
   entries.bristle_rate =
       read("bristle_rate", Quantity::angular_speed, false, otherwise.bristle_rate);
+  entries.temperature = read("temperature", Quantity::temperature, false, otherwise.temperature);
   table.refuse_unknown_keys();
   return entries;
 }

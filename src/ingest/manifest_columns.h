@@ -27,11 +27,14 @@ struct ColumnEntries {
   std::optional<ColumnEntry> effort;
   std::optional<ColumnEntry> bristle;
   std::optional<ColumnEntry> bristle_rate;
+  std::optional<ColumnEntry> temperature;
 };
 
 /// Reads a `columns` table; what it does not mention is taken from `otherwise`.
-/// @param effort_kind decides whether the effort is a current or a torque.
-/// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind.
+/// @param effort_kind decides whether the effort is a current or a torque; with EffortKind::none an
+///        effort is refused.
+/// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind; for
+///        an effort in volt or per cent of the duty cycle, which no torque follows from.
 ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
                            const ColumnEntries& otherwise);
 

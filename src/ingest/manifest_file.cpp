@@ -9,7 +9,9 @@
 #include "ingest/friction_tables.h"
 #include "ingest/key_guard.h"
 #include "ingest/known_load_tables.h"
+#include "ingest/limit_tables.h"
 #include "ingest/robot_file.h"
+#include "ingest/voltage.h"
 #include "stages/bootstrap/bootstrap.h"
 
 namespace tribolog {
@@ -17,7 +19,8 @@ namespace {
 
 const std::string effort_hint =
     "state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same column is "
-    "ampere on one robot and newton metre on another, so it is never guessed";
+    "ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
+    "neither was recorded";
 
 std::string required_name(const TomlTable& table, const std::string& hint) {
   std::string name = table.text("name", hint);
@@ -38,11 +41,14 @@ void read_identity(const TomlTable& top, Manifest& manifest) {
   robot.refuse_unknown_keys();
 }
 
+/// Side and constant of an effort that is not there have no meaning, and are unknown keys.
 Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
   const double gear_ratio =
       joint.number("gear_ratio", Sign::positive, "motor angle / joint angle; 1 for a direct drive");
-  const auto kind = static_cast<EffortKind>(
-      effort.choice("kind", {"motor_current", "motor_torque", "joint_torque"}, effort_hint));
+  refuse_voltage_kind(effort);
+  const auto kind = static_cast<EffortKind>(effort.choice(
+      "kind", {"motor_current", "motor_torque", "joint_torque", "none"}, effort_hint));
+  if (kind == EffortKind::none) return {gear_ratio, kind, Side::motor};
   const auto side = static_cast<Side>(effort.choice(
       "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
   const auto constant = effort.find_number("torque_constant_Nm_A", Sign::positive);
@@ -97,12 +103,14 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
   }
   manifest.known_loads = read_known_loads(top);
   manifest.known_gravity = read_known_gravity(top);
+  manifest.limits = read_limits(top);
   if (const auto reference = top.find_table("reference")) {
     manifest.reference = read_known_curve(*reference);
   }
 }
 
-void refuse_missing_columns(const TomlTable& recording, const ColumnEntries& columns) {
+void refuse_missing_columns(const TomlTable& recording, EffortKind kind,
+                            const ColumnEntries& columns) {
   const auto need = [&](bool is_there, const char* name, const char* hint) {
     if (is_there) return;
     throw InputError(recording.where(),
@@ -111,7 +119,10 @@ void refuse_missing_columns(const TomlTable& recording, const ColumnEntries& col
   };
   need(columns.time.has_value(), "time", "");
   need(columns.angle.has_value(), "angle", "");
-  need(columns.effort.has_value(), "effort", "without torque or current nothing can be identified");
+  need(columns.effort.has_value() || kind == EffortKind::none, "effort",
+       "without torque or current nothing can be identified; where neither was recorded, "
+       "effort.kind "
+       "= \"none\" checks the motion alone");
 }
 
 RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
@@ -133,7 +144,7 @@ RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
   if (const auto columns = table.find_table("columns")) {
     entry.columns = read_columns(*columns, kind, common);
   }
-  refuse_missing_columns(table, entry.columns);
+  refuse_missing_columns(table, kind, entry.columns);
   table.refuse_unknown_keys();
   return entry;
 }
@@ -149,7 +160,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   result.manifest.joint = required_name(joint, "");
   const TomlTable effort = top.table("effort", effort_hint);
   result.manifest.drive = read_drive(joint, effort);
-  result.effort_sign = read_sign(effort);
+  if (result.manifest.drive.kind() != EffortKind::none) result.effort_sign = read_sign(effort);
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);

@@ -6,7 +6,8 @@
 //   [robot]       name; serial, operator, measured_on, note (optional)
 //                 description (file of the arm, relative to the manifest; robot_file.h; optional)
 //   [joint]       name, gear_ratio (motor angle / joint angle)
-//   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque"
+//   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "none" (neither torque
+//                 nor current was recorded: the motion alone is checked)
 //                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
 //                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
 //   [payload]     mass_kg, note (optional)
@@ -17,11 +18,14 @@
 //   [[known_load]] amplitude_Nm (joint side), angles (columns of the log); phase_deg = 0,
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
-//   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate (optional);
+//   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
+//                 (optional);
 //                 angle and speed: side = "joint" (default) | "motor"
 //   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
 //                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
 //                 the torque at constant speed is meant
+//   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
+//                 user accepts (limit_tables.h; optional)
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
 //                 "break_away", file (relative to the manifest); from_s, to_s, columns, note
 //                 (optional)
@@ -42,7 +46,7 @@ struct RecordingEntry {
   std::string file;  ///< As written.
   std::optional<double> from_s;
   std::optional<double> to_s;
-  ColumnEntries columns;  ///< Time, angle and effort are there.
+  ColumnEntries columns;  ///< Time, angle and effort (unless its kind is none) are there.
   std::string note;
   Location where;
 };

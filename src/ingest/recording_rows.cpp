@@ -21,7 +21,8 @@ constexpr const char* without_effort = "without torque or current nothing can be
 /// The columns in the order in which they are read from the file.
 std::vector<const ColumnEntry*> entries_in_order(const ColumnEntries& c) {
   std::vector<const ColumnEntry*> entries;
-  for (const auto* entry : {&c.time, &c.angle, &c.effort, &c.speed, &c.bristle, &c.bristle_rate}) {
+  for (const auto* entry :
+       {&c.time, &c.angle, &c.effort, &c.speed, &c.bristle, &c.bristle_rate, &c.temperature}) {
     if (entry->has_value()) entries.push_back(&**entry);
   }
   return entries;
@@ -75,7 +76,7 @@ CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
   const auto entries = entries_in_order(entry.columns);
   std::vector<WantedColumn> wanted;
   for (const ColumnEntry* column : entries) {
-    const bool is_effort = column == &*entry.columns.effort;
+    const bool is_effort = entry.columns.effort && column == &*entry.columns.effort;
     wanted.push_back({column->name, is_effort ? without_effort : ""});
   }
   add_load_columns(loads, entry.role, wanted);
@@ -125,6 +126,7 @@ Recording make_recording(const RecordingEntry& entry, const CsvTable& table, con
   r.dq_rad_s = take(c.speed, 1.0);
   r.z_rad = take(c.bristle, 1.0);
   r.dz_rad_s = take(c.bristle_rate, 1.0);
+  r.temperature_C = take(c.temperature, 1.0);
   if (loads != nullptr) subtract_known_loads(table, choice.rows, drive.gear_ratio(), *loads, r);
   note_implausible_units(entry, r, notes);
   return r;

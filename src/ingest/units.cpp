@@ -32,6 +32,7 @@ constexpr std::array angular_speeds = {
     Unit{"rpm", 2 * pi / 60}, Unit{"°/s", pi / 180, false}, Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
 constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
+constexpr std::array temperatures = {Unit{"degC", 1}, Unit{"°C", 1, false}};
 
 std::span<const Unit> units_of(Quantity quantity) {
   switch (quantity) {
@@ -45,6 +46,8 @@ std::span<const Unit> units_of(Quantity quantity) {
       return torques;
     case Quantity::current:
       return currents;
+    case Quantity::temperature:
+      return temperatures;
   }
   return {};
 }
@@ -87,6 +90,8 @@ std::string to_string(Quantity quantity) {
       return "a torque";
     case Quantity::current:
       return "a current";
+    case Quantity::temperature:
+      return "a temperature";
   }
   return "unknown";
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "friction/static_friction.h"
+#include "joint/acceptance_limit.h"
 #include "joint/drive.h"
 #include "joint/known_load.h"
 #include "joint/recording.h"
@@ -52,6 +53,7 @@ struct Manifest {
   std::vector<KnownLoad> known_loads;         ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
   std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
+  std::vector<AcceptanceLimit> limits;              ///< What the user accepts; may be empty.
 };
 
 struct Dataset {

@@ -1,6 +1,7 @@
 #include "joint/drive.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@ std::string to_string(EffortKind kind) {
       return "motor_torque";
     case EffortKind::joint_torque:
       return "joint_torque";
+    case EffortKind::none:
+      return "none";
   }
   return "unknown";
 }
@@ -45,6 +48,7 @@ Drive::Drive(double gear_ratio, EffortKind kind, Side side,
 }
 
 double Drive::motor_torque_per_effort() const {
+  if (kind_ == EffortKind::none) return std::numeric_limits<double>::quiet_NaN();
   const double torque = torque_constant_.value_or(1.0);
   return side_ == Side::motor ? torque : torque / gear_ratio_;
 }

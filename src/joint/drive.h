@@ -11,6 +11,7 @@ enum class EffortKind {
   motor_current,  ///< Ampere; needs a torque constant (drive gain).
   motor_torque,   ///< Newton metre made by the motor.
   joint_torque,   ///< Newton metre at the joint, e.g. from a torque sensor.
+  none,           ///< No torque and no current was recorded: only the motion is known.
 };
 
 /// The shaft to which a torque or an angle is referred.
@@ -37,7 +38,8 @@ class Drive {
   [[nodiscard]] Side side() const { return side_; }
   [[nodiscard]] std::optional<double> torque_constant_Nm_A() const { return torque_constant_; }
 
-  /// Factor from the effort column (A or N·m) to driving torque at the motor shaft [N·m].
+  /// Factor from the effort column (A or N·m) to driving torque at the motor shaft [N·m]; NaN for
+  /// EffortKind::none.
   [[nodiscard]] double motor_torque_per_effort() const;
 
  private:

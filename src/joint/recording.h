@@ -28,14 +28,15 @@ struct SkippedRows {
 struct Recording {
   std::string name;  ///< File as the manifest names it.
   Role role{};
-  std::vector<double> t_s;           ///< Time [s], strictly increasing.
-  std::vector<double> q_rad;         ///< Joint angle [rad], arm side.
-  std::vector<double> dq_rad_s;      ///< Logged joint speed [rad/s], arm side; empty: not logged.
-  std::vector<double> torque_Nm;     ///< Driving torque T [N·m], motor side.
-  std::vector<double> z_rad;         ///< Mean bristle deflection [rad], motor side; usually empty.
-  std::vector<double> dz_rad_s;      ///< Its rate [rad/s], motor side; usually empty.
-  std::size_t rows_read{};           ///< Data rows in the file.
-  std::vector<SkippedRows> skipped;  ///< rows_read = size() + the sum of these counts.
+  std::vector<double> t_s;            ///< Time [s], strictly increasing.
+  std::vector<double> q_rad;          ///< Joint angle [rad], arm side.
+  std::vector<double> dq_rad_s;       ///< Logged joint speed [rad/s], arm side; empty: not logged.
+  std::vector<double> torque_Nm;      ///< Driving torque T [N·m], motor side; empty: not recorded.
+  std::vector<double> z_rad;          ///< Mean bristle deflection [rad], motor side; usually empty.
+  std::vector<double> dz_rad_s;       ///< Its rate [rad/s], motor side; usually empty.
+  std::vector<double> temperature_C;  ///< Of the motor or the gear [°C]; usually empty.
+  std::size_t rows_read{};            ///< Data rows in the file.
+  std::vector<SkippedRows> skipped;   ///< rows_read = size() + the sum of these counts.
 
   [[nodiscard]] std::size_t size() const { return t_s.size(); }
 };

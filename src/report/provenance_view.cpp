@@ -57,6 +57,8 @@ std::string effort_in_words(const Drive& drive) {
       return "torque made by the motor, " + side;
     case EffortKind::joint_torque:
       return "torque at the joint, " + side;
+    case EffortKind::none:
+      return "not recorded";
   }
   return "–";
 }
@@ -82,9 +84,11 @@ Table manifest_table(const Manifest& m) {
   if (m.drive.torque_constant_Nm_A()) {
     add(table, "Torque constant", with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
   }
-  add(table, "Motor torque per unit of effort",
-      with_unit(as_stated(m.drive.motor_torque_per_effort()),
-                m.drive.kind() == EffortKind::motor_current ? "N·m/A" : ""));
+  if (m.drive.kind() != EffortKind::none) {
+    add(table, "Motor torque per unit of effort",
+        with_unit(as_stated(m.drive.motor_torque_per_effort()),
+                  m.drive.kind() == EffortKind::motor_current ? "N·m/A" : ""));
+  }
   add(table, "Payload",
       m.payload_kg
           ? with_unit(as_stated(*m.payload_kg), "kg") + (m.payload.empty() ? "" : ", " + m.payload)

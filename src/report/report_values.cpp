@@ -4,6 +4,7 @@
 
 #include "report/closing_values.h"
 #include "report/element_values.h"
+#include "report/verdict_values.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
@@ -81,6 +82,8 @@ void fill_report(const ReportView& view, TemplateValues& values) {
     }
   }
 
+  fill_quantities(view.quantities, values);
+  fill_data_checks(view.data_checks, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");

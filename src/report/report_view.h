@@ -74,6 +74,32 @@ struct Section {
   std::vector<FigureCard> figures;
 };
 
+/// One quantity with its verdict.
+struct QuantityRow {
+  std::string words;
+  Outcome outcome{Outcome::absent};
+  std::string verdict_word;  ///< "not identifiable"
+  std::string estimate;      ///< With unit and interval, or a dash.
+  std::vector<std::string> reasons;
+  std::string experiment;           ///< What to record next; may be empty.
+  std::vector<std::string> limits;  ///< What came of the manifest's limits.
+};
+
+/// One check on the data.
+struct DataCheckRow {
+  std::string id;  ///< Anchor, "check-..."
+  std::string title;
+  std::string measure;  ///< May be empty.
+  Outcome outcome{Outcome::absent};
+  std::string state_word;  ///< "passed"
+  std::string measured;    ///< With its unit, or a dash.
+  std::string limit;       ///< "at most 50 %", or a dash.
+  std::string recording;   ///< Or a dash.
+  std::string found;
+  std::string consequence;  ///< May be empty.
+  std::string experiment;   ///< May be empty.
+};
+
 struct MissingResult {
   std::string stage;
   std::string section_id;
@@ -105,6 +131,8 @@ struct ReportView {
   std::string verdict_sentence;
   std::vector<std::string> findings;
   std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
+  std::vector<QuantityRow> quantities;
+  std::vector<DataCheckRow> data_checks;
   Table key_numbers;
   std::vector<MissingResult> missing;
   std::vector<Section> sections;  ///< Stages 1 to 8, then what was recorded beyond.

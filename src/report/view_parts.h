@@ -51,6 +51,8 @@ Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,
 Section cross_checks_section(const Calibration& calibration);
 void add_interval_tables(const Calibration& calibration, Section& section);
 
+std::vector<QuantityRow> quantity_rows(const Judgement& judgement);
+std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks);
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);
 ErrataNumbers errata_numbers();

@@ -37,6 +37,7 @@ Recording moving_part(const Recording& recording) {
   out.torque_Nm = cut(recording.torque_Nm, first, last);
   out.z_rad = cut(recording.z_rad, first, last);
   out.dz_rad_s = cut(recording.dz_rad_s, first, last);
+  out.temperature_C = cut(recording.temperature_C, first, last);
   out.skipped.push_back({"rest before or after the motion", n - (last - first)});
   return out;
 }

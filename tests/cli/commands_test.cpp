@@ -109,6 +109,42 @@ TEST(Commands, FailOnTurnsTheVerdictIntoAStatus) {
   EXPECT_TRUE(std::filesystem::exists(dataset.file("c.json")));
 }
 
+TEST(Commands, WithoutTorqueTheMotionIsCheckedAndTheVerdictSaysWhatToRecord) {
+  std::string manifest =
+      replaced(small_manifest(), "kind = \"motor_torque\"\nside = \"motor\"", "kind = \"none\"");
+  manifest = replaced(manifest, "effort = { name = \"tau\", unit = \"Nm\" }\n", "");
+  const SmallDataset dataset(manifest);
+  EXPECT_EQ(dataset.run("identify --fail-on not-identifiable", "c.json").status, 1);
+  const ProgramRun run = dataset.run("report", "r.html");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("No torque was recorded"), std::string::npos) << run.out;
+  const std::string page = read_text(dataset.file("r.html"));
+  EXPECT_NE(page.find("present current with the torque constant"), std::string::npos);
+  EXPECT_NE(page.find("id=\"check-sweep-directions\""), std::string::npos);
+}
+
+TEST(Commands, AVoltageIsRefusedInOneLine) {
+  const SmallDataset dataset(
+      replaced(small_manifest(), "kind = \"motor_torque\"", "kind = \"motor_voltage\""));
+  const ProgramRun run = dataset.run("identify", "c.json");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find("a voltage or duty cycle is no torque"), std::string::npos) << run.err;
+}
+
+TEST(Commands, FailingChecksAndBrokenLimitsAreTold) {
+  const SmallDataset wrong_sign(
+      replaced(small_manifest(), "side = \"motor\"", "side = \"motor\"\nsign = -1"));
+  const ProgramRun run = wrong_sign.run("identify --fail-on not-identifiable", "c.json");
+  EXPECT_EQ(run.status, 1) << run.out;
+  EXPECT_NE(run.out.find("check fails: Friction takes up power"), std::string::npos) << run.out;
+  const SmallDataset limited(small_manifest() +
+                             "[[limit]]\nquantity = \"gravity_motor_Nm\"\nmax = 2.5\n");
+  const ProgramRun broken = limited.run("identify --fail-on doubtful", "c.json");
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_NE(read_text(limited.file("c.json")).find("breaks the limit of at most 2.5"),
+            std::string::npos);
+}
+
 TEST(Commands, QuietSaysNothingAndPipesGetPlainLines) {
   const SmallDataset dataset;
   const ProgramRun quiet = dataset.run("--quiet identify", "c.json");

@@ -277,5 +277,61 @@ TEST(Manifest, ResamplesThatGiveNoIntervalAreRefusedAtTheirPlace) {
             std::string::npos);
 }
 
+TEST(ManifestLimits, AreReadWithTheirNumbers) {
+  const ManifestFile m = parse_manifest(
+      minimal +
+          "[[limit]]\nquantity = \"coulomb_joint_Nm\"\nmax = 15\nhalf_width_percent = 5\n"
+          "[[limit]]\nquantity = \"q_peak_deg\"\nmin = -23\nmax = -21\n",
+      "m.toml");
+  ASSERT_EQ(m.manifest.limits.size(), 2U);
+  EXPECT_EQ(m.manifest.limits[0].quantity, "coulomb_joint_Nm");
+  EXPECT_EQ(m.manifest.limits[0].max, 15);
+  EXPECT_EQ(m.manifest.limits[0].half_width_percent, 5);
+  EXPECT_FALSE(m.manifest.limits[0].min);
+  EXPECT_EQ(m.manifest.limits[1].min, -23);
+}
+
+TEST(ManifestLimits, ThatCannotBeMeantAreRefused) {
+  const auto limit = [](const std::string& keys) {
+    return refusal(minimal + "[[limit]]\n" + keys);
+  };
+  EXPECT_NE(
+      limit("quantity = \"colomb_joint_Nm\"\nmax = 1\n").find("did you mean 'coulomb_joint_Nm'"),
+      std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\n").find("no number"), std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nmin = 2\nmax = 1\n").find("min <= max"),
+            std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nhalf_width = 0\n").find("> 0"),
+            std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nmaximum = 1\n").find("unknown key"),
+            std::string::npos);
+}
+
+TEST(ManifestEffort, MayBeNoneWhereNothingWasRecorded) {
+  std::string text = with("kind = \"motor_torque\"\nside = \"motor\"", "kind = \"none\"");
+  const std::string column = "effort = {name = \"tau\", unit = \"Nm\"}\n";
+  EXPECT_NE(refusal(text).find("contradicts effort.kind"), std::string::npos);
+  text.erase(text.find(column), column.size());
+  const ManifestFile m = parse_manifest(text, "m.toml");
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::none);
+  EXPECT_FALSE(m.recordings[0].columns.effort);
+}
+
+TEST(ManifestEffort, OfVoltageOrDutyCycleIsRefusedInOneLine) {
+  for (const char* kind : {"motor_voltage", "voltage", "pwm", "duty"}) {
+    const std::string message =
+        refusal(with("kind = \"motor_torque\"", "kind = \"" + std::string(kind) + "\""));
+    EXPECT_NE(message.find("a voltage or duty cycle is no torque"), std::string::npos) << message;
+    EXPECT_NE(message.find("m.toml:8:"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+  for (const char* unit : {"V", "mV", "%", "PWM"}) {
+    const std::string message =
+        refusal(with("unit = \"Nm\"", "unit = \"" + std::string(unit) + "\""));
+    EXPECT_NE(message.find("a voltage or duty cycle is no torque"), std::string::npos) << message;
+    EXPECT_NE(message.find("present current"), std::string::npos) << message;
+  }
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -34,5 +34,16 @@ TEST(RealLogs, CiceseArmGivesOscillationsAndRuns) {
   for (const Recording& r : d.recordings) EXPECT_EQ(r.dq_rad_s.size(), r.size()) << r.name;
 }
 
+TEST(RealLogs, PendulumGivesMotionAndTemperatureButNoTorque) {
+  TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
+  const Dataset d = manifest("bam_up_and_down.toml");
+  ASSERT_EQ(d.recordings.size(), 1U);
+  const Recording& r = d.recordings[0];
+  EXPECT_TRUE(r.torque_Nm.empty());
+  ASSERT_EQ(r.temperature_C.size(), r.size());
+  EXPECT_EQ(r.temperature_C.front(), 32);
+  EXPECT_EQ(r.temperature_C.back(), 33);
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -158,5 +158,84 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   }
 }
 
+const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
+  for (const QuantityVerdict& q : c.judgement.quantities) {
+    if (q.key == key) return q;
+  }
+  throw std::logic_error("no quantity " + key);
+}
+
+/// The checks that do not pass, in order.
+std::vector<std::string> findings_of(const DataChecksResult& checks) {
+  std::vector<std::string> names;
+  for (const DataCheck& check : checks.checks) {
+    if (check.state == CheckState::warns || check.state == CheckState::fails) {
+      names.push_back(check.name);
+    }
+  }
+  return names;
+}
+
+TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
+  TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
+  for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
+    Dataset dataset;
+    const Calibration c = identify_manifest(manifest, dataset);
+    EXPECT_EQ(findings_of(c.data_checks), std::vector<std::string>{"encoder_step"}) << manifest;
+    for (const char* key : {"break_away_torque", "bristle_stiffness", "bristle_damping"}) {
+      const QuantityVerdict& q = quantity(c, key);
+      EXPECT_EQ(q.verdict, Verdict::not_identifiable) << key;
+      EXPECT_NE(q.reasons.front().find("the angle's step of 0.0001 rad"), std::string::npos)
+          << q.reasons.front();
+    }
+    // "Pre-sliding takes place inside 6e-4 rad, six steps of the encoder": as a sample every 10 ms
+    // shows it.
+    EXPECT_LT(*c.data_checks.find("encoder_step")->measured, 20) << manifest;
+  }
+}
+
+TEST(RealLog, CiceseRaisesItsSpeedColumnAndTheLackOfCommonAngles) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  EXPECT_EQ(findings_of(c.data_checks),
+            (std::vector<std::string>{"speed_noise", "run_common_angles"}));
+  EXPECT_NE(quantity(c, "coulomb_torque").verdict, Verdict::usable);
+}
+
+TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
+  TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
+  for (const char* manifest : {"bam_lift_and_drop.toml", "bam_sin_sin.toml",
+                               "bam_sin_time_square.toml", "bam_up_and_down.toml"}) {
+    Dataset dataset;
+    const Calibration c = identify_manifest(manifest, dataset);
+    EXPECT_EQ(c.judgement.verdict, Verdict::not_identifiable) << manifest;
+    EXPECT_NE(c.judgement.sentence.find("No torque was recorded"), std::string::npos);
+    const QuantityVerdict& gravity = quantity(c, "cog_angle");
+    EXPECT_NE(gravity.reasons.front().find("present current with the torque constant"),
+              std::string::npos)
+        << gravity.reasons.front();
+    for (const QuantityVerdict& q : c.judgement.quantities) {
+      EXPECT_EQ(q.verdict, Verdict::not_identifiable) << manifest << ": " << q.key;
+      EXPECT_FALSE(q.experiment.empty()) << q.key;
+    }
+  }
+}
+
+TEST(RealLog, PendulumThatOnlyRisesCannotTellCoulombFromOffset) {
+  TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("bam_up_and_down.toml", dataset);
+  const DataCheck* check = c.data_checks.find("sweep_directions");
+  EXPECT_EQ(check->state, CheckState::fails);
+  EXPECT_NE(check->found.find("only ever rises"), std::string::npos) << check->found;
+  const auto& reasons = quantity(c, "coulomb_torque").reasons;
+  EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const std::string& reason) {
+    return reason.find("Coulomb friction and offset cannot be told apart") != std::string::npos;
+  }));
+  Dataset other;
+  EXPECT_FALSE(identify_manifest("bam_sin_sin.toml", other).data_checks.fails("sweep_directions"));
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -32,6 +32,15 @@ Calibration filled_with(const std::string& text) {
     stage->reason = text;
   }
   c.judgement.findings = {text};
+  for (QuantityVerdict& quantity : c.judgement.quantities) {
+    quantity.words = quantity.experiment = text;
+    quantity.reasons = {text};
+    for (LimitOutcome& limit : quantity.limits) limit.words = limit.unit = limit.key = text;
+  }
+  for (DataCheck& check : c.data_checks.checks) {
+    check.title = check.recording = check.measure = check.found = text;
+    check.consequence = check.experiment = text;
+  }
   c.notes = {text};
   for (InputFile& file : c.inputs) {
     file.name = file.role = file.sha256 = text;

@@ -72,6 +72,33 @@ TEST(HtmlReport, VerdictIsAWordAnIconAndAColour) {
   }
 }
 
+TEST(HtmlReport, EachQuantityHasItsVerdictReasonAndNextExperiment) {
+  const std::string html = report_of(complete_calibration());
+  const std::size_t at = html.find("id=\"table-quantities\"");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(at, html.find("id=\"key-numbers\""));  // on the first screen
+  const std::string table = html.substr(at, html.find("</table>", at) - at);
+  EXPECT_NE(table.find("state good"), std::string::npos);
+  EXPECT_NE(table.find("state bad"), std::string::npos);
+  for (const char* text : {"usable", "not identifiable", "The data do not show it.", "A fast sine.",
+                           "Angle keeps the limit."}) {
+    EXPECT_NE(table.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(HtmlReport, ChecksOnTheDataStandWithNumberAndLimit) {
+  const std::string html = report_of(complete_calibration());
+  const std::size_t at = html.find("id=\"check-speed-scale\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::string row = html.substr(at, html.find("</tr>", at) - at);
+  for (const char* text : {"fails", "2.00", "0.98 to 1.02", "Factor 2 ± 0.01.", "run_07.csv",
+                           "Speeds are wrong.", "Correct the unit."}) {
+    EXPECT_NE(row.find(text), std::string::npos) << text << " in\n" << row;
+  }
+  EXPECT_NE(html.find("1.25\u00a0%"), std::string::npos);
+  EXPECT_NE(html.find("≤ 5\u00a0%"), std::string::npos);
+}
+
 TEST(HtmlReport, TheResultCanBeReadBackFromIt) {
   const Calibration c = complete_calibration();
   const std::string html = report_of(c);

@@ -119,6 +119,64 @@ QualityErrorsResult errors(const ViscousCurvesResult& of) {
   return q;
 }
 
+DataChecksResult sample_checks() {
+  DataCheck fails{"speed_scale",
+                  "Logged speed against the angle",
+                  "run_07.csv",
+                  "logged speed / derivative of the angle",
+                  2.0,
+                  0.98,
+                  1.02,
+                  "1",
+                  CheckState::fails,
+                  "factor 2 ± 0.01",
+                  "speeds are wrong",
+                  "correct the unit"};
+  DataCheck warns{"clock_gaps",
+                  "No gaps in time",
+                  "sweep.csv",
+                  "time lost in gaps",
+                  1.25,
+                  std::nullopt,
+                  5.0,
+                  "%",
+                  CheckState::warns,
+                  "3 gaps",
+                  "unknown in the gaps",
+                  "log locally"};
+  DataCheck absent{"temperature",
+                   "Temperature",
+                   "",
+                   "",
+                   std::nullopt,
+                   std::nullopt,
+                   std::nullopt,
+                   "",
+                   CheckState::not_applicable,
+                   "no temperature is logged",
+                   "",
+                   ""};
+  return {{fails, warns, absent}};
+}
+
+std::vector<QuantityVerdict> sample_quantities(const Estimate& q_peak_rad) {
+  QuantityVerdict angle;
+  angle.key = "cog_angle";
+  angle.words = "Angle of the centre of gravity";
+  angle.estimate = q_peak_rad;
+  angle.unit = "rad";
+  angle.limits = {{"q_peak_deg", "max", -20, "°", scaled(q_peak_rad, 57.29577951308232),
+                   LimitState::inside, "angle keeps the limit"}};
+  QuantityVerdict inertia;
+  inertia.key = "inertia";
+  inertia.words = "Inertia at the motor";
+  inertia.verdict = Verdict::not_identifiable;
+  inertia.decides = false;
+  inertia.reasons = {"the data do not show it"};
+  inertia.experiment = "a fast sine";
+  return {angle, inertia};
+}
+
 }  // namespace
 
 Calibration complete_calibration() {
@@ -163,7 +221,11 @@ Calibration complete_calibration() {
                                   symmetric_estimate(0.12, 0.004, "fit"),
                                   symmetric_estimate(0.6, 0.01, "fit"),
                                   0.004};
-  c.judgement = {Verdict::usable, "all stages have their data", {"nothing was left out"}};
+  c.data_checks = sample_checks();
+  c.judgement = {Verdict::usable,
+                 "all stages have their data",
+                 {"nothing was left out"},
+                 sample_quantities(*c.q_peak_rad)};
   return c;
 }
 
@@ -192,7 +254,7 @@ Calibration sweep_only() {
   c.selection.stage = {"selection", StageState::partial, "the points A to F were not found"};
   c.selection.recommended = "sweep";
   c.friction.stage = {"friction_parameters", StageState::skipped, "there is no curve to fit"};
-  c.judgement = {Verdict::doubtful, "angle and mass are known, friction is not", {}};
+  c.judgement = {Verdict::doubtful, "angle and mass are known, friction is not", {}, {}};
   return c;
 }
 

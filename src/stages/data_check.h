@@ -1,0 +1,42 @@
+#pragma once
+// Checks on the recordings before any fit: what can be wrong with a log, each with its number and
+// its limit.
+//
+// A check that fails lowers the verdict of the quantities it touches (verdict/check_consequences.h
+// says which). One that warns is told, and lowers nothing.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribolog {
+
+enum class CheckState { passed, warns, fails, not_applicable };
+
+std::string to_string(CheckState state);
+
+struct DataCheck {
+  std::string name;                ///< Stable key: "speed_scale".
+  std::string title;               ///< In words: "Logged speed against the angle".
+  std::string recording;           ///< The one the number is of, or "all"; empty: none.
+  std::string measure;             ///< What was measured, in words.
+  std::optional<double> measured;  ///< In `unit`; absent where not applicable.
+  std::optional<double> at_least;  ///< Limits of what passes, in `unit`.
+  std::optional<double> at_most;
+  std::string unit;  ///< "1" for a pure number.
+  CheckState state{CheckState::not_applicable};
+  std::string found;        ///< One clause on what was found, or why the check does not apply.
+  std::string consequence;  ///< What that does to the results; empty if it passed.
+  std::string experiment;   ///< What to record instead; empty if it passed.
+};
+
+struct DataChecksResult {
+  std::vector<DataCheck> checks;  ///< In the order of the report.
+
+  [[nodiscard]] const DataCheck* find(const std::string& name) const;
+  [[nodiscard]] bool fails(const std::string& name) const;
+  /// Those in this state, in order.
+  [[nodiscard]] std::vector<const DataCheck*> in_state(CheckState state) const;
+};
+
+}  // namespace tribolog

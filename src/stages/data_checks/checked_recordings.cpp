@@ -1,0 +1,101 @@
+#include "stages/data_checks/checked_recordings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/encoder_resolution.h"
+#include "stages/median.h"
+
+namespace tribolog {
+namespace {
+
+// A turn counts where the angle runs back by this share of its range, or by a few steps of the
+// encoder: less is noise.
+constexpr double share_of_a_turn = 0.05;
+constexpr double steps_of_a_turn = 4;
+
+CheckedRecording look_at(const Recording& r) {
+  CheckedRecording out;
+  out.recording = &r;
+  out.motion = find_plateaus(r);
+  if (r.size() < 2) return out;
+  const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
+  out.lowest_rad = *low;
+  out.highest_rad = *high;
+  std::vector<double> intervals(r.size() - 1);
+  for (std::size_t i = 1; i < r.size(); ++i) intervals[i - 1] = r.t_s[i] - r.t_s[i - 1];
+  out.interval_s = median(std::move(intervals));
+  out.angle_step_rad = encoder_step_rad(r.q_rad);
+  const double noise =
+      std::max(share_of_a_turn * out.range_rad(), steps_of_a_turn * out.angle_step_rad);
+  if (out.range_rad() > noise) out.strokes = find_strokes(r.q_rad, noise);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Stroke> find_strokes(const std::vector<double>& q, double noise_rad) {
+  std::vector<Stroke> strokes;
+  std::size_t low = 0;
+  std::size_t high = 0;
+  std::size_t start = 0;
+  double direction = 0;
+  const auto close = [&](std::size_t turn) {
+    strokes.push_back({start, turn, direction, std::abs(q[turn] - q[start])});
+    start = turn;
+  };
+  for (std::size_t i = 1; i < q.size(); ++i) {
+    if (q[i] > q[high]) high = i;
+    if (q[i] < q[low]) low = i;
+    if (direction <= 0 && q[i] - q[low] > noise_rad) {
+      if (direction < 0) close(low);
+      direction = 1;
+      start = low;
+      high = i;
+    } else if (direction >= 0 && q[high] - q[i] > noise_rad) {
+      if (direction > 0) close(high);
+      direction = -1;
+      start = high;
+      low = i;
+    }
+  }
+  if (direction != 0) close(direction > 0 ? high : low);
+  return strokes;
+}
+
+std::vector<Stroke> CheckedRecording::ways() const {
+  if (recording->role != Role::constant_speed || motion.plateaus.empty()) return strokes;
+  std::vector<Stroke> plateaus;
+  for (const Plateau& plateau : motion.plateaus) {
+    const std::size_t last = plateau.last - 1;
+    plateaus.push_back({plateau.first, last, plateau.speed_rad_s > 0 ? 1.0 : -1.0,
+                        std::abs(recording->q_rad[last] - recording->q_rad[plateau.first])});
+  }
+  return plateaus;
+}
+
+std::vector<const CheckedRecording*> CheckedDataset::with_role(Role role) const {
+  std::vector<const CheckedRecording*> found;
+  for (const CheckedRecording& r : recordings) {
+    if (r.recording->role == role) found.push_back(&r);
+  }
+  return found;
+}
+
+CheckedDataset look_at(const Dataset& dataset) {
+  CheckedDataset out;
+  out.manifest = &dataset.manifest;
+  out.has_torque = dataset.manifest.drive.kind() != EffortKind::none;
+  for (const Recording& r : dataset.recordings) out.recordings.push_back(look_at(r));
+  return out;
+}
+
+DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
+  DataCheck check;
+  check.name = name;
+  check.title = title;
+  check.found = std::move(why);
+  return check;
+}
+
+}  // namespace tribolog

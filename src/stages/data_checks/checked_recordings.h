@@ -1,0 +1,62 @@
+#pragma once
+// Internal to the checks: the recordings with what several checks want to know of them.
+
+#include <string>
+#include <vector>
+
+#include "joint/dataset.h"
+#include "stages/data_check.h"
+#include "stages/plateaus.h"
+
+namespace tribolog {
+
+inline const std::string pure_number{"1"};
+inline const std::string percent_sign{"%"};
+inline const std::string kelvin{"K"};
+
+/// A stretch of a recording between two reversals; the joint angle only rises or only falls in it
+/// by more than the noise.
+struct Stroke {
+  std::size_t first{};
+  std::size_t last{};   ///< Index of the turn at its end, which is the next stroke's first.
+  double direction{};   ///< +1: rising, -1: falling.
+  double travel_rad{};  ///< > 0
+};
+
+struct CheckedRecording {
+  const Recording* recording{};
+  MotionSegments motion;
+  std::vector<Stroke> strokes;  ///< Empty: the joint does not move.
+  double lowest_rad{};
+  double highest_rad{};
+  double interval_s{};      ///< Median time from sample to sample.
+  double angle_step_rad{};  ///< 0: continuous.
+
+  /// Sweep or run: what moves on its way, neither to and fro nor from rest.
+  [[nodiscard]] bool travels() const {
+    return recording->role != Role::oscillation && recording->role != Role::break_away;
+  }
+  [[nodiscard]] double range_rad() const { return highest_rad - lowest_rad; }
+  /// What the recording is there for: the plateaus of a run at constant speed, else its strokes. A
+  /// run's start, its stop and its way back are not its business.
+  [[nodiscard]] std::vector<Stroke> ways() const;
+};
+
+struct CheckedDataset {
+  const Manifest* manifest{};
+  std::vector<CheckedRecording> recordings;
+  bool has_torque{};
+
+  [[nodiscard]] std::vector<const CheckedRecording*> with_role(Role role) const;
+  [[nodiscard]] bool has_role(Role role) const { return !with_role(role).empty(); }
+};
+
+CheckedDataset look_at(const Dataset& dataset);
+
+/// Strokes of an angle: a turn counts where the angle runs back by more than `noise_rad`.
+std::vector<Stroke> find_strokes(const std::vector<double>& q_rad, double noise_rad);
+
+/// A check that does not apply, with the reason.
+DataCheck not_applicable(const std::string& name, const std::string& title, std::string why);
+
+}  // namespace tribolog

@@ -1,0 +1,17 @@
+#pragma once
+// The manifest's acceptance limits held against estimates and intervals.
+
+#include <vector>
+
+#include "joint/acceptance_limit.h"
+#include "verdict/quantity_verdict.h"
+
+namespace tribolog {
+
+/// Adds the outcome of each limit to the quantity it speaks of. A limit that is not shown to be
+/// kept makes a usable quantity doubtful, and the quantity then takes part in the verdict over all.
+/// @param gear_ratio carries the estimates to the side that the limit names.
+void apply_limits(const std::vector<AcceptanceLimit>& limits, double gear_ratio,
+                  std::vector<QuantityVerdict>& quantities);
+
+}  // namespace tribolog

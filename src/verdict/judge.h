@@ -1,0 +1,13 @@
+#pragma once
+// The verdict on each quantity and the one over all, with the findings that they rest on.
+
+#include "calibration.h"
+
+namespace tribolog {
+
+/// Each quantity by what the stages found, by the checks on the data, and by the manifest's limits.
+/// Over all: usable if every quantity that decides is usable and independent estimates agree; not
+/// identifiable without the angle of the centre of gravity or without its torque; else doubtful.
+Judgement judge(const Calibration& calibration);
+
+}  // namespace tribolog

@@ -1,0 +1,36 @@
+#pragma once
+// Internal to the verdict: its quantities, one source file for each family. Each says what the
+// stages found, and what they could not; data checks and limits come on top, in judge().
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration.h"
+#include "verdict/quantity_verdict.h"
+
+namespace tribolog {
+
+/// Angle of the centre of gravity, gravity torque, surrogate mass.
+std::vector<QuantityVerdict> gravity_verdicts(const Calibration& c);
+/// Break-away torque, bristle stiffness, bristle damping, inertia: what the loop shows.
+std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c);
+/// Coulomb torque, Stribeck velocity, viscous coefficient, viscous curve: what the runs show.
+std::vector<QuantityVerdict> curve_verdicts(const Calibration& c);
+
+/// From the runs, or else from the sweep; motor side.
+std::optional<Estimate> coulomb_torque(const Calibration& c);
+
+/// What to record for each family.
+extern const char* const record_a_sweep;
+extern const char* const record_an_oscillation;
+extern const char* const record_runs;
+
+/// A positive quantity by its estimate: absent or with an interval that reaches zero it is not
+/// identifiable; with one wider than 30 % of it, doubtful.
+/// @param why_absent in words, where there is no estimate.
+QuantityVerdict by_estimate(const std::string& key, const std::string& words,
+                            const std::string& unit, const std::optional<Estimate>& estimate,
+                            const std::string& why_absent, const std::string& experiment);
+
+}  // namespace tribolog
