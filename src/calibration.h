@@ -13,6 +13,7 @@
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
 #include "stages/viscous_curves.h"
+#include "study/truth_check_result.h"
 
 namespace tribolog {
 
@@ -43,6 +44,7 @@ struct Calibration {
   SelectionResult selection;
   FrictionParametersResult friction;
   Judgement judgement;
+  TruthCheckResult truth_check;
 
   /// All stages' reports in the order of the method.
   [[nodiscard]] std::vector<StageReport> stages() const;

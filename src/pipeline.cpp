@@ -1,12 +1,31 @@
 #include "pipeline.h"
 
+#include "study/truth_check.h"
 #include "verdict.h"
 
 namespace tribolog {
+namespace {
 
-Calibration identify(const Dataset& dataset, const IdentifyOptions&,
+/// Simulates what was identified and identifies it again, without such a check within the check.
+TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& calibration,
+                                   const IdentifyOptions& options) {
+  const auto plain = [](const Dataset& simulated, std::uint64_t seed) {
+    IdentifyOptions once;
+    once.resamples = 0;
+    once.seed = seed;
+    once.threads = 1;  // the runs are spread over the cores
+    once.truth_runs = 0;
+    return identify(simulated, once);
+  };
+  return check_known_truth(dataset, calibration, plain,
+                           {options.truth_runs, options.seed, options.threads});
+}
+
+}  // namespace
+
+Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
                      const StageProgress& progress) {
-  constexpr int all = 8;
+  const int all = options.truth_runs > 0 ? 9 : 8;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -57,6 +76,11 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
   c.friction = fit_friction_parameters(c.viscous, c.selection);
 
   c.judgement = judge(c);
+  if (options.truth_runs > 0) {
+    begin("known-truth check");
+    c.truth_check = known_truth_check(dataset, c, options);
+    heed(c.truth_check, c.judgement);
+  }
   if (progress) progress("identified", all, all);
   return c;
 }
