@@ -42,8 +42,10 @@ void protect_inputs(const Dataset& dataset, const std::string& manifest,
   check_output_can_be_written(output, files);
 }
 
-Calibration run_identification(const Dataset& dataset, Console& console) {
-  return identify(dataset, {}, [&](const std::string& stage, int done, int all) {
+Calibration run_identification(const Dataset& dataset, std::size_t truth_runs, Console& console) {
+  IdentifyOptions options;
+  options.truth_runs = truth_runs;
+  return identify(dataset, options, [&](const std::string& stage, int done, int all) {
     console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   });
 }

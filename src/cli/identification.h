@@ -2,6 +2,7 @@
 // What identify, figures and report have in common: reading a dataset and running the stages with
 // progress, and telling the outcome.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -25,7 +26,8 @@ Dataset load_dataset(const std::string& manifest, Console& console);
 void protect_inputs(const Dataset& dataset, const std::string& manifest, const std::string& output);
 
 /// Runs every stage.
-Calibration run_identification(const Dataset& dataset, Console& console);
+/// @param truth_runs of the known-truth check; 0: none.
+Calibration run_identification(const Dataset& dataset, std::size_t truth_runs, Console& console);
 
 /// A few lines for the terminal: verdict, angle, mass, friction, and rows left out.
 void tell_outcome(const Calibration& calibration, Console& console);

@@ -11,7 +11,7 @@ ExitStatus run_identify(const IdentifyOptions& options, const std::vector<std::s
   const Provenance provenance = make_provenance(arguments);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
-  const Calibration calibration = run_identification(dataset, console);
+  const Calibration calibration = run_identification(dataset, options.truth_runs, console);
   write_file_atomically(options.output, calibration_json(calibration, provenance));
   tell_outcome(calibration, console);
   console.say("calibration: " + options.output);

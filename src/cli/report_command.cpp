@@ -38,7 +38,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
-  const Calibration calibration = run_identification(dataset, console);
+  const Calibration calibration = run_identification(dataset, options.truth_runs, console);
   write_file_atomically(numbers, calibration_json(calibration, provenance));
 
   std::vector<ReportFigure> figures;

@@ -10,6 +10,7 @@
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 #include "figures/torque_choice.h"
+#include "figures/truth_check_figure.h"
 
 namespace tribolog {
 
@@ -27,6 +28,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(truth_check_figure(calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

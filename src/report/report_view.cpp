@@ -57,6 +57,12 @@ void place_figures(const Calibration& c, const std::vector<ReportFigure>& figure
     const auto* const home = std::find_if(
         std::begin(all_stages), std::end(all_stages),
         [&](StageId stage) { return stage_report(c, stage).name == figures[i].stage; });
+    const auto named = std::find_if(view.sections.begin(), view.sections.end(),
+                                    [&](const Section& s) { return s.id == figures[i].stage; });
+    if (named != view.sections.end()) {
+      named->figures.push_back(cards[i]);
+      continue;
+    }
     Section& section = home == std::end(all_stages)
                            ? others
                            : view.sections[static_cast<std::size_t>(home - std::begin(all_stages))];
@@ -126,6 +132,10 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
     view.missing.push_back(
         {std::to_string(section.number) + ". " + section.title + ": " + section.status, section.id,
          or_dash(section.reason), section.experiment});
+  }
+  if (c.truth_check.runs > 0) {
+    view.sections.push_back(
+        truth_check_section(c.truth_check, static_cast<int>(view.sections.size()) + 1));
   }
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);

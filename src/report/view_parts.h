@@ -41,6 +41,9 @@ void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
 
+/// The known-truth check as the section "known-truth"; only where the check was made.
+Section truth_check_section(const TruthCheckResult& check, int number);
+
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);
 ErrataNumbers errata_numbers();

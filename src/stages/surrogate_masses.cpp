@@ -75,8 +75,10 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     return context.q_peak_rad ? std::cos(q - *context.q_peak_rad) : 1.0;
   };
 
-  // From three positions on, the scatter between them carries the ripple.
-  const double ripple = hysteresis.oscillations.size() < 3 ? rough.ripple_Nm : 0.0;
+  // Points are read from the first position alone. From three positions on, the scatter between
+  // their mid-lines carries the ripple.
+  const double ripple = rough.ripple_Nm;
+  const double midline_ripple = hysteresis.oscillations.size() < 3 ? ripple : 0.0;
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -98,7 +100,7 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, ripple),
+    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, midline_ripple),
                                    hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
   }
   if (rough.found) {

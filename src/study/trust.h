@@ -40,6 +40,14 @@ struct TrustedRange {
 TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,
                            const std::string& reading, Criterion criterion);
 
+/// The estimator that a calibration would recommend: "midline", or "sweep" where no oscillation is
+/// recorded. Empty: neither was found.
+std::string recommended_reading(const StudyResult& study);
+
+/// How far the recommended estimator, the fit and point B can be trusted in the base case, in one
+/// sentence.
+std::string study_sentence(const StudyResult& study);
+
 /// What the study found, one sentence each, most important first.
 std::vector<std::string> study_findings(const StudyResult& study);
 
