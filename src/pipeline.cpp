@@ -1,7 +1,8 @@
 #include "pipeline.h"
 
-#include "study/truth_check.h"
 #include "verdict.h"
+
+#include "study/truth_check.h"
 
 namespace tribolog {
 namespace {

@@ -57,8 +57,9 @@ struct StudyCommandOptions {
   std::string json;      ///< All numbers; empty: only within the page.
   std::size_t runs{200};
   unsigned long long seed{1};
-  std::size_t threads{0};    ///< 0: all cores.
-  std::size_t resamples{0};  ///< Of each run's bootstrap.
+  std::size_t threads{0};            ///< 0: all cores.
+  std::size_t resamples{0};          ///< Of each run's bootstrap.
+  std::vector<std::string> factors;  ///< Keys; none: all.
   int processes{2};
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The files of examples/paper that `tribolog paper` and `tribolog study` are computed from, compiled
-// into the program.
+// The files of examples/paper that `tribolog paper` and `tribolog study` are computed from,
+// compiled into the program.
 
 #include "files/embedded_file.h"
 

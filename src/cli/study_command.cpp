@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include "cli/commands.h"
@@ -54,11 +56,15 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   study.seed = options.seed;
   study.threads = options.threads;
   study.resamples = options.resamples;
-  report.study = run_study(
-      named.scenario, study,
-      [&](const std::string& name, std::size_t done, std::size_t all) {
-        console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
-      });
+  study.factors = options.factors;
+  try {
+    report.study = run_study(
+        named.scenario, study, [&](const std::string& name, std::size_t done, std::size_t all) {
+          console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
+        });
+  } catch (const std::invalid_argument& refused) {
+    throw InputError({report.scenario_file, 0, 0}, {"cannot be studied", refused.what(), "", ""});
+  }
   // The numbers first: a figure that fails must not lose them.
   if (!options.json.empty()) write_file_atomically(options.json, study_json(report));
   const std::vector<ReportFigure> figures = study_figures(report.study);

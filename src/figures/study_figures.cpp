@@ -11,6 +11,7 @@
 
 #include "figures/estimator_style.h"
 #include "figures/plot_data.h"
+#include "figures/reading_label.h"
 
 namespace tribolog {
 namespace {
@@ -36,7 +37,8 @@ SeriesStyle style_of(const std::string& reading) {
   if (reading == "sweep_friction") {
     return {colour::grey, LineStyle::dot, Marker::plus, 2.5, 12.0};
   }
-  if (reading == "coulomb") return {colour::green, LineStyle::dash_dot, Marker::triangle, 2.5, 11.0};
+  if (reading == "coulomb")
+    return {colour::green, LineStyle::dash_dot, Marker::triangle, 2.5, 11.0};
   if (reading == "viscous") {
     return {colour::orange, LineStyle::dash_dot_dot, Marker::diamond, 2.5, 11.0};
   }
@@ -44,25 +46,13 @@ SeriesStyle style_of(const std::string& reading) {
   return figures::estimator_style(reading);
 }
 
-/// A reading in words for a legend: what stands behind "_" is a subscript.
-std::string legend_words(const std::string& reading) {
-  const std::string words = reading_words(reading);
-  const std::size_t mark = words.find('_');
-  if (mark == std::string::npos) return words;
-  const std::size_t end = std::min(words.find(' ', mark), words.size());
-  return fmt::format("{}{{{}}}{}", words.substr(0, mark + 1), words.substr(mark + 1, end - mark - 1),
-                     words.substr(end));
-}
-
 /// A number of an estimator's errors, as the axis shows it.
 using Shown = std::function<double(const ErrorStatistics&)>;
 
 double bias_percent(const ErrorStatistics& e) { return 100 * e.bias / std::abs(e.truth); }
 double scatter_percent(const ErrorStatistics& e) { return 100 * e.scatter / std::abs(e.truth); }
-/// Not a number where all runs are alike, for want of noise: that says nothing of coverage.
 double coverage_percent(const ErrorStatistics& e) {
-  const bool all_alike = e.scatter <= 1e-12 * std::abs(e.truth);
-  return all_alike ? std::nan("") : 100 * e.coverage.value;
+  return e.all_alike() ? std::nan("") : 100 * e.coverage.value;
 }
 double bias_millidegree(const ErrorStatistics& e) { return 1e3 * e.bias * 180 / std::numbers::pi; }
 
@@ -75,7 +65,7 @@ render::Panel panel_of(const StudyResult& study, const StudyFactor& factor,
   panel.y.title = y_title;
   for (const std::string& reading : readings) {
     render::Series series;
-    series.label = legend_words(reading);
+    series.label = figures::reading_label(reading);
     for (const StudyLevel& level : factor.levels) {
       const StudiedReading* r = study.case_of(level).find(reading);
       if (r == nullptr) continue;  // not found at this level: the table says so
@@ -173,17 +163,16 @@ std::optional<ReportFigure> gravity_figure(const StudyResult& study, const Study
   means.title = "estimators that average";
   add_line(means, 0, "");
   add_panel(std::move(means), out);
-  render::Panel scatter =
-      panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
+  render::Panel scatter = panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
   scatter.title = "scatter from run to run";
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
   render::Panel coverage = coverage_panel(study, factor, all);
   coverage.title = "coverage of the stated 95 % intervals";
   add_panel(std::move(coverage), out);
-  out.caption = fmt::format("Errors of the gravity torque in % of the truth, {} runs a level. Bias: {}",
-                            study.options.runs,
-                            bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"}));
+  out.caption = fmt::format(
+      "Errors of the gravity torque in % of the truth, {} runs a level. Bias: {}",
+      study.options.runs, bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"}));
   out.how_to_read =
       "A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
       "steady loop they lie symmetrically, so that their mean, the other pair means and the "
@@ -215,15 +204,17 @@ std::optional<ReportFigure> friction_figure(const StudyResult& study, const Stud
   render::Panel coverage = coverage_panel(study, factor, all);
   coverage.show_legend = true;
   add_panel(std::move(coverage), out);
-  out.caption =
-      fmt::format("Errors of the angle of the gravity peak and of the friction parameters, {} runs "
-                  "a level. Bias: {}",
-                  study.options.runs, bias_words(study, factor, parameters));
+  out.caption = fmt::format(
+      "Errors of the angle of the gravity peak and of the friction parameters, {} runs "
+      "a level. Bias: {}",
+      study.options.runs, bias_words(study, factor, parameters));
   out.how_to_read =
       "As above. Coulomb torque and viscous coefficient are those of the straight line that the "
-      "same motions give without noise; where runs at constant speed take no part, they are absent.";
-  out.alt = fmt::format("Bias, scatter and coverage of angle and friction parameters against {}: {}.",
-                        factor.axis, bias_words(study, factor, parameters));
+      "same motions give without noise; where runs at constant speed take no part, they are "
+      "absent.";
+  out.alt =
+      fmt::format("Bias, scatter and coverage of angle and friction parameters against {}: {}.",
+                  factor.axis, bias_words(study, factor, parameters));
   return finished(std::move(out));
 }
 

@@ -10,6 +10,7 @@
 
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
+#include "figures/reading_label.h"
 #include "study/readings.h"
 
 namespace tribolog::figures {
@@ -47,8 +48,8 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
   panel.x.maximum = farthest_shown + 0.5;
   panel.y.minimum = 0.2;
   panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
-  panel.bands.push_back({"inside the interval", {-1, 1}, {0.2, 0.2},
-                         {*panel.y.maximum, *panel.y.maximum}});
+  panel.bands.push_back(
+      {"inside the interval", {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
   render::Series inside;
   render::Series outside;
   std::size_t held = 0;
@@ -62,13 +63,15 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
       const double off = shown[i]->in_half_widths[k];
       if (!std::isfinite(off)) continue;
       // Runs above one another within the row, so that equal deviations stay apart.
-      const double row = level + 0.5 * (static_cast<double>(k) + 0.5) /
-                                     static_cast<double>(shown[i]->in_half_widths.size()) - 0.25;
+      const double row = level +
+                         0.5 * (static_cast<double>(k) + 0.5) /
+                             static_cast<double>(shown[i]->in_half_widths.size()) -
+                         0.25;
       render::Series& series = std::abs(off) <= 1 ? inside : outside;
       series.x.push_back(std::clamp(off, -farthest_shown, farthest_shown));
       series.y.push_back(row);
     }
-    panel.point_labels.push_back({-farthest_shown - 0.4, level, reading_words(shown[i]->name),
+    panel.point_labels.push_back({-farthest_shown - 0.4, level, reading_label(shown[i]->name),
                                   render::palette::black, render::Marker::none});
   }
   inside.label = "held by its interval";
@@ -81,19 +84,20 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
     add_visible(panel, std::move(*series));
   }
   out.figure.panels.push_back(std::move(panel));
-  out.figure.height_px = std::max(600, 240 + 60 * static_cast<int>(shown.size()));
+  out.figure.height_px = std::max(600, 240 + 84 * static_cast<int>(shown.size()));
   out.caption = fmt::format(
       "Deviations of {} in units of the half width that each run states for itself: "
       "{} of {} are held by their intervals. From top: {}",
       counted(check.runs, "simulation"), held, all, place_words(shown));
   out.how_to_read = fmt::format(
       "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
-      "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one side "
+      "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "
+      "side "
       "is biased on these motions; one that spreads wider has intervals that are too narrow. Marks "
       "at ±{:.0f} lie there or beyond.",
       farthest_shown);
-  out.alt = fmt::format("{} of {} returned values lie within their stated intervals: {}.", held, all,
-                        place_words(shown));
+  out.alt = fmt::format("{} of {} returned values lie within their stated intervals: {}.", held,
+                        all, place_words(shown));
   return out;
 }
 

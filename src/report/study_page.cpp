@@ -154,10 +154,10 @@ Table trust_table(const StudyResult& study, Criterion criterion, const std::stri
 
 void fill_trust(const StudyResult& study, TemplateValues& values) {
   Table fine = trust_table(study, Criterion::fine, "fine",
-                                 "95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
-                                 "angle, 1 % of a friction parameter");
-  Table coarse = trust_table(study, Criterion::coarse, "coarse",
-                                   "95 of 100 runs within 0.3 %, 0.1°, 5 %");
+                           "95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
+                           "angle, 1 % of a friction parameter");
+  Table coarse =
+      trust_table(study, Criterion::coarse, "coarse", "95 of 100 runs within 0.3 %, 0.1°, 5 %");
   Table coverage = trust_table(study, Criterion::coverage, "coverage",
                                "The stated 95 % intervals hold the truth in 91 % of the runs or "
                                "more");
@@ -201,10 +201,11 @@ std::vector<Fact> base_facts(const StudyReport& report) {
       {"Torque step", with_unit(significant(noise.torque_step_Nm, digits), "N·m")},
       {"Motor encoder", with_unit(as_stated(noise.encoder_counts_per_turn), "counts a turn")}};
   if (const auto& e = study.base.oscillation) {
-    facts.push_back({"Oscillation", fmt::format("{}, {}, {}",
-                                                with_unit(significant(e->amplitude_rad * 1e6, digits), "µrad"),
-                                                with_unit(as_stated(e->frequency_Hz), "Hz"),
-                                                with_unit(as_stated(e->cycles), "cycles"))});
+    facts.push_back(
+        {"Oscillation",
+         fmt::format("{}, {}, {}", with_unit(significant(e->amplitude_rad * 1e6, digits), "µrad"),
+                     with_unit(as_stated(e->frequency_Hz), "Hz"),
+                     with_unit(as_stated(e->cycles), "cycles"))});
   }
   return facts;
 }

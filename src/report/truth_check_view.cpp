@@ -38,11 +38,11 @@ Row row_of(const ReturnedQuantity& q) {
 Table table_of(const TruthCheckResult& check) {
   Table table;
   table.id = "known-truth-results";
-  table.caption = fmt::format("What was put in and what came back, means over {} simulations",
-                              check.runs);
-  table.columns = {{"Quantity", "", false},          {"Put in", "", true},
-                   {"Came back", "", true},          {"Deviation", "", true},
-                   {"Stated half width", "", true},  {"Unit", "", false},
+  table.caption =
+      fmt::format("What was put in and what came back, means over {} simulations", check.runs);
+  table.columns = {{"Quantity", "", false, true},     {"Put in", "", true},
+                   {"Came back", "", true},           {"Deviation", "", true},
+                   {"Stated half width", "", true},   {"Unit", "", false},
                    {"Inside the interval", "", true}, {"Comes back", "", false}};
   for (const ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
   table.note =
@@ -81,10 +81,11 @@ Section truth_check_section(const TruthCheckResult& check, int number) {
                                             : "does not come back";
   section.reason = as_sentence(joined(check.findings));
   if (nothing) section.reason = as_sentence(joined(check.left_out));
-  section.facts = {{"Simulations", std::to_string(check.runs)},
-                   {"White torque noise found", noise_text(check.white_Nm, "none")},
-                   {"Torque step found", noise_text(check.torque_step_Nm, "none: continuous")},
-                   {"Torque ripple found (standard deviation)", noise_text(check.ripple_Nm, "none")}};
+  section.facts = {
+      {"Simulations", std::to_string(check.runs)},
+      {"White torque noise found", noise_text(check.white_Nm, "none")},
+      {"Torque step found", noise_text(check.torque_step_Nm, "none: continuous")},
+      {"Torque ripple found (standard deviation)", noise_text(check.ripple_Nm, "none")}};
   if (!nothing && !check.left_out.empty()) {
     section.facts.push_back({"Not simulated", joined(check.left_out)});
   }

@@ -136,9 +136,11 @@ StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
     const auto all = spread_over_motor_turn(*base.oscillation, positions, base.gear_ratio);
     start.further_oscillations.assign(all.begin() + 1, all.end());
   }
-  const Scale scale{
-      usual_noise_share * motor_gravity_Nm(base), {0, 0.25, 0.5, 1, 2.5}, set_ripple, torque_text,
-      1e3};
+  const Scale scale{usual_noise_share * motor_gravity_Nm(base),
+                    {0, 0.25, 0.5, 1, 2.5},
+                    set_ripple,
+                    torque_text,
+                    1e3};
   for (const double multiple : scale.multiples) {
     const double value = scale.base_value * multiple;
     StudyLevel level{value * scale.axis_factor, scale.text(value), multiple == 0,
@@ -161,14 +163,15 @@ Setting for_each_oscillation(double OscillationExperiment::*number) {
 }
 
 StudyFactor amplitude_factor(const Scenario& base) {
-  StudyFactor factor{"amplitude",
-                     "Amplitude of the oscillation",
-                     "amplitude at the joint [µrad]",
-                     fmt::format("Amplitude of the oscillation at the joint, at the same frequency. "
-                                 "{}",
-                                 without_runs),
-                     true,
-                     {}};
+  StudyFactor factor{
+      "amplitude",
+      "Amplitude of the oscillation",
+      "amplitude at the joint [µrad]",
+      fmt::format("Amplitude of the oscillation at the joint, at the same frequency. "
+                  "{}",
+                  without_runs),
+      true,
+      {}};
   add_levels(without_unneeded(base), short_base,
              {base.oscillation->amplitude_rad,
               {0.1, 0.3, 1, 3, 10},
@@ -180,13 +183,13 @@ StudyFactor amplitude_factor(const Scenario& base) {
 }
 
 StudyFactor cycles_factor(const Scenario& base) {
-  StudyFactor factor{"cycles",
-                     "Cycles of the oscillation",
-                     "cycles recorded",
-                     fmt::format("Cycles of the oscillation; the first is the start-up stroke. {}",
-                                 without_runs),
-                     true,
-                     {}};
+  StudyFactor factor{
+      "cycles",
+      "Cycles of the oscillation",
+      "cycles recorded",
+      fmt::format("Cycles of the oscillation; the first is the start-up stroke. {}", without_runs),
+      true,
+      {}};
   // Two cycles are the fewest that leave one behind the start-up stroke.
   const double stated = base.oscillation->cycles;
   std::vector<double> multiples{1};

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 constexpr std::size_t most_ripples = 4;
-constexpr double fewest_periods = 3;      // within the sweep
-constexpr double fewest_bins = 8;         // within a period
+constexpr double fewest_periods = 3;  // within the sweep
+constexpr double fewest_bins = 8;     // within a period
 constexpr double most_periods_per_turn = 400;
-constexpr std::size_t most_bins = 4096;   // over the sweep; they bound the work
+constexpr std::size_t most_bins = 4096;  // over the sweep; they bound the work
 constexpr std::size_t samples_in_bin = 8;
-constexpr double least_share = 0.1;       // of the ripple's variance, for a period to be put in
+constexpr double least_share = 0.1;  // of the ripple's variance, for a period to be put in
 
 /// What the fit leaves, against the motor's angle: means of equal bins over both directions.
 struct Leftover {
@@ -33,9 +33,8 @@ Leftover leftover_of(const CogSweepResult& rough, double gear_ratio) {
   const auto fitted = [&](const std::vector<double>& curve, double q) {
     if (curve.size() != grid.size()) return std::nan("");
     const auto after = std::upper_bound(grid.begin(), grid.end(), q);
-    const auto i = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(after - grid.begin() - 1, 0,
-                                   static_cast<std::ptrdiff_t>(grid.size()) - 2));
+    const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+        after - grid.begin() - 1, 0, static_cast<std::ptrdiff_t>(grid.size()) - 2));
     const double x = (q - grid[i]) / (grid[i + 1] - grid[i]);
     return curve[i] + x * (curve[i + 1] - curve[i]);
   };
@@ -53,9 +52,8 @@ Leftover leftover_of(const CogSweepResult& rough, double gear_ratio) {
       const double rest =
           r.torque_Nm[i] - fitted(rising ? rough.fit_rising_Nm : rough.fit_falling_Nm, r.q_rad[i]);
       if (!std::isfinite(rest)) continue;
-      const auto bin =
-          std::min(bins - 1, static_cast<std::size_t>(
-                                 std::max(0.0, (r.q_rad[i] - rough.lowest_rad) / width)));
+      const auto bin = std::min(bins - 1, static_cast<std::size_t>(std::max(
+                                              0.0, (r.q_rad[i] - rough.lowest_rad) / width)));
       sum[bin] += rest;
       count[bin] += 1;
     }
@@ -96,7 +94,7 @@ double white_torque_Nm(const std::vector<double>& torque_Nm) {
     squares += third * third;
     sizes.push_back(std::abs(third));
   }
-  constexpr double gain = 20;                // 1 + 9 + 9 + 1
+  constexpr double gain = 20;                  // 1 + 9 + 9 + 1
   constexpr double normal_by_median = 1.4826;  // standard deviation by median of the size
   const double root_mean_square = std::sqrt(squares / static_cast<double>(sizes.size()));
   return std::min(root_mean_square, normal_by_median * median(std::move(sizes))) / std::sqrt(gain);

@@ -180,14 +180,15 @@ std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
                             const std::vector<Recording>& recordings) {
   std::vector<Reading> kept;
   for (Reading reading : readings_of(c)) {
-    const bool is_recorded = std::any_of(
-        recordings.begin(), recordings.end(),
-        [&](const Recording& r) { return is_read_from(reading, r.role); });
+    const bool is_recorded =
+        std::any_of(recordings.begin(), recordings.end(),
+                    [&](const Recording& r) { return is_read_from(reading, r.role); });
     if (!is_recorded || is_single_point(reading.name)) continue;
     // Where eq. (6) is put in, no straight line is.
     const bool is_line =
         reading.quantity == Quantity::coulomb || reading.quantity == Quantity::viscous;
-    if (is_line && (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
+    if (is_line &&
+        (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
       continue;
     }
     const double value =
@@ -213,8 +214,7 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
   for (const Recording& recorded : dataset.recordings) {
     Recording r = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
     std::string why_not;
-    std::vector<double> torque =
-        r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
+    std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
     if (torque.empty()) {
       out.left_out.push_back(
           fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));

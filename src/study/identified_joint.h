@@ -23,7 +23,7 @@ struct IdentifiedJoint {
   /// The dataset with the model's torque, without noise. Recordings that the model cannot follow
   /// are left out.
   Dataset dataset;
-  std::vector<Reading> put_in;  ///< The numbers it was made with, each an estimate of no width.
+  std::vector<Reading> put_in;   ///< The numbers it was made with, each an estimate of no width.
   std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
   std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
   std::vector<Noise::Ripple> ripple;   ///< Found in the rough sweep; laid on all recordings.

@@ -124,7 +124,7 @@ std::string reading_words(const std::string& name) {
        {"q_peak", "gravity peak q_peak"},
        {"bristle_stiffness", "bristle stiffness σ₀"},
        {"static_torque", "break-away torque T_s"},
-       {"sweep_friction", "friction of the rough sweep"},
+       {"sweep_friction", "sweep friction"},
        {"coulomb", "Coulomb torque T_c"},
        {"viscous", "viscous coefficient c"},
        {"asperity_torque", "asperity torque T_a"},

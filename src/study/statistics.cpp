@@ -36,6 +36,11 @@ bool ErrorStatistics::is_biased(double practical_bound) const {
   return std::abs(bias) > 3 * bias_standard_error && std::abs(bias) > practical_bound;
 }
 
+bool ErrorStatistics::all_alike() const {
+  constexpr double rounding = 1e-12;
+  return scatter <= rounding * std::abs(truth);
+}
+
 bool ErrorStatistics::intervals_too_narrow() const {
   return found > 0 && coverage.high < lowest_honest;
 }

@@ -36,6 +36,9 @@ struct ErrorStatistics {
 
   /// The bias is more than three of its standard errors, and larger than what matters.
   [[nodiscard]] bool is_biased(double practical_bound) const;
+  /// The runs are all the same, for want of noise: they count as one, and their coverage says
+  /// nothing.
+  [[nodiscard]] bool all_alike() const;
   /// The coverage is below or above what 91 to 99 % allows, beyond its own uncertainty.
   [[nodiscard]] bool intervals_too_narrow() const;
   [[nodiscard]] bool intervals_too_wide() const;

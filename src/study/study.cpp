@@ -6,10 +6,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "parallel/parallel_for.h"
 
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
-#include "parallel/parallel_for.h"
 #include "pipeline.h"
 #include "simulate/random_stream.h"
 #include "simulate/simulate_joint.h"
@@ -95,6 +97,23 @@ std::optional<double> stated_truth(const Scenario& s, const Reading& reading) {
   return std::nullopt;
 }
 
+/// Those of all factors that are asked for, in their own order.
+std::vector<StudyFactor> chosen(std::vector<StudyFactor> all,
+                                const std::vector<std::string>& keys) {
+  if (keys.empty()) return all;
+  std::vector<std::string> known;
+  for (const StudyFactor& factor : all) known.push_back(factor.key);
+  for (const std::string& key : keys) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    throw std::invalid_argument(
+        fmt::format("factor '{}' is not one of this scenario's: {}", key, fmt::join(known, ", ")));
+  }
+  std::erase_if(all, [&](const StudyFactor& factor) {
+    return std::find(keys.begin(), keys.end(), factor.key) == keys.end();
+  });
+  return all;
+}
+
 }  // namespace
 
 const StudiedReading* StudiedCase::find(const std::string& reading) const {
@@ -133,7 +152,7 @@ StudyResult run_study(const Scenario& scenario, const StudyOptions& options,
   StudyResult out;
   out.options = options;
   out.base = study_base(scenario);
-  out.factors = study_factors(out.base);
+  out.factors = chosen(study_factors(out.base), options.factors);
   const std::vector<Reading> truths = true_readings(out.base);
   std::vector<const StudyLevel*> cases;
   for (const StudyFactor& factor : out.factors) {

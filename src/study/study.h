@@ -18,10 +18,11 @@
 namespace tribolog {
 
 struct StudyOptions {
-  std::size_t runs{200};     ///< Of each case; >= 2.
-  std::uint64_t seed{1};     ///< The same seed gives the same numbers.
-  std::size_t threads{0};    ///< 0: as many as the machine has cores. Changes no number.
-  std::size_t resamples{0};  ///< Of the bootstrap in each run; 0: intervals in closed form.
+  std::size_t runs{200};             ///< Of each case; >= 2.
+  std::uint64_t seed{1};             ///< The same seed gives the same numbers.
+  std::size_t threads{0};            ///< 0: as many as the machine has cores. Changes no number.
+  std::size_t resamples{0};          ///< Of the bootstrap in each run; 0: intervals in closed form.
+  std::vector<std::string> factors;  ///< Keys of those to study; none: all.
 };
 
 /// One estimator in one case.
@@ -57,10 +58,11 @@ struct StudyResult {
 std::vector<Reading> true_readings(const Scenario& scenario);
 
 /// Called before each case with (done, all).
-using StudyProgress = std::function<void(const std::string& case_name, std::size_t done,
-                                         std::size_t all)>;
+using StudyProgress =
+    std::function<void(const std::string& case_name, std::size_t done, std::size_t all)>;
 
-/// @throw std::invalid_argument for fewer than two runs, or as simulate_joint().
+/// @throw std::invalid_argument for fewer than two runs, for a factor that the scenario does not
+/// have (naming those it has), or as simulate_joint().
 StudyResult run_study(const Scenario& scenario, const StudyOptions& options = {},
                       const StudyProgress& progress = {});
 

@@ -25,11 +25,22 @@ std::string capital(std::string text) {
   return text;
 }
 
+std::string lower(std::string text) {
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] + 32);
+  return text;
+}
+
+bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
+  constexpr double share = 0.95;
+  const StudiedReading* r = studied.find(reading);
+  return r != nullptr &&
+         static_cast<double>(r->errors.found) >= share * static_cast<double>(r->errors.runs);
+}
+
 /// "biased by +1.23 ± 0.02 %" or "free of bias (+0.001 ± 0.002 %)", for gravity.
 std::string bias_words(const ErrorStatistics& e) {
-  const std::string numbers =
-      fmt::format("{:+.3f} ± {:.3f} %", percent(e.bias, e.truth),
-                  percent(e.bias_standard_error, e.truth));
+  const std::string numbers = fmt::format("{:+.3f} ± {:.3f} %", percent(e.bias, e.truth),
+                                          percent(e.bias_standard_error, e.truth));
   const bool biased = e.is_biased(practical_bounds(Quantity::gravity, e.truth).fine);
   return biased ? "biased by " + numbers : "free of bias that matters (" + numbers + ")";
 }
@@ -41,14 +52,14 @@ void add_bias_findings(const StudiedCase& base, std::vector<std::string>& findin
     if (r.quantity != Quantity::gravity) continue;
     const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
     if (is_extreme) continue;  // their pair means stand for them
-    const std::string words =
-        fmt::format("{} {}", reading_words(r.name), bias_words(r.errors));
+    const std::string words = fmt::format("{} {}", reading_words(r.name), bias_words(r.errors));
     const bool is_biased =
         r.errors.is_biased(practical_bounds(Quantity::gravity, r.errors.truth).fine);
     (is_biased ? biased : unbiased).push_back(words);
   }
   if (!biased.empty()) {
-    findings.push_back(fmt::format("Gravity torque in the base case: {}.", fmt::join(biased, "; ")));
+    findings.push_back(
+        fmt::format("Gravity torque in the base case: {}.", fmt::join(biased, "; ")));
   }
   if (!unbiased.empty()) {
     findings.push_back(
@@ -61,7 +72,8 @@ void add_steady_finding(const StudiedCase& base, std::vector<std::string>& findi
   const StudiedReading* b = base.find("B_steady");
   if (a == nullptr || b == nullptr || a->errors.bias * b->errors.bias >= 0) return;
   findings.push_back(fmt::format(
-      "In the steady loop A and B lie to both sides of the truth, {:+.2f} % and {:+.2f} %: which of "
+      "In the steady loop A and B lie to both sides of the truth, {:+.2f} % and {:+.2f} %: which "
+      "of "
       "them is nearer in the paper's reading rests on the start-up stroke alone.",
       percent(a->errors.bias, a->errors.truth), percent(b->errors.bias, b->errors.truth)));
 }
@@ -70,31 +82,26 @@ void add_steady_finding(const StudiedCase& base, std::vector<std::string>& findi
 void add_limits(const StudyResult& study, const std::string& reading, Criterion criterion,
                 const char* promise, std::vector<std::string>& findings) {
   if (!holds(study.base_case(), reading, criterion)) {
-    findings.push_back(fmt::format("{} {} in the base case already.",
-                                   capital(reading_words(reading)), promise));
+    findings.push_back(
+        fmt::format("{} {} in the base case already.", capital(reading_words(reading)), promise));
     return;
   }
   std::vector<std::string> limits;
   for (const StudyFactor& factor : study.factors) {
+    const auto add = [&](std::size_t level) {
+      const bool is_found = is_found_mostly(study.case_of(factor.levels[level]), reading);
+      limits.push_back(fmt::format("{} {}{}", lower(factor.title), factor.levels[level].text,
+                                   is_found ? "" : " (not found there)"));
+    };
     const TrustedRange range = trusted_range(study, factor, reading, criterion);
-    if (range.all_levels) continue;
-    if (!range.at_base) {
-      limits.push_back(fmt::format("{}: at {}", factor.title,
-                                   factor.levels[base_level(factor)].text));
-      continue;
-    }
-    if (range.highest + 1 < factor.levels.size()) {
-      limits.push_back(fmt::format("{}: at {}", factor.title, factor.levels[range.highest + 1].text));
-    }
-    if (range.lowest > 0) {
-      limits.push_back(fmt::format("{}: at {}", factor.title, factor.levels[range.lowest - 1].text));
-    }
+    if (!range.at_base) add(base_level(factor));
+    if (range.at_base && range.lowest > 0) add(range.lowest - 1);
+    if (range.at_base && range.highest + 1 < factor.levels.size()) add(range.highest + 1);
   }
   const std::string name = capital(reading_words(reading));
   findings.push_back(
-      limits.empty()
-          ? fmt::format("{} {} at no level tried.", name, promise)
-          : fmt::format("{} {} first at: {}.", name, promise, fmt::join(limits, "; ")));
+      limits.empty() ? fmt::format("{} {} at no level tried.", name, promise)
+                     : fmt::format("{} {} first at {}.", name, promise, fmt::join(limits, "; ")));
 }
 
 }  // namespace
@@ -106,12 +113,8 @@ PracticalBounds practical_bounds(Quantity quantity, double truth) {
 }
 
 bool holds(const StudiedCase& studied, const std::string& reading, Criterion criterion) {
+  if (!is_found_mostly(studied, reading)) return false;
   const StudiedReading* r = studied.find(reading);
-  if (r == nullptr) return false;
-  constexpr double share_found = 0.95;
-  if (static_cast<double>(r->errors.found) < share_found * static_cast<double>(r->errors.runs)) {
-    return false;
-  }
   const PracticalBounds bounds = practical_bounds(r->quantity, r->errors.truth);
   switch (criterion) {
     case Criterion::fine:
@@ -121,9 +124,7 @@ bool holds(const StudiedCase& studied, const std::string& reading, Criterion cri
     case Criterion::coverage:
       break;
   }
-  // Runs that are all alike, for want of noise, say nothing of coverage.
-  const bool all_alike = r->errors.scatter <= 1e-12 * std::abs(r->errors.truth);
-  return all_alike || !r->errors.intervals_too_narrow();
+  return r->errors.all_alike() || !r->errors.intervals_too_narrow();
 }
 
 TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,
@@ -174,8 +175,8 @@ std::vector<std::string> study_findings(const StudyResult& study) {
     if (base.find(reading) == nullptr) continue;
     add_limits(study, reading, Criterion::fine, "leaves 0.1 %", findings);
     add_limits(study, reading, Criterion::coarse, "leaves 0.3 %", findings);
-    add_limits(study, reading, Criterion::coverage,
-               "has intervals narrower than they claim", findings);
+    add_limits(study, reading, Criterion::coverage, "has intervals narrower than they claim",
+               findings);
   }
   return findings;
 }

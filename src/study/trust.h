@@ -31,10 +31,10 @@ bool holds(const StudiedCase& studied, const std::string& reading, Criterion cri
 
 /// The unbroken row of levels about the base case at which a criterion holds.
 struct TrustedRange {
-  bool at_base{};           ///< Else there is none, and the levels are not valid.
-  std::size_t lowest{};     ///< Indices of the factor's levels.
+  bool at_base{};        ///< Else there is none, and the levels are not valid.
+  std::size_t lowest{};  ///< Indices of the factor's levels.
   std::size_t highest{};
-  bool all_levels{};        ///< Nothing that was tried breaks it.
+  bool all_levels{};  ///< Nothing that was tried breaks it.
 };
 
 TrustedRange trusted_range(const StudyResult& study, const StudyFactor& factor,

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "parallel/parallel_for.h"
+
 #include "simulate/random_stream.h"
 #include "stages/median.h"
 #include "study/identified_joint.h"
@@ -53,7 +54,8 @@ Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run)
     for (std::size_t i = 0; i < r.size(); ++i) {
       double& torque = r.torque_Nm[i];
       for (const Noise::Ripple& one : ripple) {
-        torque += one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
+        torque +=
+            one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
       }
       if (joint.white_Nm[k] > 0) torque += joint.white_Nm[k] * random.normal();
       if (step > 0) torque = step * std::round(torque / step);
@@ -141,8 +143,7 @@ TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
   parallel_for(
       options.runs,
       [&](std::size_t run) {
-        runs[run] = readings_of(
-            identify(noisy(joint, options.seed, run), options.seed + run));
+        runs[run] = readings_of(identify(noisy(joint, options.seed, run), options.seed + run));
       },
       options.threads);
   for (const Reading& put_in : joint.put_in) {
@@ -161,8 +162,7 @@ TruthCheckResult check_known_truth(const Dataset& dataset, const Calibration& ca
 
 void heed(const TruthCheckResult& check, Judgement& judgement) {
   if (check.findings.empty()) return;
-  judgement.findings.insert(judgement.findings.end(), check.findings.begin(),
-                            check.findings.end());
+  judgement.findings.insert(judgement.findings.end(), check.findings.begin(), check.findings.end());
   if (judgement.verdict != Verdict::usable) return;
   judgement.verdict = Verdict::doubtful;
   judgement.sentence =
