@@ -7,6 +7,13 @@
 namespace tribolog {
 namespace {
 
+/// What the earlier stages know of gravity.
+std::optional<KnownGravity> known_gravity(const Calibration& c) {
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr || !c.q_peak_rad) return std::nullopt;
+  return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
+}
+
 /// Simulates what was identified and identifies it again, without such a check within the check.
 TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& calibration,
                                    const IdentifyOptions& options) {
@@ -26,7 +33,7 @@ TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& ca
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
                      const StageProgress& progress) {
-  const int all = options.truth_runs > 0 ? 9 : 8;
+  const int all = options.truth_runs > 0 ? 10 : 9;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -75,6 +82,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+
+  begin("break-away ramps and loop shapes");
+  c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);
+  c.break_away = identify_break_away(dataset.with_role(Role::break_away), known_gravity(c));
 
   c.judgement = judge(c);
   if (options.truth_runs > 0) {

@@ -3,9 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "calibration_json/values.h"
-#include "provenance.h"
 
 namespace tribolog::json {
 
@@ -20,6 +21,8 @@ Json viscous(const ViscousCurvesResult& v);
 Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
 Json friction(const Calibration& c, double gear_ratio);
+Json break_away(const BreakAwayResult& result, double gear_ratio);
+Json loop_shapes(const std::vector<LoopShape>& shapes);
 Json truth_check(const TruthCheckResult& t);
 
 }  // namespace tribolog::json

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "figures/break_away_ramps.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
 #include "figures/quality_error.h"
@@ -28,6 +29,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(break_away_figure(dataset, calibration));
   candidates.push_back(truth_check_figure(calibration));
 
   std::vector<ReportFigure> figures;

@@ -214,6 +214,7 @@ Scenario study_base(const Scenario& scenario) {
   if (!(base.noise.encoder_counts_per_turn > 0)) {
     base.noise.encoder_counts_per_turn = usual_counts_per_turn;
   }
+  base.break_away.reset();
   if (base.oscillation) base.oscillation->record_bristle = false;
   for (OscillationExperiment& e : base.further_oscillations) e.record_bristle = false;
   return base;

@@ -38,7 +38,8 @@ struct StudyFactor {
 std::vector<StudyFactor> study_factors(const Scenario& base);
 
 /// The scenario as the study takes it: no bristle deflection in the log, which no drive measures,
-/// and noise as above where none is stated.
+/// no break-away ramps, which none of its estimators reads, and noise as above where none is
+/// stated.
 Scenario study_base(const Scenario& scenario);
 
 }  // namespace tribolog

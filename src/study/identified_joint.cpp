@@ -54,6 +54,10 @@ class Maker {
         return sweep_torque(r, c_.precise, why_not);
       case Role::oscillation:
         return loop_torque(r, why_not);
+      case Role::break_away:
+        why_not =
+            "the motion of a break-away ramp is its answer, which no recorded one can stand for";
+        return {};
       case Role::constant_speed:
         break;
     }
