@@ -24,6 +24,7 @@
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
 #include "stages/viscous_curves.h"
+#include "study/truth_check_result.h"
 #include "verdict/quantity_verdict.h"
 
 namespace tribolog {
@@ -63,6 +64,7 @@ struct Calibration {
   CrossChecksResult cross_checks;
   std::optional<PositionPlan> position_plan;  ///< Where to oscillate next, if ripple asks for it.
   Judgement judgement;
+  TruthCheckResult truth_check;
 
   /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
   /// only where there are some.

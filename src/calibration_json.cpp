@@ -59,6 +59,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["cross_checks"] = cross_checks(c.cross_checks);
   all["ripple"] = ripple(c.rough.ripple);
   all["position_plan"] = position_plan(c.position_plan);
+  all["truth_check"] = truth_check(c.truth_check);
   all["provenance"] = provenance_json(provenance);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,11 +1,11 @@
 #include "pipeline.h"
 
+#include "stages/bootstrap/stated_intervals.h"
 #include "stages/data_checks/data_checks.h"
+#include "stages/gravity_by_other_ways.h"
+#include "study/truth_check.h"
 #include "verdict/judge.h"
 #include "without_torque.h"
-
-#include "stages/bootstrap/stated_intervals.h"
-#include "stages/gravity_by_other_ways.h"
 
 namespace tribolog {
 namespace {
@@ -17,11 +17,26 @@ std::optional<KnownGravity> known_gravity(const Calibration& c) {
   return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
 }
 
+/// Simulates what was identified and identifies it again, without such a check within the check.
+TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& calibration,
+                                   const IdentifyOptions& options) {
+  const auto plain = [](const Dataset& simulated, std::uint64_t seed) {
+    IdentifyOptions once;
+    once.resamples = 0;
+    once.seed = seed;
+    once.threads = 1;  // the runs are spread over the cores
+    once.truth_runs = 0;
+    return identify(simulated, once);
+  };
+  return check_known_truth(dataset, calibration, plain,
+                           {options.truth_runs, options.seed, options.threads});
+}
+
 }  // namespace
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
                      const StageProgress& progress) {
-  constexpr int all = 12;
+  const int all = options.truth_runs > 0 ? 13 : 12;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -116,6 +131,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
   c.position_plan = plan_positions(c.rough, c.hysteresis, n);
   state_intervals(c.intervals, c.friction);
 
+  if (options.truth_runs > 0) {
+    begin("known-truth check");
+    c.truth_check = known_truth_check(dataset, c, options);
+  }
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);
   return c;

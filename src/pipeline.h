@@ -15,6 +15,8 @@ struct IdentifyOptions {
   std::size_t resamples{1000};
   std::uint64_t seed{1};   ///< Of everything random: the same seed gives the same numbers.
   std::size_t threads{0};  ///< 0: as many as the machine has cores. Changes no number.
+  /// Simulations of what was identified, each identified again: study/truth_check.h. 0: none.
+  std::size_t truth_runs{0};
 };
 
 /// Called before each stage with its name in words and (done, all).

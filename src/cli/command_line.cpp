@@ -81,6 +81,50 @@ void add_processes(CLI::App& command, int& processes) {
       ->capture_default_str();
 }
 
+void add_truth_runs(CLI::App& command, std::size_t& truth_runs) {
+  constexpr std::size_t most = 10'000;
+  command
+      .add_option("--truth-runs", truth_runs,
+                  "simulations of what was identified, each identified again; 0: no such check")
+      ->check(CLI::Range(std::size_t{0}, most))
+      ->capture_default_str();
+}
+
+void add_study(CLI::App& command, StudyCommandOptions& study) {
+  constexpr std::size_t most = 1'000'000;
+  command.add_option("SCENARIO", study.scenario,
+                     "scenario file (TOML); default: the paper's joint with realistic noise");
+  command.add_option("-o,--output", study.output, "page (HTML) to write")->required();
+  command.add_option("--json", study.json, "file for all numbers (JSON)");
+  command
+      .add_option("--factor", study.factors,
+                  "study this one alone (may be given again); default: all")
+      ->check(CLI::IsMember({"torque_noise", "torque_step", "encoder", "ripple_one_position",
+                             "ripple_eight_positions", "amplitude", "cycles"}));
+  command.add_option("--runs", study.runs, "runs of each case")
+      ->check(CLI::Range(std::size_t{2}, most))
+      ->capture_default_str();
+  command.add_option("--seed", study.seed, "seed of all noise")->capture_default_str();
+  command.add_option("--threads", study.threads, "0: all cores; changes no number")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
+      ->capture_default_str();
+  command
+      .add_option("--resamples", study.resamples,
+                  "bootstrap resamples in each run; 0: intervals in closed form")
+      ->check(CLI::Range(std::size_t{0}, most))
+      ->capture_default_str();
+  add_processes(command, study.processes);
+  command.footer(
+      "\nSimulates the scenario again and again with noise of its own in each run, identifies "
+      "each,\n"
+      "and holds every estimator against the truth: bias, scatter, and coverage of the stated 95 "
+      "%\n"
+      "intervals, one factor at a time about the base case: white torque noise, torque step,\n"
+      "encoder, ripple from one and from eight motor positions, amplitude and cycles of the\n"
+      "oscillation. 200 runs of about thirty cases take some minutes on two cores; --runs 20\n"
+      "shows the biases in seconds.");
+}
+
 }  // namespace
 
 ExitStatus run_command_line(int argc, char** argv) {
@@ -111,6 +155,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   identify_command->add_option("DATASET", identify.dataset, "dataset manifest (TOML)")->required();
   identify_command->add_option("-o,--output", identify.output, "calibration file (JSON) to write")
       ->required();
+  add_truth_runs(*identify_command, identify.truth_runs);
   add_fail_on(*identify_command, identify.fail_on);
   add_intervals(*identify_command, identify.intervals);
   identify_command->footer(manifest_help);
@@ -120,6 +165,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   figures_command->add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
   figures_command->add_option("-o,--output", figures.directory, "directory to write to")
       ->required();
+  add_truth_runs(*figures_command, figures.truth_runs);
   add_processes(*figures_command, figures.processes);
 
   ReportOptions report;
@@ -131,6 +177,7 @@ ExitStatus run_command_line(int argc, char** argv) {
                              "where to write the numbers (JSON); default: beside the report");
   bool no_figures = false;
   report_command->add_flag("--no-figures", no_figures, "numbers and tables only");
+  add_truth_runs(*report_command, report.truth_runs);
   add_fail_on(*report_command, report.fail_on);
   add_intervals(*report_command, report.intervals);
   add_processes(*report_command, report.processes);
@@ -156,6 +203,11 @@ ExitStatus run_command_line(int argc, char** argv) {
       "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
       "table and equation against what is printed. Status 1 if a check does not hold.");
 
+  CLI::App* study_command =
+      app.add_subcommand("study", "Monte-Carlo study: where the method can be trusted");
+  StudyCommandOptions study;
+  add_study(*study_command, study);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& call) {
@@ -179,6 +231,7 @@ ExitStatus run_command_line(int argc, char** argv) {
     return run_models(models, arguments, console);
   }
   if (*paper_command) return run_paper(paper, arguments, console);
+  if (*study_command) return run_study_command(study, arguments, console);
   std::cout << app.help();
   return ExitStatus::usage;
 }

@@ -20,6 +20,7 @@ struct SimulateOptions {
 struct IdentifyArguments {
   std::string dataset;
   std::string output;
+  std::size_t truth_runs{20};      ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
   IntervalSettings intervals;      ///< Win over the manifest's.
 };
@@ -27,6 +28,7 @@ struct IdentifyArguments {
 struct FiguresOptions {
   std::string dataset;
   std::string directory;
+  std::size_t truth_runs{20};
   int processes{2};
 };
 
@@ -34,6 +36,7 @@ struct ReportOptions {
   std::string dataset;
   std::string output;
   std::string calibration;  ///< Empty: beside the report.
+  std::size_t truth_runs{20};
   std::optional<Verdict> fail_on;
   IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
@@ -50,6 +53,18 @@ struct PaperOptions {
   int processes{2};
 };
 
+struct StudyCommandOptions {
+  std::string scenario;  ///< Empty: the paper's joint with realistic noise, which is built in.
+  std::string output;    ///< The page (HTML).
+  std::string json;      ///< All numbers; empty: only within the page.
+  std::size_t runs{200};
+  unsigned long long seed{1};
+  std::size_t threads{0};            ///< 0: all cores.
+  std::size_t resamples{0};          ///< Of each run's bootstrap.
+  std::vector<std::string> factors;  ///< Keys; none: all.
+  int processes{2};
+};
+
 /// @param arguments the whole command line, for the provenance.
 ExitStatus run_simulate(const SimulateOptions& options, Console& console);
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
@@ -63,6 +78,9 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
 /// Regenerates the paper and checks it: status 1 if a check fails.
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console);
+/// Bias, scatter and coverage of the estimators over many simulated runs, as one page.
+ExitStatus run_study_command(const StudyCommandOptions& options,
+                             const std::vector<std::string>& arguments, Console& console);
 ExitStatus run_version(Console& console);
 
 }  // namespace tribolog

@@ -1,11 +1,12 @@
 #pragma once
-// The files of examples/paper that `tribolog paper` is computed from, compiled into the program.
+// The files of examples/paper that `tribolog paper` and `tribolog study` are computed from,
+// compiled into the program.
 
 #include "files/embedded_file.h"
 
 namespace tribolog {
 
-/// scenario.toml and am100ib.toml
+/// scenario.toml, scenario_noise.toml and am100ib.toml
 const std::vector<EmbeddedFile>& embedded_examples();
 
 }  // namespace tribolog

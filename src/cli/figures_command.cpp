@@ -16,7 +16,7 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   render::FigureRenderer renderer(options.processes, drawings_of(options.dataset));
   const Dataset dataset = load_dataset(options.dataset, console);
   create_directory(options.directory);
-  const Calibration calibration = run_identification(dataset, {}, console);
+  const Calibration calibration = run_identification(dataset, {{}, options.truth_runs}, console);
   const std::vector<ReportFigure> figures =
       with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
   const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);

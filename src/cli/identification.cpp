@@ -42,10 +42,12 @@ void protect_inputs(const Dataset& dataset, const std::string& manifest,
   check_output_can_be_written(output, files);
 }
 
-Calibration run_identification(const Dataset& dataset, const IntervalSettings& arguments,
+Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
                                Console& console) {
+  const IntervalSettings& arguments = settings.intervals;
   const IntervalSettings& stated = dataset.manifest.intervals;
   IdentifyOptions options;
+  options.truth_runs = settings.truth_runs;
   options.resamples = arguments.resamples.value_or(stated.resamples.value_or(options.resamples));
   options.seed = arguments.seed.value_or(stated.seed.value_or(options.seed));
   if (!resamples_are_allowed(options.resamples)) {

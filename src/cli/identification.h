@@ -2,6 +2,7 @@
 // What identify, figures and report have in common: reading a dataset and running the stages with
 // progress, and telling the outcome.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +29,14 @@ Dataset load_dataset(const std::string& manifest, Console& console);
 void protect_inputs(const Dataset& dataset, const std::string& manifest, const std::string& output);
 
 /// Runs every stage.
-/// @param arguments of the command line; they win over the manifest's.
+/// How a dataset is to be identified, as the command line has it.
+struct IdentificationSettings {
+  IntervalSettings intervals;  ///< Win over the manifest's.
+  std::size_t truth_runs{};    ///< Of the known-truth check; 0: none.
+};
+
 /// @throw UsageError for a number of resamples that gives no interval.
-Calibration run_identification(const Dataset& dataset, const IntervalSettings& arguments,
+Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
                                Console& console);
 
 /// What the provenance says about the intervals.

@@ -11,7 +11,8 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
   Provenance provenance = make_provenance(arguments);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
-  const Calibration calibration = run_identification(dataset, options.intervals, console);
+  const Calibration calibration =
+      run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
   write_file_atomically(options.output, calibration_json(calibration, provenance));
   tell_outcome(calibration, console);

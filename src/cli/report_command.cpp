@@ -38,7 +38,8 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
-  const Calibration calibration = run_identification(dataset, options.intervals, console);
+  const Calibration calibration =
+      run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
   write_file_atomically(numbers, calibration_json(calibration, provenance));
 

@@ -15,6 +15,7 @@
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 #include "figures/torque_choice.h"
+#include "figures/truth_check_figure.h"
 
 namespace tribolog {
 
@@ -37,6 +38,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(load_dependence_figure(calibration));
   candidates.push_back(break_away_figure(dataset, calibration));
   candidates.push_back(mass_comparison_figure(calibration));
+  candidates.push_back(truth_check_figure(calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

@@ -140,6 +140,10 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
     view.sections.push_back(cross_checks_section(c));
     view.sections.back().number = static_cast<int>(view.sections.size());
   }
+  if (c.truth_check.runs > 0) {
+    view.sections.push_back(
+        truth_check_section(c.truth_check, static_cast<int>(view.sections.size()) + 1));
+  }
   place_figures(c, figures, drawn, view);
   view.figures_missing = missing_figures(view);
   view.paper_table = paper_comparison_table(c);

@@ -146,16 +146,14 @@ Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, st
 
 }  // namespace
 
-std::vector<Recording> simulate_joint(const Scenario& scenario) {
+std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   if (!scenario.presliding) throw std::invalid_argument("the scenario has no friction model");
   require_positive(scenario.gear_ratio, "gear ratio", "");
   require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
   require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");
-  std::vector<Recording> recordings;
-  std::vector<double> rates;
+  std::vector<IdealRecording> recordings;
   const auto keep = [&](Recording recording, double rate) {
-    recordings.push_back(std::move(recording));
-    rates.push_back(rate);
+    recordings.push_back({std::move(recording), rate});
   };
   if (const auto& e = scenario.rough_sweep) {
     keep(sweep(scenario, *e, "rough_sweep.csv", Role::rough_sweep), e->sample_rate_Hz);
@@ -192,10 +190,21 @@ std::vector<Recording> simulate_joint(const Scenario& scenario) {
       keep(std::move(ramp), e->sample_rate_Hz);
     }
   }
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
-    add_drive_noise(recordings[i], scenario.noise, scenario.gear_ratio, rates[i], i);
+  return recordings;
+}
+
+std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
+                                  double gear_ratio) {
+  std::vector<Recording> recordings;
+  for (std::size_t i = 0; i < ideal.size(); ++i) {
+    recordings.push_back(std::move(ideal[i].recording));
+    add_drive_noise(recordings.back(), noise, gear_ratio, ideal[i].sample_rate_Hz, i);
   }
   return recordings;
+}
+
+std::vector<Recording> simulate_joint(const Scenario& scenario) {
+  return with_noise(simulate_ideal_joint(scenario), scenario.noise, scenario.gear_ratio);
 }
 
 }  // namespace tribolog

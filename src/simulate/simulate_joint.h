@@ -14,6 +14,22 @@
 
 namespace tribolog {
 
+/// A recording of true signals, as an ideal drive would log it.
+struct IdealRecording {
+  Recording recording;
+  double sample_rate_Hz{};
+};
+
+/// The scenario's recordings without its noise, in the order of simulate_joint().
+/// @throw std::invalid_argument as simulate_joint().
+std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario);
+
+/// The same with noise laid on: simulate_joint() in two steps, so that many runs of the same
+/// motions can share the first.
+/// @throw std::invalid_argument if a noise quantity is negative or not finite.
+std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
+                                  double gear_ratio);
+
 /// The recordings in the order rough, precise, oscillations, constant speeds, ramps (as asked for
 /// by the scenario). Names are file names such as "rough_sweep.csv" and "constant_speed_07.csv".
 /// The same scenario, seed included, gives the same numbers on every machine.

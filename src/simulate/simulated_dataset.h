@@ -11,4 +11,7 @@ namespace tribolog {
 /// @throw std::invalid_argument as simulate_joint().
 Dataset simulated_dataset(const Scenario& scenario);
 
+/// The same for recordings of it that were made already.
+Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recordings);
+
 }  // namespace tribolog

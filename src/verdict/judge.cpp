@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "curve_findings.h"
+
 #include "verdict/acceptance.h"
 #include "verdict/check_consequences.h"
 #include "verdict/quantity_rooms.h"
+#include "verdict/truth_consequences.h"
 
 namespace tribolog {
 namespace {
@@ -25,6 +27,7 @@ std::vector<QuantityVerdict> judge_quantities(const Calibration& c) {
   const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
                         c.selection.recommended == "sweep", c.break_away.mean_Nm.has_value()};
   apply_data_checks(c.data_checks, sources, all);
+  apply_truth_check(c.truth_check, c.selection.recommended, all);
   apply_limits(c.manifest.limits, c.manifest.drive.gear_ratio(), all);
   return all;
 }
@@ -52,6 +55,7 @@ std::vector<std::string> collect_findings(const Calibration& c, const Judgement&
     if (stage.state != StageState::done) add(stage.reason);
   }
   for (const std::string& words : curve_findings(c)) add(words);
+  for (const TruthFinding& finding : c.truth_check.findings) add(finding.words);
   for (const DataCheck* check : c.data_checks.in_state(CheckState::warns)) {
     add(check->title + ": " + check->found);
   }
@@ -82,6 +86,10 @@ std::string sentence_of(const Calibration& c, Verdict overall, bool has_angle, b
   }
   if (has_disagreement) return "Angle and mass are known, but independent estimates disagree.";
   if (limit_broken) return "Angle and mass are known, but a limit of the manifest is not kept.";
+  if (!c.truth_check.findings.empty()) {
+    return "Angle and mass are known, but simulated with what was identified, the method does not "
+           "find its own answer.";
+  }
   return "Angle and mass are known, but not every stage had the data it needs.";
 }
 

@@ -76,6 +76,52 @@ TEST(Commands, ThePaperIsRegeneratedAndEveryCheckHolds) {
   EXPECT_EQ(run_shell(program + "paper -o /no/such/directory/paper.html").status, 4);
 }
 
+TEST(Commands, AStudyIsOnePageAndItsNumbers) {
+  const SmallDataset directory;
+  const auto study = [&](const std::string& more) {
+    return run_shell("SOURCE_DATE_EPOCH=1700000000 " + program + "study " + more +
+                     " --runs 2 --factor torque_step -o '" + directory.file("study.html") + "'");
+  };
+  const std::string numbers = "--json '" + directory.file("study.json") + "'";
+  const ProgramRun run = study(numbers + " --threads 1");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err.find("note:"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("point B is off by"), std::string::npos) << run.out;
+  const std::string page = read_text(directory.file("study.html"));
+  for (const char* part : {"Where the method can be trusted", "id=\"study-gravity-torque-step\"",
+                           "id=\"table-trust-coverage\"", "id=\"tribolog-study\""}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("is missing"), std::string::npos);
+  const std::string json = read_text(directory.file("study.json"));
+  EXPECT_NE(json.find("\"schema\": \"tribolog-study-1\""), std::string::npos);
+  EXPECT_EQ(study(numbers + " --threads 2").status, 0);
+  EXPECT_EQ(json, read_text(directory.file("study.json")));
+}
+
+TEST(Commands, AStudyRefusesWhatCannotBe) {
+  const SmallDataset directory;
+  const std::string out = " -o '" + directory.file("study.html") + "'";
+  EXPECT_EQ(run_shell(program + "study").status, 2);
+  EXPECT_EQ(run_shell(program + "study --runs 1" + out).status, 2);
+  EXPECT_EQ(run_shell(program + "study --factor weather" + out).status, 2);
+  EXPECT_EQ(run_shell(program + "study -o /no/such/directory/study.html").status, 4);
+  EXPECT_EQ(run_shell(program + "study '" + directory.file("nothing.toml") + "'" + out).status, 3);
+  EXPECT_EQ(run_shell(program + "study '" + directory.file("dataset.toml") + "'" + out).status, 3);
+  const std::string itself = directory.file("dataset.toml");
+  EXPECT_EQ(run_shell(program + "study '" + itself + "' -o '" + itself + "'").status, 2);
+  EXPECT_FALSE(std::filesystem::exists(directory.file("study.html")));
+}
+
+TEST(Commands, TheKnownTruthCheckCanBeLeftOut) {
+  const SmallDataset dataset;
+  EXPECT_EQ(dataset.run("identify", "with.json").status, 0);
+  EXPECT_EQ(dataset.run("identify --truth-runs 0", "without.json").status, 0);
+  EXPECT_NE(read_text(dataset.file("with.json")).find("\"came_back\""), std::string::npos);
+  EXPECT_NE(read_text(dataset.file("without.json")).find("\"truth_check\": null"),
+            std::string::npos);
+}
+
 TEST(Commands, WrongUsageIsStatus2) {
   for (const char* arguments :
        {"", "nonsense", "report", "report x.toml", "identify --fail-on never x -o y"}) {

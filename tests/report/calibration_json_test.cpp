@@ -36,6 +36,20 @@ void expect_valid(const Calibration& c) {
 
 TEST(CalibrationJson, FollowsTheSchemaWhenComplete) { expect_valid(complete_calibration()); }
 
+TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
+  Calibration c = complete_calibration();
+  c.truth_check.runs = 2;
+  c.truth_check.quantities = {
+      {"midline", "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
+      {"q_peak", "rad", -0.4, std::nan(""), std::nan(""), std::nan(""), 0, 0, {}, false}};
+  c.truth_check.left_out = {"run.csv: no friction curve was identified"};
+  c.truth_check.findings = {"the mid-line does not come back"};
+  expect_valid(c);
+  const json check = parsed(c)["truth_check"];
+  EXPECT_EQ(check["quantities"][0]["came_back"], 3.8);
+  EXPECT_TRUE(check["quantities"][1]["came_back"].is_null());
+}
+
 TEST(CalibrationJson, FollowsTheSchemaWhenHalfIsMissing) { expect_valid(sweep_only()); }
 
 TEST(CalibrationJson, FollowsTheSchemaWithoutAnyData) {

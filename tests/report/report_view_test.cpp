@@ -96,6 +96,37 @@ TEST(ReportView, FiguresGoToTheirStages) {
   EXPECT_EQ(view.figures_missing, "");
 }
 
+TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
+  Calibration c = complete_calibration();
+  c.truth_check.runs = 20;
+  c.truth_check.white_Nm = 0.02;
+  c.truth_check.quantities = {
+      {"midline", "N·m", 3.88319, 3.88325, 0.0002, 0.0005, 20, 19, {0.1, 1.2}, true},
+      {"q_peak", "rad", -0.388, -0.380, 1e-5, 1e-5, 20, 0, {}, false}};
+  c.truth_check.findings = {"the gravity peak does not come back"};
+  auto figures = sample_figures(c);
+  figures[0].stage = "known-truth";
+  const auto drawn = sample_pictures(figures);
+  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  ASSERT_EQ(view.sections.size(), 9U);
+  const Section& section = view.sections[8];
+  EXPECT_EQ(section.number, 9);
+  EXPECT_EQ(section.id, "known-truth");
+  EXPECT_EQ(section.outcome, Outcome::bad);
+  EXPECT_EQ(section.reason, "The gravity peak does not come back.");
+  ASSERT_EQ(section.figures.size(), 1U);
+  ASSERT_EQ(section.tables.size(), 1U);
+  ASSERT_EQ(section.tables[0].rows.size(), 2U);
+  const std::vector<std::string>& midline = section.tables[0].rows[0].cells;
+  EXPECT_EQ(midline[0], "Mid-line");
+  EXPECT_EQ(midline[1], "3.88319");
+  EXPECT_EQ(midline[3], "+0.0000600");
+  EXPECT_EQ(midline[6], "19 of 20");
+  // Angles are read in degrees: 8 mrad are 0.458 degrees.
+  EXPECT_EQ(section.tables[0].rows[1].cells[3], "+0.458");
+  EXPECT_EQ(section.tables[0].rows[1].cells[7], "no");
+}
+
 TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
   Calibration c = complete_calibration();
   const auto sections = [&] { return view_of(c).sections; };

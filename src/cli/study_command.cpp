@@ -1,0 +1,80 @@
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/drawing.h"
+#include "cli/embedded_examples.h"
+#include "figures/study_figures.h"
+#include "files/atomic_file.h"
+#include "files/file_contents.h"
+#include "ingest/scenario_file.h"
+#include "report/study_page.h"
+#include "study/trust.h"
+
+namespace tribolog {
+namespace {
+
+constexpr const char* usual_scenario = "scenario_noise.toml";
+constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
+
+struct NamedScenario {
+  std::string file;
+  std::string text;
+  Scenario scenario;
+};
+
+/// The scenario named, or the paper's joint with the noise of a real drive.
+NamedScenario scenario_of(const StudyCommandOptions& options) {
+  if (!options.scenario.empty()) {
+    return {command_line_text({options.scenario}),
+            read_file(options.scenario, largest_scenario_bytes), read_scenario(options.scenario)};
+  }
+  const std::string name = std::string("examples/paper/") + usual_scenario;
+  std::string text(text_of(embedded_examples(), usual_scenario));
+  Scenario scenario = parse_scenario(text, name);
+  return {name, std::move(text), std::move(scenario)};
+}
+
+}  // namespace
+
+ExitStatus run_study_command(const StudyCommandOptions& options,
+                             const std::vector<std::string>& arguments, Console& console) {
+  std::vector<std::string> inputs;
+  if (!options.scenario.empty()) inputs.push_back(options.scenario);
+  if (!options.json.empty()) check_output_can_be_written(options.json, inputs);
+  if (!options.json.empty()) inputs.push_back(options.json);
+  check_output_can_be_written(options.output, inputs);
+  StudyReport report;
+  report.provenance = make_provenance(arguments);
+  NamedScenario named = scenario_of(options);
+  report.scenario_file = std::move(named.file);
+  report.scenario_text = std::move(named.text);
+  render::FigureRenderer renderer(options.processes);  // starts while the study runs
+  StudyOptions study;
+  study.runs = options.runs;
+  study.seed = options.seed;
+  study.threads = options.threads;
+  study.resamples = options.resamples;
+  study.factors = options.factors;
+  try {
+    report.study = run_study(
+        named.scenario, study, [&](const std::string& name, std::size_t done, std::size_t all) {
+          console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
+        });
+  } catch (const std::invalid_argument& refused) {
+    throw InputError({report.scenario_file, 0, 0}, {"cannot be studied", refused.what(), "", ""});
+  }
+  // The numbers first: a figure that fails must not lose them.
+  if (!options.json.empty()) write_file_atomically(options.json, study_json(report));
+  const std::vector<ReportFigure> figures = study_figures(report.study);
+  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
+  report.provenance.drawing = software_that_drew(drawn);
+  write_file_atomically(options.output, study_page(report, figures, drawn));
+  console.say(study_sentence(report.study));
+  if (!options.json.empty()) console.say("numbers: " + options.json);
+  console.say("study: " + options.output);
+  return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+}  // namespace tribolog

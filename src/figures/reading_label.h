@@ -1,0 +1,11 @@
+#pragma once
+// The name of a reading as a figure prints it.
+
+#include <string>
+
+namespace tribolog::figures {
+
+/// reading_words() with the subscript marked up: "break-away torque T_{s}".
+std::string reading_label(const std::string& reading);
+
+}  // namespace tribolog::figures

@@ -1,0 +1,233 @@
+#include "figures/study_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "figures/estimator_style.h"
+#include "figures/plot_data.h"
+#include "figures/reading_label.h"
+
+namespace tribolog {
+namespace {
+
+namespace colour = render::palette;
+using figures::SeriesStyle;
+using render::LineStyle;
+using render::Marker;
+
+constexpr int panel_height_px = 560;
+constexpr render::Colour colour_of_promise{0, 158, 115, 60};
+
+SeriesStyle style_of(const std::string& reading) {
+  if (reading == "A_steady") return {colour::sky_blue, LineStyle::dot, Marker::circle, 2.5, 9.0};
+  if (reading == "B_steady") return {colour::vermilion, LineStyle::dot, Marker::diamond, 2.5, 11.0};
+  if (reading == "fit") return {colour::purple, LineStyle::dash_dot, Marker::cross, 2.5, 12.0};
+  if (reading == "bristle_stiffness") {
+    return {colour::blue, LineStyle::solid, Marker::circle, 2.5, 10.0};
+  }
+  if (reading == "static_torque") {
+    return {colour::vermilion, LineStyle::dash, Marker::square, 2.5, 10.0};
+  }
+  if (reading == "sweep_friction") {
+    return {colour::grey, LineStyle::dot, Marker::plus, 2.5, 12.0};
+  }
+  if (reading == "coulomb")
+    return {colour::green, LineStyle::dash_dot, Marker::triangle, 2.5, 11.0};
+  if (reading == "viscous") {
+    return {colour::orange, LineStyle::dash_dot_dot, Marker::diamond, 2.5, 11.0};
+  }
+  if (reading == "q_peak") return {colour::black, LineStyle::solid, Marker::circle, 2.5, 10.0};
+  return figures::estimator_style(reading);
+}
+
+/// A number of an estimator's errors, as the axis shows it.
+using Shown = std::function<double(const ErrorStatistics&)>;
+
+double bias_percent(const ErrorStatistics& e) { return 100 * e.bias / std::abs(e.truth); }
+double scatter_percent(const ErrorStatistics& e) { return 100 * e.scatter / std::abs(e.truth); }
+double coverage_percent(const ErrorStatistics& e) {
+  return e.all_alike() ? std::nan("") : 100 * e.coverage.value;
+}
+double bias_millidegree(const ErrorStatistics& e) { return 1e3 * e.bias * 180 / std::numbers::pi; }
+
+render::Panel panel_of(const StudyResult& study, const StudyFactor& factor,
+                       const std::vector<std::string>& readings, const std::string& y_title,
+                       const Shown& shown) {
+  render::Panel panel;
+  panel.x.title = factor.axis;
+  panel.x.logarithmic = factor.logarithmic;
+  panel.y.title = y_title;
+  for (const std::string& reading : readings) {
+    render::Series series;
+    series.label = figures::reading_label(reading);
+    for (const StudyLevel& level : factor.levels) {
+      const StudiedReading* r = study.case_of(level).find(reading);
+      if (r == nullptr) continue;  // not found at this level: the table says so
+      const double y = shown(r->errors);
+      if (!std::isfinite(y)) continue;
+      series.x.push_back(level.value);
+      series.y.push_back(y);
+    }
+    figures::apply(style_of(reading), series);
+    // Marks of one size class: no curve may hide the others.
+    series.width_px = 2.5;
+    series.marker_size_px = std::min(series.marker_size_px, 12.0);
+    figures::add_visible(panel, std::move(series));
+  }
+  return panel;
+}
+
+void add_line(render::Panel& panel, double at, const std::string& text) {
+  render::ReferenceLine line;
+  line.direction = render::ReferenceLine::Direction::horizontal;
+  line.at = at;
+  line.text = text;
+  panel.reference_lines.push_back(std::move(line));
+}
+
+render::Panel coverage_panel(const StudyResult& study, const StudyFactor& factor,
+                             const std::vector<std::string>& readings) {
+  render::Panel panel =
+      panel_of(study, factor, readings, "intervals that hold the truth [%]", coverage_percent);
+  panel.y.minimum = -4;
+  panel.y.maximum = 104;
+  const double first = factor.levels.front().value;
+  const double last = factor.levels.back().value;
+  panel.bands.push_back({"91 to 99 %", {first, last}, {91, 91}, {99, 99}, colour_of_promise});
+  panel.show_legend = false;
+  return panel;
+}
+
+void add_panel(render::Panel panel, ReportFigure& out) {
+  if (!panel.series.empty()) out.figure.panels.push_back(std::move(panel));
+}
+
+ReportFigure empty_figure(const StudyFactor& factor, const char* kind, const std::string& what) {
+  ReportFigure out;
+  out.id = fmt::format("study-{}-{}", kind, factor.key);
+  std::replace(out.id.begin(), out.id.end(), '_', '-');
+  out.title = fmt::format("{}: {}", factor.title, what);
+  out.stage = factor.key;
+  return out;
+}
+
+std::optional<ReportFigure> finished(ReportFigure out) {
+  if (out.figure.panels.empty()) return std::nullopt;
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  out.figure.panels_share_x = true;
+  out.figure.height_px =
+      140 + panel_height_px * static_cast<int>(std::max<std::size_t>(1, out.figure.panels.size()));
+  return out;
+}
+
+/// "point B −0.61 to −0.59 %": the range of a reading's bias over the levels.
+std::string bias_range(const StudyResult& study, const StudyFactor& factor,
+                       const std::string& reading) {
+  figures::Extent extent;
+  for (const StudyLevel& level : factor.levels) {
+    const StudiedReading* r = study.case_of(level).find(reading);
+    if (r != nullptr) extent.add(bias_percent(r->errors));
+  }
+  if (extent.empty) return {};
+  return fmt::format("{} {:+.3f} to {:+.3f} %", reading_words(reading), extent.low, extent.high);
+}
+
+std::string bias_words(const StudyResult& study, const StudyFactor& factor,
+                       const std::vector<std::string>& readings) {
+  std::string words;
+  for (const std::string& reading : readings) {
+    const std::string range = bias_range(study, factor, reading);
+    if (!range.empty()) words += (words.empty() ? "" : ", ") + range;
+  }
+  return words.empty() ? "no estimator was found at any level" : words;
+}
+
+std::optional<ReportFigure> gravity_figure(const StudyResult& study, const StudyFactor& factor) {
+  const std::vector<std::string> readings_of_points{"A", "B", "A_steady", "B_steady", "midline"};
+  const std::vector<std::string> averages{"AB", "CD", "EF", "sweep", "fit", "midline"};
+  std::vector<std::string> all{"A", "B", "A_steady", "B_steady"};
+  all.insert(all.end(), averages.begin(), averages.end());
+  ReportFigure out = empty_figure(factor, "gravity", "gravity torque");
+  render::Panel points = panel_of(study, factor, readings_of_points, "bias [%]", bias_percent);
+  points.title = "single points and the mid-line";
+  add_line(points, 0, "");
+  add_panel(std::move(points), out);
+  render::Panel means = panel_of(study, factor, averages, "bias [%]", bias_percent);
+  means.title = "estimators that average";
+  add_line(means, 0, "");
+  add_panel(std::move(means), out);
+  render::Panel scatter = panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
+  scatter.title = "scatter from run to run";
+  scatter.show_legend = false;
+  add_panel(std::move(scatter), out);
+  render::Panel coverage = coverage_panel(study, factor, all);
+  coverage.title = "coverage of the stated 95 % intervals";
+  add_panel(std::move(coverage), out);
+  out.caption = fmt::format(
+      "Errors of the gravity torque in % of the truth, {} runs a level. Bias: {}",
+      study.options.runs, bias_words(study, factor, {"A", "B", "midline", "fit", "sweep"}));
+  out.how_to_read =
+      "A curve on the zero line is free of bias. A and B lie off it whatever the factor; in the "
+      "steady loop they lie symmetrically, so that their mean, the other pair means and the "
+      "mid-line do not. An interval keeps its promise within the green band of the lowest panel, "
+      "91 to 99 %; below it is narrower than it claims.";
+  out.alt = fmt::format("Bias, scatter and coverage of the gravity torque against {}: {}.",
+                        factor.axis, bias_words(study, factor, {"A", "B", "midline"}));
+  return finished(std::move(out));
+}
+
+std::optional<ReportFigure> friction_figure(const StudyResult& study, const StudyFactor& factor) {
+  const std::vector<std::string> parameters{"bristle_stiffness", "static_torque", "sweep_friction",
+                                            "coulomb", "viscous"};
+  std::vector<std::string> all = parameters;
+  all.emplace_back("q_peak");
+  ReportFigure out = empty_figure(factor, "friction", "angle and friction parameters");
+  render::Panel bias = panel_of(study, factor, parameters, "bias [%]", bias_percent);
+  add_line(bias, 0, "");
+  add_panel(std::move(bias), out);
+  render::Panel scatter =
+      panel_of(study, factor, parameters, "standard deviation [%]", scatter_percent);
+  scatter.show_legend = false;
+  add_panel(std::move(scatter), out);
+  render::Panel angle =
+      panel_of(study, factor, {"q_peak"}, "bias of q_{peak} [10^{−3} °]", bias_millidegree);
+  add_line(angle, 0, "");
+  angle.show_legend = false;
+  add_panel(std::move(angle), out);
+  render::Panel coverage = coverage_panel(study, factor, all);
+  coverage.show_legend = true;
+  add_panel(std::move(coverage), out);
+  out.caption = fmt::format(
+      "Errors of the angle of the gravity peak and of the friction parameters, {} runs "
+      "a level. Bias: {}",
+      study.options.runs, bias_words(study, factor, parameters));
+  out.how_to_read =
+      "As above. Coulomb torque and viscous coefficient are those of the straight line that the "
+      "same motions give without noise; where runs at constant speed take no part, they are "
+      "absent.";
+  out.alt =
+      fmt::format("Bias, scatter and coverage of angle and friction parameters against {}: {}.",
+                  factor.axis, bias_words(study, factor, parameters));
+  return finished(std::move(out));
+}
+
+}  // namespace
+
+std::vector<ReportFigure> study_figures(const StudyResult& study) {
+  std::vector<ReportFigure> out;
+  for (const StudyFactor& factor : study.factors) {
+    for (auto* const make : {gravity_figure, friction_figure}) {
+      if (auto figure = make(study, factor)) out.push_back(std::move(*figure));
+    }
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,248 @@
+#include "report/study_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "report/element_values.h"
+#include "report/page_style.h"
+#include "report/view_parts.h"
+#include "study/trust.h"
+
+namespace tribolog {
+namespace {
+
+using namespace report;
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Errors of a quantity as its tables show them: in % of the truth, angles in thousandths of a
+/// degree.
+struct ErrorScale {
+  double factor;
+  std::string unit;
+};
+
+ErrorScale error_scale(const StudiedReading& r) {
+  if (r.quantity == Quantity::peak_angle) return {1e3 / degree, "10⁻³ °"};
+  return {100 / std::abs(r.errors.truth), "%"};
+}
+
+std::string signed_number(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  const bool shows = value > 0 && text.find_first_of("123456789") != std::string::npos;
+  return fmt::format("{}{}", shows ? "+" : "", text);
+}
+
+/// "−0.614 ± 0.007", the standard error to two digits; without scatter three decimals.
+std::string bias_text(const StudiedReading& r) {
+  const double factor = error_scale(r).factor;
+  const double error = r.errors.bias_standard_error * factor;
+  const int decimals = error > 0 ? std::clamp(decimals_for(error), 0, 6) : 3;
+  const std::string bias = signed_number(r.errors.bias * factor, decimals);
+  return error > 0 ? bias + " ± " + fixed(error, decimals) : bias;
+}
+
+std::string scatter_text(const StudiedReading& r) {
+  constexpr int digits = 3;
+  return significant(r.errors.scatter * error_scale(r).factor, digits);
+}
+
+/// "94.5 (90.4 … 96.9)"
+std::string coverage_text(const StudiedReading& r) {
+  const Share& c = r.errors.coverage;
+  return fmt::format("{} ({} … {})", fixed(100 * c.value, 1), fixed(100 * c.low, 1),
+                     fixed(100 * c.high, 1));
+}
+
+std::string capital_words(const std::string& reading) {
+  const std::string words = as_sentence(reading_words(reading));
+  return words.substr(0, words.size() - 1);
+}
+
+/// Readings that a factor's cases show, in their order.
+std::vector<std::string> readings_of_factor(const StudyResult& study, const StudyFactor& factor) {
+  std::vector<std::string> names;
+  // A level may lose some; the base case has them all.
+  for (const StudyLevel& level : factor.levels) {
+    if (!level.is_base) continue;
+    for (const StudiedReading& r : study.case_of(level).readings) names.push_back(r.name);
+  }
+  return names;
+}
+
+Table level_table(const StudyResult& study, const StudyFactor& factor, const std::string& id,
+                  const std::string& caption, std::string (*text)(const StudiedReading&),
+                  bool has_unit) {
+  Table table;
+  table.id = fmt::format("table-{}-{}", factor.key, id);
+  std::replace(table.id.begin(), table.id.end(), '_', '-');
+  table.caption = caption;
+  table.columns = {{"Estimator", "", false, true}};
+  if (has_unit) table.columns.push_back({"In", "", false});
+  for (const StudyLevel& level : factor.levels) {
+    table.columns.push_back({level.text + (level.is_base ? ", base" : ""), "", true});
+  }
+  for (const std::string& name : readings_of_factor(study, factor)) {
+    Row row{{capital_words(name)}, name == recommended_reading(study)};
+    std::string unit;
+    std::vector<std::string> cells;
+    for (const StudyLevel& level : factor.levels) {
+      const StudiedReading* r = study.case_of(level).find(name);
+      if (r == nullptr) {
+        cells.emplace_back("not found");
+        continue;
+      }
+      unit = error_scale(*r).unit;
+      std::string cell = text(*r);
+      if (r->errors.found < r->errors.runs) {
+        cell += fmt::format(" [{} of {}]", r->errors.found, r->errors.runs);
+      }
+      cells.push_back(std::move(cell));
+    }
+    if (has_unit) row.cells.push_back(unit);
+    row.cells.insert(row.cells.end(), cells.begin(), cells.end());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::vector<Table> tables_of(const StudyResult& study, const StudyFactor& factor) {
+  Table bias = level_table(study, factor, "bias", "Bias ± its standard error", bias_text, true);
+  bias.note =
+      "Gravity and friction in % of the truth, the angle in thousandths of a degree. “[k of n]”: "
+      "found in k of n runs only.";
+  Table scatter = level_table(study, factor, "scatter",
+                              "Scatter from run to run (standard deviation)", scatter_text, true);
+  Table coverage = level_table(
+      study, factor, "coverage",
+      "Runs whose stated 95 % interval holds the truth, in % (with its own 95 % interval)",
+      coverage_text, false);
+  return {std::move(bias), std::move(scatter), std::move(coverage)};
+}
+
+std::string range_text(const StudyFactor& factor, const TrustedRange& range) {
+  if (!range.at_base) return "no";
+  if (range.all_levels) return "all levels";
+  if (range.lowest == range.highest) return factor.levels[range.lowest].text + " only";
+  return factor.levels[range.lowest].text + " … " + factor.levels[range.highest].text;
+}
+
+Table trust_table(const StudyResult& study, Criterion criterion, const std::string& id,
+                  const std::string& caption) {
+  Table table;
+  table.id = "table-trust-" + id;
+  table.caption = caption;
+  table.columns = {{"Estimator", "", false, true}};
+  for (const StudyFactor& factor : study.factors) {
+    table.columns.push_back({factor.title, "", false});
+  }
+  for (const StudiedReading& r : study.base_case().readings) {
+    Row row{{capital_words(r.name)}, r.name == recommended_reading(study)};
+    for (const StudyFactor& factor : study.factors) {
+      const std::vector<std::string> shown = readings_of_factor(study, factor);
+      const bool is_studied = std::find(shown.begin(), shown.end(), r.name) != shown.end();
+      row.cells.push_back(
+          is_studied ? range_text(factor, trusted_range(study, factor, r.name, criterion)) : "–");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void fill_trust(const StudyResult& study, TemplateValues& values) {
+  Table fine = trust_table(study, Criterion::fine, "fine",
+                           "95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
+                           "angle, 1 % of a friction parameter");
+  Table coarse =
+      trust_table(study, Criterion::coarse, "coarse", "95 of 100 runs within 0.3 %, 0.1°, 5 %");
+  Table coverage = trust_table(study, Criterion::coverage, "coverage",
+                               "The stated 95 % intervals hold the truth in 91 % of the runs or "
+                               "more");
+  coverage.note =
+      "An interval counts as too narrow where even the upper end of the coverage's own interval is "
+      "below 91 %. Levels at which all runs are alike, for want of noise, are passed over.";
+  for (const Table& table : {fine, coarse, coverage}) fill_table(table, "TRUST", values);
+}
+
+void fill_verdict(const StudyResult& study, TemplateValues& values) {
+  TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
+  const std::string best = recommended_reading(study);
+  const StudiedCase& base = study.base_case();
+  const bool covers = holds(base, best, Criterion::coverage);
+  const bool fine = covers && holds(base, best, Criterion::fine);
+  const bool coarse = covers && holds(base, best, Criterion::coarse);
+  verdict.set("WORD", fine     ? "TO BE TRUSTED IN THE BASE CASE"
+                      : coarse ? "TO BE TRUSTED WITHIN 0.3 % IN THE BASE CASE"
+                               : "NOT TO BE TRUSTED IN THE BASE CASE");
+  verdict.set("SENTENCE", study_sentence(study));
+  fill_outcome(fine ? Outcome::good : coarse ? Outcome::partial : Outcome::bad, verdict);
+  TemplateValues& findings = verdict.add_section("FINDINGS");
+  for (const std::string& finding : study_findings(study)) {
+    findings.add_section("FINDING").set("TEXT", finding);
+  }
+}
+
+std::vector<Fact> base_facts(const StudyReport& report) {
+  const StudyResult& study = report.study;
+  const Noise& noise = study.base.noise;
+  constexpr int digits = 4;
+  std::vector<Fact> facts{
+      {"Scenario", or_dash(study.base.name)},
+      {"Runs of each case", std::to_string(study.options.runs)},
+      {"Cases", std::to_string(study.cases.size())},
+      {"Seed", std::to_string(study.options.seed)},
+      {"True gravity torque at the motor",
+       with_unit(significant(study.base.load.amplitude_Nm() / study.base.gear_ratio, digits + 2),
+                 "N·m")},
+      {"White torque noise", with_unit(significant(noise.torque_white_Nm, digits), "N·m")},
+      {"Torque step", with_unit(significant(noise.torque_step_Nm, digits), "N·m")},
+      {"Motor encoder", with_unit(as_stated(noise.encoder_counts_per_turn), "counts a turn")}};
+  if (const auto& e = study.base.oscillation) {
+    facts.push_back(
+        {"Oscillation",
+         fmt::format("{}, {}, {}", with_unit(significant(e->amplitude_rad * 1e6, digits), "µrad"),
+                     with_unit(as_stated(e->frequency_Hz), "Hz"),
+                     with_unit(as_stated(e->cycles), "cycles"))});
+  }
+  return facts;
+}
+
+}  // namespace
+
+std::string study_page(const StudyReport& report, const std::vector<ReportFigure>& figures,
+                       const std::vector<render::DrawnFigure>& drawn) {
+  const StudyResult& study = report.study;
+  TemplateValues values;
+  fill_style(values);
+  values.set("TOOL", "tribolog " + report.provenance.tool_version);
+  values.set("CREATED", or_dash(report.provenance.created_utc));
+  values.set("COMMAND_LINE", or_dash(report.provenance.command_line));
+  values.set("SCENARIO_FILE", or_dash(report.scenario_file));
+  values.set("SCENARIO_TEXT", or_dash(report.scenario_text));
+  fill_facts(base_facts(report), values);
+  fill_verdict(study, values);
+  fill_trust(study, values);
+  const std::vector<FigureCard> cards = figure_cards(figures, drawn);
+  for (const StudyFactor& factor : study.factors) {
+    std::string id = factor.key;
+    std::replace(id.begin(), id.end(), '_', '-');
+    TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
+    TemplateValues& section = values.add_section("FACTOR");
+    for (TemplateValues* both : {&entry, &section}) {
+      both->set("SECTION_ID", id);
+      both->set("TITLE", factor.title);
+    }
+    section.set("NOTE_TEXT", factor.note);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      if (figures[i].stage == factor.key) fill_figure(cards[i], section);
+    }
+    for (const Table& table : tables_of(study, factor)) fill_table(table, "TABLE", section);
+  }
+  values.set_checked_by_modifier("RESULT_JSON", study_json(report));
+  return expand_template("study.tpl", values);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,247 @@
+#include "study/identified_joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "friction/lugre.h"
+#include "friction/waiboer.h"
+#include "simulate/bristle_integrator.h"
+#include "stages/encoder_resolution.h"
+#include "stages/moving_part.h"
+#include "stages/oscillation_motion.h"
+#include "stages/plateaus.h"
+#include "stages/waiboer_fit.h"
+#include "study/found_noise.h"
+
+namespace tribolog {
+namespace {
+
+/// Sliding friction over the motor's speed, continuous through zero.
+class SlidingFriction final : public StaticFriction {
+ public:
+  SlidingFriction(double coulomb_Nm, double viscous_Nms_rad, double rest_speed_rad_s)
+      : coulomb_Nm_(coulomb_Nm), viscous_(viscous_Nms_rad), rest_(rest_speed_rad_s) {}
+  [[nodiscard]] std::string name() const override { return "coulomb_viscous"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return {}; }
+  [[nodiscard]] double torque_Nm(double speed) const override {
+    return coulomb_Nm_ * std::tanh(speed / rest_) + viscous_ * speed;
+  }
+
+ private:
+  double coulomb_Nm_;
+  double viscous_;
+  double rest_;
+};
+
+/// Speeds below this share of the largest are rest: there the sign of friction is nobody's.
+constexpr double rest_share = 1e-3;
+
+class Maker {
+ public:
+  Maker(const Calibration& calibration, double gravity_Nm)
+      : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
+
+  /// Torque of the model along a recording; empty if the model cannot follow, with the reason.
+  [[nodiscard]] std::vector<double> torque(const Recording& r, std::string& why_not) const {
+    switch (r.role) {
+      case Role::rough_sweep:
+        return sweep_torque(r, c_.rough, why_not);
+      case Role::precise_sweep:
+        return sweep_torque(r, c_.precise, why_not);
+      case Role::oscillation:
+        return loop_torque(r, why_not);
+      case Role::break_away:
+        why_not =
+            "the motion of a break-away ramp is its answer, which no recorded one can stand for";
+        return {};
+      case Role::constant_speed:
+        break;
+    }
+    return run_torque(r, why_not);
+  }
+
+ private:
+  [[nodiscard]] double gravity(double q, double middle) const {
+    return gravity_Nm_ * std::cos(q - (c_.q_peak_rad ? c_.q_peak_rad->value : middle));
+  }
+
+  [[nodiscard]] std::vector<double> sliding(const Recording& r, const StaticFriction& friction,
+                                            double offset_Nm, double inertia_kgm2) const {
+    const MotionSegments motion = find_plateaus(r);
+    std::vector<double> torque(r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      torque[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm +
+                  friction.torque_Nm(n_ * motion.speed_rad_s[i]) +
+                  inertia_kgm2 * n_ * motion.acceleration_rad_s2[i];
+    }
+    return torque;
+  }
+
+  [[nodiscard]] double rest_speed(const Recording& r) const {
+    return std::max(1e-9, rest_share * n_ * find_plateaus(r).fastest_rad_s);
+  }
+
+  [[nodiscard]] std::vector<double> sweep_torque(const Recording& r, const CogSweepResult& sweep,
+                                                 std::string& why_not) const {
+    if (!sweep.found) {
+      why_not = "the sweep gave no gravity";
+      return {};
+    }
+    // One direction alone cannot tell friction from an offset; the level of both is in the mean.
+    const double coulomb = sweep.coulomb_Nm ? sweep.coulomb_Nm->value : 0.0;
+    const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
+    const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
+    const SlidingFriction friction(coulomb, viscous, rest_speed(r));
+    return sliding(r, friction, sweep.offset_Nm, inertia);
+  }
+
+  [[nodiscard]] std::vector<double> run_torque(const Recording& r, std::string& why_not) const {
+    const FrictionParametersResult& f = c_.friction;
+    if (f.waiboer && f.waiboer->converged) {
+      return sliding(r, waiboer_of(*f.waiboer), 0, 0);
+    }
+    if (f.coulomb_viscous && !c_.viscous.from_sweep) {
+      const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
+                                     f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(r));
+      return sliding(r, friction, 0, 0);
+    }
+    why_not = "no friction curve was identified";
+    return {};
+  }
+
+  [[nodiscard]] std::vector<double> loop_torque(const Recording& r, std::string& why_not) const {
+    if (!c_.hysteresis.lugre || !c_.hysteresis.lugre->converged) {
+      why_not = "no LuGre model was fitted to the loop";
+      return {};
+    }
+    const auto motion = fit_oscillation_motion(r);
+    if (!motion) {
+      why_not = "the angle does not swing through one whole cycle";
+      return {};
+    }
+    const LuGreFit& fit = *c_.hysteresis.lugre;
+    const double level = fit.static_Nm.value;
+    // The loop shows one level of friction and the sum of the two dampings; neither may push.
+    const LuGreFriction friction({fit.bristle_stiffness_Nm_rad.value,
+                                  std::max(0.0, fit.bristle_damping_Nms_rad.value),
+                                  std::max(0.0, fit.viscous_Nms_rad.value), level, level, 1.0});
+    const HarmonicMotion motor = motion->motor_motion(n_);
+    const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);
+    std::vector<double> z(r.size());
+    std::vector<double> dz(r.size());
+    integrate_bristle(friction, motor, 0.0, dt, start_deflection(r), z, dz);
+    std::vector<double> torque(r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      // A clock that jitters: between the two instants of the even grid around it.
+      const double t = r.t_s[i] - r.t_s.front();
+      const auto k = std::min(static_cast<std::size_t>(t / dt), r.size() - 2);
+      const double x = t / dt - static_cast<double>(k);
+      const double z_t = z[k] + x * (z[k + 1] - z[k]);
+      const double dz_t = dz[k] + x * (dz[k + 1] - dz[k]);
+      torque[i] = gravity(r.q_rad[i], motion->centre_rad) +
+                  friction.torque_Nm(z_t, dz_t, motor.speed(t)) +
+                  fit.inertia_kgm2.value * motor.acceleration(t);
+    }
+    return torque;
+  }
+
+  /// Of the loop's own bristle where it was observed, else of an unloaded contact.
+  [[nodiscard]] double start_deflection(const Recording& r) const {
+    for (const LoopTrace& trace : c_.hysteresis.traces) {
+      if (trace.recording == r.name && !trace.z_rad.empty()) return trace.z_rad.front();
+    }
+    return 0;
+  }
+
+  const Calibration& c_;
+  double n_;
+  double gravity_Nm_;
+};
+
+/// The recordings that a reading comes from.
+bool is_read_from(const Reading& reading, Role role) {
+  switch (reading.quantity) {
+    case Quantity::peak_angle:
+      return role == Role::rough_sweep || role == Role::precise_sweep;
+    case Quantity::sweep_friction:
+      return role == Role::rough_sweep;
+    case Quantity::gravity:
+      return role == (reading.name == "sweep" ? Role::rough_sweep : Role::oscillation);
+    case Quantity::stiffness:
+    case Quantity::static_torque:
+      return role == Role::oscillation;
+    default:
+      return role == Role::constant_speed;
+  }
+}
+
+/// Of the identified readings those that the model was made with and that its recordings can show.
+std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
+                            const std::vector<Recording>& recordings) {
+  std::vector<Reading> kept;
+  for (Reading reading : readings_of(c)) {
+    const bool is_recorded =
+        std::any_of(recordings.begin(), recordings.end(),
+                    [&](const Recording& r) { return is_read_from(reading, r.role); });
+    if (!is_recorded || is_single_point(reading.name)) continue;
+    // Where eq. (6) is put in, no straight line is.
+    const bool is_line =
+        reading.quantity == Quantity::coulomb || reading.quantity == Quantity::viscous;
+    if (is_line &&
+        (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
+      continue;
+    }
+    const double value =
+        reading.quantity == Quantity::gravity ? gravity_Nm : reading.estimate.value;
+    reading.estimate = {value, value, value, "put in"};
+    kept.push_back(std::move(reading));
+  }
+  return kept;
+}
+
+}  // namespace
+
+IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
+  IdentifiedJoint out;
+  out.dataset.manifest = dataset.manifest;
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr) {
+    out.left_out.emplace_back("nothing can be simulated: no gravity torque was identified");
+    return out;
+  }
+  const double gravity = mass->gravity_Nm.value;
+  const Maker maker(c, gravity);
+  for (const Recording& recorded : dataset.recordings) {
+    Recording r = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
+    std::string why_not;
+    std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
+    if (torque.empty()) {
+      out.left_out.push_back(
+          fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
+      continue;
+    }
+    const double step = encoder_step_rad(r.torque_Nm);
+    // A rounded number is uniform within its step: that part comes back with the rounding.
+    const double rounding = step / std::sqrt(12.0);
+    const double white = white_torque_Nm(r.torque_Nm);
+    out.white_Nm.push_back(std::sqrt(std::max(0.0, white * white - rounding * rounding)));
+    out.torque_step_Nm.push_back(step);
+    r.torque_Nm = std::move(torque);
+    r.z_rad.clear();
+    r.dz_rad_s.clear();
+    out.dataset.recordings.push_back(std::move(r));
+  }
+  out.ripple = ripple_of(c.rough, c.manifest.drive.gear_ratio());
+  out.put_in = put_in(c, gravity, out.dataset.recordings);
+  const FrictionParametersResult& f = c.friction;
+  if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {
+    out.dataset.manifest.reference = std::make_shared<WaiboerFriction>(waiboer_of(*f.waiboer));
+  }
+  return out;
+}
+
+}  // namespace tribolog

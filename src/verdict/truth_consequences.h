@@ -1,0 +1,17 @@
+#pragma once
+// What a quantity that does not come back from its own simulation means for the verdict on it.
+
+#include <string>
+#include <vector>
+
+#include "study/truth_check_result.h"
+#include "verdict/quantity_verdict.h"
+
+namespace tribolog {
+
+/// Makes the quantities doubtful that the method cannot find again.
+/// @param recommended estimator of the mass: gravity torque and mass stand on it alone.
+void apply_truth_check(const TruthCheckResult& check, const std::string& recommended,
+                       std::vector<QuantityVerdict>& quantities);
+
+}  // namespace tribolog

@@ -1,0 +1,103 @@
+// Figures of the Monte-Carlo study and of the known-truth check: what they show, by hand-made
+// numbers.
+
+#include "figures/study_figures.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "figures/reading_label.h"
+#include "figures/truth_check_figure.h"
+
+namespace tribolog {
+namespace {
+
+StudiedReading reading(const std::string& name, Quantity quantity, double truth, double bias) {
+  ErrorStatistics e;
+  e.runs = e.found = 10;
+  e.truth = truth;
+  e.bias = bias;
+  e.scatter = 0.01 * truth;
+  e.coverage = {0.9, 0.6, 0.98};
+  return {name, quantity, e};
+}
+
+/// Two levels; the second has no mid-line.
+StudyResult two_levels() {
+  StudyResult study;
+  study.options.runs = 10;
+  StudyFactor factor{"encoder", "Encoder resolution", "encoder [bits]", "", false, {}};
+  factor.levels.push_back({13, "8192 counts", true, "one", {}});
+  factor.levels.push_back({17, "131072 counts", false, "two", {}});
+  study.factors.push_back(factor);
+  study.cases = {
+      {"one",
+       {reading("B", Quantity::gravity, 4, -0.02), reading("midline", Quantity::gravity, 4, 0.004),
+        reading("q_peak", Quantity::peak_angle, -0.4, 1e-5)}},
+      {"two", {reading("B", Quantity::gravity, 4, -0.04)}}};
+  return study;
+}
+
+TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
+  const std::vector<ReportFigure> figures = study_figures(two_levels());
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].id, "study-gravity-encoder");
+  EXPECT_EQ(figures[0].stage, "encoder");
+  const render::Panel& points = figures[0].figure.panels[0];
+  ASSERT_EQ(points.series.size(), 2U);
+  EXPECT_EQ(points.series[0].label, "point B");
+  EXPECT_EQ(points.series[0].x, (std::vector<double>{13, 17}));
+  EXPECT_NEAR(points.series[0].y[0], -0.5, 1e-12);
+  EXPECT_NEAR(points.series[0].y[1], -1, 1e-12);
+  // Not found at the second level: no point there.
+  EXPECT_EQ(points.series[1].x, std::vector<double>{13});
+  EXPECT_NE(figures[0].caption.find("point B -1.000 to -0.500 %"), std::string::npos)
+      << figures[0].caption;
+}
+
+TEST(StudyFigures, ShowTheAngleInThousandthsOfADegree) {
+  const std::vector<ReportFigure> figures = study_figures(two_levels());
+  const render::Panel& angle = figures[1].figure.panels[0];
+  ASSERT_EQ(angle.series.size(), 1U);
+  EXPECT_NEAR(angle.series[0].y[0], 0.573, 0.001);
+}
+
+TEST(StudyFigures, CoverageOfRunsThatAreAllAlikeIsNotShown) {
+  StudyResult study = two_levels();
+  for (StudiedCase& one : study.cases) {
+    for (StudiedReading& r : one.readings) r.errors.scatter = 0;
+  }
+  const std::vector<ReportFigure> figures = study_figures(study);
+  for (const render::Panel& panel : figures[0].figure.panels) {
+    EXPECT_EQ(panel.title.find("coverage"), std::string::npos);
+  }
+}
+
+TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
+  Calibration c;
+  EXPECT_FALSE(figures::truth_check_figure(c));
+  c.truth_check.runs = 3;
+  c.truth_check.quantities = {
+      {"midline", "N·m", 4, 4, 0, 1, 3, 2, {-0.5, 0.5, 2}, true},
+      {"fit", "N·m", 4, 4, 0, 1, 2, 0, {-40, std::numeric_limits<double>::infinity()}, false}};
+  const auto figure = figures::truth_check_figure(c);
+  ASSERT_TRUE(figure);
+  const render::Panel& panel = figure->figure.panels[0];
+  ASSERT_EQ(panel.series.size(), 2U);
+  EXPECT_EQ(panel.series[0].x, (std::vector<double>{-0.5, 0.5}));
+  // The first row is the upper one; far points stand at the edge.
+  EXPECT_EQ(panel.series[1].x, (std::vector<double>{2, -5}));
+  EXPECT_GT(panel.series[1].y[0], panel.series[1].y[1]);
+  EXPECT_NE(figure->caption.find("2 of 5"), std::string::npos) << figure->caption;
+}
+
+TEST(ReadingLabel, MarksSubscriptsUp) {
+  EXPECT_EQ(figures::reading_label("static_torque"), "break-away torque T_{s}");
+  EXPECT_EQ(figures::reading_label("q_peak"), "gravity peak q_{peak}");
+  EXPECT_EQ(figures::reading_label("midline"), "mid-line");
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,95 @@
+// Limits of trust over hand-made studies.
+
+#include "study/trust.h"
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+constexpr double truth = 4.0;
+
+/// An estimator of gravity whose every run is off by so much, +- a little.
+StudiedReading reading(const std::string& name, double off, double half_width) {
+  std::vector<Estimate> estimates;
+  for (int i = 0; i < 100; ++i) {
+    const double little = (i % 2 == 0 ? 1 : -1) * 1e-5;
+    estimates.push_back(symmetric_estimate(truth + off + little, half_width, ""));
+  }
+  return {name, Quantity::gravity, error_statistics(estimates, truth, 100)};
+}
+
+/// One factor of five levels, the third is the base case; the mid-line is off by these.
+StudyResult study_of(const std::vector<double>& midline_off, double half_width = 1) {
+  StudyResult study;
+  StudyFactor factor{"torque_noise", "White torque noise", "noise [mN·m]", "", false, {}};
+  for (std::size_t i = 0; i < midline_off.size(); ++i) {
+    const std::string name = "case " + std::to_string(i);
+    factor.levels.push_back(
+        {static_cast<double>(i), std::to_string(i) + " mN·m", i == 2, name, {}});
+    study.cases.push_back({name,
+                           {reading("A", 0.02, 0.005), reading("B", -0.02, 0.005),
+                            reading("midline", midline_off[i], half_width)}});
+  }
+  std::swap(study.cases[0], study.cases[2]);
+  study.factors.push_back(factor);
+  return study;
+}
+
+TEST(Trust, ReachesToTheFirstLevelThatBreaksIt) {
+  const StudyResult study = study_of({0.1, 0.001, 0.001, 0.001, 0.006});
+  const TrustedRange fine = trusted_range(study, study.factors[0], "midline", Criterion::fine);
+  EXPECT_TRUE(fine.at_base);
+  EXPECT_EQ(fine.lowest, 1U);
+  EXPECT_EQ(fine.highest, 3U);
+  EXPECT_FALSE(fine.all_levels);
+  // 0.006 of 4 is 0.15 %.
+  const TrustedRange coarse = trusted_range(study, study.factors[0], "midline", Criterion::coarse);
+  EXPECT_EQ(coarse.lowest, 1U);
+  EXPECT_EQ(coarse.highest, 4U);
+}
+
+TEST(Trust, ALevelBeyondABrokenOneDoesNotCount) {
+  const StudyResult study = study_of({0.001, 0.1, 0.001, 0.1, 0.001});
+  const TrustedRange range = trusted_range(study, study.factors[0], "midline", Criterion::fine);
+  EXPECT_EQ(range.lowest, 2U);
+  EXPECT_EQ(range.highest, 2U);
+}
+
+TEST(Trust, IsNoneWhereTheBaseCaseBreaksIt) {
+  const StudyResult study = study_of({0, 0, 0, 0, 0});
+  EXPECT_FALSE(trusted_range(study, study.factors[0], "B", Criterion::coarse).at_base);
+  EXPECT_TRUE(trusted_range(study, study.factors[0], "midline", Criterion::fine).all_levels);
+}
+
+TEST(Trust, IntervalsThatDoNotHoldTheTruthAreNarrow) {
+  const StudyResult narrow = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.0005);
+  EXPECT_FALSE(holds(narrow.base_case(), "midline", Criterion::coverage));
+  EXPECT_TRUE(holds(narrow.base_case(), "midline", Criterion::fine));
+  const StudyResult wide = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.002);
+  EXPECT_TRUE(holds(wide.base_case(), "midline", Criterion::coverage));
+}
+
+TEST(Trust, WhatIsNotFoundIsNotTrusted) {
+  StudyResult study = study_of({0, 0, 0, 0, 0});
+  study.cases[1].readings[2].errors.found = 90;  // of 100
+  EXPECT_FALSE(holds(study.cases[1], "midline", Criterion::coarse));
+  EXPECT_FALSE(holds(study.cases[1], "fit", Criterion::coarse));
+}
+
+TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
+  const StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
+  const std::vector<std::string> findings = study_findings(study);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_NE(findings[0].find("point B biased by -0.500"), std::string::npos) << findings[0];
+  EXPECT_EQ(findings[0].find("mid-line"), std::string::npos) << findings[0];
+  EXPECT_NE(findings[1].find("mid-line free of bias"), std::string::npos) << findings[1];
+  bool told = false;
+  for (const std::string& finding : findings) {
+    told |= finding == "Mid-line leaves 0.1 % first at white torque noise 3 mN·m.";
+  }
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace tribolog
