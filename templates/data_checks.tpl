@@ -2,7 +2,7 @@
 <section id="data-checks" aria-labelledby="data-checks-title">
 <h2 id="data-checks-title">Checks on the data <a class="self" href="#data-checks" aria-label="Link to this section">#</a></h2>
 <p>Before any fit, the recordings are held against each other and against what a joint can do. A check that fails lowers the verdict of the quantities it touches; one that warns is told, and lowers nothing. The number is that of the worst recording.</p>
-<div class="table-box" id="table-data-checks" tabindex="0" role="region" aria-labelledby="table-data-checks-caption">
+<div class="table-box long" id="table-data-checks" tabindex="0" role="region" aria-labelledby="table-data-checks-caption">
 <table class="judged">
 <caption id="table-data-checks-caption"><span>Each check with its number and its limit</span></caption>
 <thead><tr><th scope="col">Check</th><th scope="col">Result</th><th scope="col" class="number">Measured</th><th scope="col" class="number">Limit</th><th scope="col">What was found</th></tr></thead>

@@ -1,7 +1,7 @@
 {{%AUTOESCAPE context="HTML"}}
 <section id="quantities" aria-labelledby="quantities-title">
 <h2 id="quantities-title">Verdict on each quantity <a class="self" href="#quantities" aria-label="Link to this section">#</a></h2>
-<div class="table-box" id="table-quantities" tabindex="0" role="region" aria-labelledby="table-quantities-caption">
+<div class="table-box long" id="table-quantities" tabindex="0" role="region" aria-labelledby="table-quantities-caption">
 <table class="judged">
 <caption id="table-quantities-caption"><span>What can be used, and what to record next (torques at the motor)</span></caption>
 <thead><tr><th scope="col">Quantity</th><th scope="col">Verdict</th><th scope="col">Estimate, 95 % interval</th><th scope="col">Why, and what to record next</th></tr></thead>

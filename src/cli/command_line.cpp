@@ -38,7 +38,7 @@ The manifest says, for example:
   name = "J3"
   gear_ratio = 100
   [effort]                      # never guessed: it must be stated
-  kind = "motor_current"        # or "motor_torque", "joint_torque"
+  kind = "motor_current"        # or "motor_torque", "joint_torque", "none"
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
   [columns]
