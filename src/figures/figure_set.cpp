@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "figures/break_away_ramps.h"
 #include "figures/curve_model_figure.h"
 #include "figures/direction_lines_figure.h"
-#include "figures/break_away_ramps.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
 #include "figures/load_dependence_figure.h"

@@ -42,7 +42,7 @@ struct Manifest {
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
-  std::vector<KnownLoad> known_loads;         ///< Subtracted when the logs were read.
+  std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
   std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
 };
