@@ -119,8 +119,9 @@ std::optional<ReportFigure> curve_model_figure(const Calibration& c) {
   out.how_to_read =
       "Above, the models on the curve; where a term for load or direction was taken up they are "
       "drawn at the mean load and the mean of the directions, and the points scatter about them. "
-      "Below, the error on a model's own data falls with every parameter and says nothing; the "
-      "error at speeds that took no part in the fit stops falling, or rises, where the parameters "
+      "Below, at the same speeds: the error on a model's own data falls with every parameter and "
+      "says nothing; the error at speeds that took no part in the fit stops falling, or rises, "
+      "where the parameters "
       "begin to follow noise. The simplest model within one standard error of the best is taken.";
   out.alt = fmt::format(
       "Friction curves of {} over the measured curve, and their errors over the "

@@ -57,7 +57,7 @@ std::optional<ReportFigure> direction_lines_figure(const Calibration& c) {
   add_line(panel, lines->falling, false, scale);
   if (panel.series.empty()) return std::nullopt;
   out.figure.panels.push_back(std::move(panel));
-  out.caption = fmt::format("With the gravity of {}.{}{}", candidate_words(c, lines->estimator),
+  out.caption = fmt::format("Gravity removed: {}.{}{}", candidate_words(c, lines->estimator),
                             words(lines->rising, "Forward"), words(lines->falling, "Backward"));
   out.how_to_read =
       "Each direction has its own line, through the runs that travel far enough for ripple to "

@@ -43,7 +43,7 @@ TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
       {"midline", "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
       {"q_peak", "rad", -0.4, std::nan(""), std::nan(""), std::nan(""), 0, 0, {}, false}};
   c.truth_check.left_out = {"run.csv: no friction curve was identified"};
-  c.truth_check.findings = {"the mid-line does not come back"};
+  c.truth_check.findings = {{"midline", "the mid-line does not come back"}};
   expect_valid(c);
   const json check = parsed(c)["truth_check"];
   EXPECT_EQ(check["quantities"][0]["came_back"], 3.8);

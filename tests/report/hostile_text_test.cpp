@@ -49,7 +49,8 @@ Calibration filled_with(const std::string& text) {
   for (ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
   c.truth_check.runs = 1;
   c.truth_check.quantities = {{text, text, 1, 2, 0, 1, 1, 0, {1}, false}};
-  c.truth_check.left_out = c.truth_check.findings = {text};
+  c.truth_check.left_out = {text};
+  c.truth_check.findings = {{text, text}};
   for (SurrogateMass& mass : c.masses.masses) mass.torque_Nm.method = mass.mass_kg.method = text;
   return c;
 }

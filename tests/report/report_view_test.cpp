@@ -103,7 +103,7 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
   c.truth_check.quantities = {
       {"midline", "N·m", 3.88319, 3.88325, 0.0002, 0.0005, 20, 19, {0.1, 1.2}, true},
       {"q_peak", "rad", -0.388, -0.380, 1e-5, 1e-5, 20, 0, {}, false}};
-  c.truth_check.findings = {"the gravity peak does not come back"};
+  c.truth_check.findings = {{"q_peak", "the gravity peak does not come back"}};
   auto figures = sample_figures(c);
   figures[0].stage = "known-truth";
   const auto drawn = sample_pictures(figures);

@@ -97,12 +97,26 @@ class Chooser {
       why = "it cannot be fitted without each of the speeds";
       return t;
     }
-    t.trial.training_rms_Nm = fit->rms_Nm(samples_);
+    t.trial.training_rms_Nm = root_mean(training_errors(*fit));
     t.trial.held_out_rms_Nm = root_mean(t.errors);
     for (const double w : curve_speeds_) {
       t.trial.curve_Nm.push_back(fit->friction_Nm({w, 0, 0, mean_load_, 0}));
     }
     return t;
+  }
+
+  /// Of a fit to all speeds, at those that are held out in turn: to be compared with the errors
+  /// there.
+  [[nodiscard]] std::vector<double> training_errors(const CurveFit& fit) const {
+    std::vector<double> errors;
+    for (const std::size_t group : groups_) {
+      std::vector<CurveSample> members;
+      for (const CurveSample& s : samples_) {
+        if (s.group == group) members.push_back(s);
+      }
+      errors.push_back(std::pow(fit.rms_Nm(members), 2));
+    }
+    return errors;
   }
 
   /// The simplest law no worse than the best by more than a standard error; nothing if none fits.

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "stages/data_checks/checked_recordings.h"
 #include "stages/position_mean.h"
 
 namespace tribolog {

@@ -162,7 +162,10 @@ TEST(ModelChoice, TrainingErrorAlwaysPrefersMoreParameters) {
   for (const CurveModelTrial& t : c.ladder) {
     if (!t.excluded_because.empty() || t.model.law == CurveLaw::waiboer) continue;
     if (t.model.law == CurveLaw::stribeck) continue;  // not nested in the power law
-    EXPECT_LE(t.training_rms_Nm, last * (1 + 1e-9));
+    // The fit is to all speeds, the error at those held out in turn: all but the two ends.
+    constexpr double ends = 0.02;
+    EXPECT_LE(t.training_rms_Nm, last * (1 + ends));
+    EXPECT_LT(t.training_rms_Nm, t.held_out_rms_Nm);
     last = t.training_rms_Nm;
   }
   EXPECT_EQ(c.chosen.law, CurveLaw::coulomb_viscous);
