@@ -10,6 +10,7 @@
 
 #include "stages/block_regression.h"
 #include "stages/levenberg_marquardt.h"
+#include "stages/linearised_fit.h"
 #include "stages/lugre_loop_model.h"
 
 namespace tribolog {
@@ -71,8 +72,9 @@ LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion
   Eigen::MatrixXd jacobian;
   const Model::Vector p = best.parameters;
   model.evaluate(p, residuals, &jacobian);
-  const BlockRegression around =
-      block_regression(jacobian, -residuals, half_cycle_blocks(oscillation, motion.frequency_Hz));
+  const auto blocks = half_cycle_blocks(oscillation, motion.frequency_Hz);
+  const BlockRegression around = block_regression(jacobian, -residuals, blocks);
+  fit.linearised = std::make_shared<LinearisedFit>(LinearisedFit{p, jacobian, residuals, blocks});
   fit.residual_Nm =
       std::sqrt(residuals.squaredNorm() /
                 std::max<double>(1, static_cast<double>(residuals.size()) - Model::parameters));

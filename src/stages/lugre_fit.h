@@ -6,6 +6,7 @@
 // The motion is a harmonic series fitted to q(t); the bristle equation is integrated once per
 // model evaluation, with its exact derivatives by the parameters carried along.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@
 #include "stages/oscillation_motion.h"
 
 namespace tribolog {
+
+struct LinearisedFit;
 
 struct LuGreFit {
   bool converged{false};
@@ -29,6 +32,8 @@ struct LuGreFit {
   std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.
   std::vector<double> dz_rad_s;
   std::vector<double> torque_Nm;  ///< The model's torque there.
+  /// Of a fit that converged, for resampling (stages/linearised_fit.h); not stored.
+  std::shared_ptr<const LinearisedFit> linearised;
 };
 
 /// @param motion of the recording.

@@ -1,0 +1,23 @@
+#pragma once
+// What a nonlinear fit looks like next to its solution: all that resampling its residuals needs.
+//
+// With residuals r(p) = r0 + J (p - p0), a resample r* of the residuals moves the parameters by
+// -J^+ r*, with no second fit. It holds as long as the model is straight over the intervals that
+// come of it.
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace tribolog {
+
+struct LinearisedFit {
+  Eigen::VectorXd parameters;  ///< p0, the solution; their meaning is the fit's own.
+  Eigen::MatrixXd jacobian;    ///< J of the residuals there: one row per sample, one column each.
+  Eigen::VectorXd residuals;   ///< r0 = model - measured.
+  /// Block of each row, counted from 0, never falling: residuals of one block hang together.
+  std::vector<std::size_t> block_of_row;
+};
+
+}  // namespace tribolog
