@@ -1,6 +1,10 @@
 #include "pipeline.h"
 
+#include <utility>
+
 #include "verdict.h"
+
+#include "stages/lugre_experiments.h"
 
 namespace tribolog {
 
@@ -55,6 +59,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+  if (c.hysteresis.lugre && c.friction.waiboer && c.friction.waiboer->converged) {
+    c.hysteresis.lugre = with_experiments(std::move(*c.hysteresis.lugre), n,
+                                          c.friction.waiboer->stribeck_speed_rad_s.value);
+  }
 
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);

@@ -20,5 +20,6 @@ Json viscous(const ViscousCurvesResult& v);
 Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
 Json friction(const Calibration& c, double gear_ratio);
+Json lugre(const LuGreFit& f, double gear_ratio);
 
 }  // namespace tribolog::json

@@ -5,6 +5,7 @@
 
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
+#include "figures/lugre_loop.h"
 #include "figures/quality_error.h"
 #include "figures/selected_curve.h"
 #include "figures/sweep_motion.h"
@@ -27,6 +28,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(lugre_loop_figure(calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

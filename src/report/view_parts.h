@@ -40,6 +40,7 @@ void describe_viscous_curves(const Calibration& calibration, Section& section);
 void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
+void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
 
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);

@@ -33,24 +33,31 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   const double freedom = std::max<double>(1.0, static_cast<double>(rows - columns));
   out.residual_sd = std::sqrt(out.residuals.squaredNorm() / freedom);
 
-  const std::size_t blocks = block_of_row.empty() ? 0 : block_of_row.back() + 1;
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(columns, static_cast<Eigen::Index>(blocks));
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    scores.col(static_cast<Eigen::Index>(block_of_row[static_cast<std::size_t>(i)])) +=
-        out.residuals(i) * scaled.row(i).transpose();
-  }
   const Eigen::MatrixXd r_inverse =
       r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(columns, columns));
+  const BlockCovariance around = block_covariance(scaled, out.residuals, r_inverse, block_of_row);
+  out.covariance =
+      norms.cwiseInverse().asDiagonal() * around.covariance * norms.cwiseInverse().asDiagonal();
+  out.t_factor = around.t_factor;
+  return out;
+}
+
+BlockCovariance block_covariance(const Eigen::MatrixXd& x, const Eigen::VectorXd& residuals,
+                                 const Eigen::MatrixXd& r_inverse,
+                                 const std::vector<std::size_t>& block_of_row) {
+  const Eigen::Index columns = x.cols();
+  const std::size_t blocks = block_of_row.empty() ? 0 : block_of_row.back() + 1;
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(columns, static_cast<Eigen::Index>(blocks));
+  for (Eigen::Index i = 0; i < x.rows(); ++i) {
+    scores.col(static_cast<Eigen::Index>(block_of_row[static_cast<std::size_t>(i)])) +=
+        residuals(i) * x.row(i).transpose();
+  }
   const Eigen::MatrixXd bread = r_inverse * r_inverse.transpose();
   const auto m = static_cast<double>(blocks);
   // Each column costs a degree of freedom among the blocks.
   const double spare = std::max(1.0, m - static_cast<double>(columns));
   const Eigen::MatrixXd meat = scores * scores.transpose() * (m / spare);
-  const Eigen::MatrixXd covariance = bread * meat * bread;
-  out.covariance =
-      norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
-  out.t_factor = student_t_975(spare);
-  return out;
+  return {bread * meat * bread, student_t_975(spare)};
 }
 
 std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group,

@@ -29,6 +29,17 @@ struct BlockRegression {
 BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                  const std::vector<std::size_t>& block_of_row);
 
+struct BlockCovariance {
+  Eigen::MatrixXd covariance;
+  double t_factor{};  ///< As above.
+};
+
+/// The sandwich alone, where X has been factored already.
+/// @param r_inverse inverse of the triangular factor R of X = Q R.
+BlockCovariance block_covariance(const Eigen::MatrixXd& x, const Eigen::VectorXd& residuals,
+                                 const Eigen::MatrixXd& r_inverse,
+                                 const std::vector<std::size_t>& block_of_row);
+
 /// Blocks for rows that follow each other in time: `per_group` blocks of equal size within each
 /// run of equal `group`, but none smaller than 5 rows.
 std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group, std::size_t per_group);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "stages/encoder_resolution.h"
+#include "stages/gravity_at_positions.h"
 #include "stages/loop_midline.h"
 #include "stages/loop_points.h"
 #include "stages/moving_part.h"
@@ -72,46 +73,41 @@ std::vector<LoopPoint> average_turns(const LoopTrace& trace, const TraceReader& 
 }
 
 struct LoopResult {
+  Recording recording;
+  OscillationMotion motion;
   Oscillation oscillation;
   LoopTrace trace;
   LoopMidline midline;
-  std::string warning;
 };
 
-/// The mid-lines of all recordings as one estimate of the mean torque; where there are at least
-/// three, their scatter sets the interval (it carries what differs between positions: ripple).
-Estimate combine_midlines(const std::vector<LoopResult>& loops) {
+/// The mid-lines of all recordings as one estimate of the mean torque.
+Estimate combine_midlines(const std::vector<LoopResult>& loops, double gear_ratio) {
   if (loops.size() == 1) return loops.front().midline.torque_Nm;
-  const auto n = static_cast<double>(loops.size());
-  double mean = 0;
-  double variance = 0;
+  std::vector<Estimate> at_peak;
+  std::vector<double> centres;
   for (const LoopResult& loop : loops) {
-    mean += loop.midline.torque_Nm.value / loop.midline.mean_cos / n;
-    variance += std::pow(loop.midline.torque_Nm.half_width() / n, 2);
+    at_peak.push_back(scaled(loop.midline.torque_Nm, 1 / loop.midline.mean_cos));
+    centres.push_back(loop.oscillation.centre_rad);
   }
-  double squares = 0;
-  for (const LoopResult& loop : loops) {
-    squares += std::pow(loop.midline.torque_Nm.value / loop.midline.mean_cos - mean, 2);
-  }
-  if (n >= 3) {
-    const double error = std::sqrt(squares / (n - 1) / n);
-    return symmetric_estimate(mean, student_t_975(n - 1) * error, "scatter of the recordings");
-  }
-  const double between = std::sqrt(squares / (n - 1) / n) * student_t_975(n - 1);
-  return symmetric_estimate(mean, std::max(std::sqrt(variance), between),
-                            "scatter of the cycles and of the recordings");
+  return combined_over_recordings(at_peak, centres, gear_ratio, "cycles");
 }
 
-/// The bristle state of the first loop: recorded, or observed by a fitted LuGre model.
-void observe_bristle(const Recording& recording, const OscillationMotion& motion, double gear_ratio,
-                     double q_peak, LoopTrace& trace, HysteresisResult& out) {
-  LuGreFit fit = fit_lugre(recording, motion, gear_ratio, q_peak);
-  if (!trace.z_rad.empty()) {
+/// LuGre fitted to all loops together; it observes the bristle of those that hold none.
+void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
+                     double ripple_Nm, HysteresisResult& out) {
+  std::vector<LuGreInput> inputs;
+  for (const LoopResult& loop : loops) inputs.push_back({&loop.recording, &loop.motion});
+  LuGreFit fit = fit_lugre(inputs, gear_ratio, q_peak, ripple_Nm);
+  if (!loops.front().trace.z_rad.empty()) {
     out.bristle_source = "recorded";
-  } else if (fit.converged) {
-    trace.z_rad = fit.z_rad;
-    trace.dz_rad_s = fit.dz_rad_s;
+  } else if (fit.gravity_Nm) {
     out.bristle_source = "LuGre model fitted to the loop";
+  }
+  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+    LoopTrace& trace = loops[r].trace;
+    if (!trace.z_rad.empty()) continue;
+    trace.z_rad = fit.loops[r].z_rad;
+    trace.dz_rad_s = fit.loops[r].dz_rad_s;
   }
   out.lugre = std::move(fit);
 }
@@ -167,7 +163,8 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
           "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
           recording.name));
     }
-    if (loops.empty()) observe_bristle(recording, *motion, gear_ratio, q_peak, loop.trace, out);
+    loop.recording = recording;
+    loop.motion = *motion;
     loops.push_back(std::move(loop));
   }
   for (const std::string& reason : reasons) {
@@ -178,10 +175,13 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     return out;
   }
 
+  const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().motion.centre_rad;
+  observe_bristle(loops, gear_ratio, q_peak, rough.found ? rough.ripple_Nm : 0.0, out);
+
   out.found = true;
   out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
   const LoopResult& first = loops.front();
-  out.midline_Nm = combine_midlines(loops);
+  out.midline_Nm = combine_midlines(loops, gear_ratio);
   out.midline_q_rad = first.midline.mean_q_rad;
   out.midline_mean_cos = loops.size() == 1 ? first.midline.mean_cos : 1.0;
   const auto [low, high] =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "joint/gravity_load.h"
+#include "stages/gravity_at_positions.h"
 
 namespace tribolog {
 namespace {
@@ -33,15 +34,6 @@ SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, do
   m.mass_kg =
       scaled(m.gravity_Nm, surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
   return m;
-}
-
-/// A torque read at one position, with the ripple that the sweep shows laid on its interval: over a
-/// micro-oscillation ripple is a constant, which no repetition averages out.
-Estimate with_ripple(Estimate torque, double ripple_Nm) {
-  if (!(ripple_Nm > 0)) return torque;
-  constexpr double normal_975 = 1.96;
-  return symmetric_estimate(torque.value, std::hypot(torque.half_width(), normal_975 * ripple_Nm),
-                            torque.method + ", widened by the ripple that the sweep shows");
 }
 
 const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
@@ -75,8 +67,13 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
     return context.q_peak_rad ? std::cos(q - *context.q_peak_rad) : 1.0;
   };
 
-  // From three positions on, the scatter between them carries the ripple.
-  const double ripple = hysteresis.oscillations.size() < 3 ? rough.ripple_Nm : 0.0;
+  std::vector<double> centres;
+  for (const Oscillation& o : hysteresis.oscillations) centres.push_back(o.centre_rad);
+  // The points are of the first position. The mid-line is of all, and its scatter has the ripple
+  // where they are enough.
+  const bool enough = distinct_positions(centres, gear_ratio) >= fewest_positions;
+  const double ripple = rough.ripple_Nm;
+  const double midline_ripple = enough ? 0.0 : ripple;
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
@@ -98,8 +95,13 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, ripple),
+    out.masses.push_back(make_mass("midline", with_ripple(*hysteresis.midline_Nm, midline_ripple),
                                    hysteresis.midline_q_rad, hysteresis.midline_mean_cos, context));
+  }
+  if (hysteresis.lugre && hysteresis.lugre->gravity_Nm) {
+    // Already at the peak, and widened by ripple where that is due.
+    out.masses.push_back(make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad,
+                                   1.0, context));
   }
   if (rough.found) {
     Context at_peak = context;

@@ -2,7 +2,8 @@
 // Stage 4: the surrogate mass of every estimator, eq. (12) as corrected.
 //
 // A to F: the paper's six. AB, CD, EF: means of opposite points of the steady loop. midline: the
-// mean of the steady loop. sweep: the gravity amplitude of the rough sweep.
+// mean of the steady loop. fit: gravity torque of LuGre fitted to all loops. sweep: the gravity
+// amplitude of the rough sweep.
 
 #include <optional>
 #include <string>
@@ -15,7 +16,8 @@
 namespace tribolog {
 
 struct SurrogateMass {
-  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "sweep", in this order.
+  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "fit", "sweep", in this
+                          ///< order.
   Estimate torque_Nm;     ///< Motor side.
   double q_rad{};         ///< Joint angle it was read at.
   Estimate mass_kg;
