@@ -62,7 +62,8 @@ Json lugre(const LuGreFit& f, double n) {
   made["parameters"] = Json::array();
   for (const LuGreParameter& p : f.parameters) made["parameters"].push_back(parameter(p));
   made["identifiability"] = nullptr;
-  if (!f.identifiability.names.empty()) made["identifiability"] = identifiability(f.identifiability);
+  if (!f.identifiability.names.empty())
+    made["identifiability"] = identifiability(f.identifiability);
   made["recordings"] = Json::array();
   for (const LuGreLoop& loop : f.loops) made["recordings"].push_back(recording(loop));
   return made;

@@ -3,9 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "provenance.h"
+
 #include "calibration.h"
 #include "calibration_json/values.h"
-#include "provenance.h"
 
 namespace tribolog::json {
 

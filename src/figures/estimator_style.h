@@ -20,8 +20,7 @@ struct SeriesStyle {
 /// Every name that `estimator_style` knows, in the order of the surrogate masses; last the
 /// reference curve.
 inline constexpr std::array<const char*, 13> styled_names{
-    "A",  "B",  "C",  "D",       "E",   "F",     "AB",
-    "CD", "EF", "midline", "fit", "sweep", "reference"};
+    "A", "B", "C", "D", "E", "F", "AB", "CD", "EF", "midline", "fit", "sweep", "reference"};
 
 /// Grey dots for a name it does not know.
 SeriesStyle estimator_style(const std::string& name);

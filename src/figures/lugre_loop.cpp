@@ -40,10 +40,11 @@ render::Panel misfit_panel(const LoopView& view, const LoopMisfit& misfit, doubl
     const std::vector<double> high(q.size(), torque(residual_Nm));
     const std::vector<double> low(q.size(), -torque(residual_Nm));
     panel.bands.push_back({"scatter of single samples", q, low, high, faded(cloud, 120)});
-    add_visible(panel, line("", {q.front(), q.back()}, {0.0, 0.0}, render::palette::black, zero_px));
+    add_visible(panel,
+                line("", {q.front(), q.back()}, {0.0, 0.0}, render::palette::black, zero_px));
   }
-  add_visible(panel, line("while the angle grows", q, shown(misfit.rising_Nm, torque),
-                          rising_colour));
+  add_visible(panel,
+              line("while the angle grows", q, shown(misfit.rising_Nm, torque), rising_colour));
   add_visible(panel, line("while it falls", q, shown(misfit.falling_Nm, torque), falling_colour,
                           2.5, render::LineStyle::dash));
   return panel;

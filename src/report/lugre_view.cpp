@@ -28,7 +28,7 @@ const std::map<std::string, Words> words{
     {"static_Nm", {"Break-away torque T_s", 1, torque_scale}},
     {"coulomb_Nm", {"Coulomb torque T_c", 1, torque_scale}},
     {"stribeck_speed_rad_s", {"Stribeck velocity ω_s", -1, speed_scale}},
-    {"speed_weakening_Nms2_rad2", {"Start of the fall (T_s − T_c)/ω_s²", 3, weakening_scale}},
+    {"speed_weakening_Nms2_rad2", {"Start of the fall of friction with speed", 3, weakening_scale}},
     {"inertia_kgm2", {"Inertia J of motor, gear and arm", 2, inertia_scale}}};
 
 void add_both_sides(const std::string& quantity, const Estimate& motor, double n, int powers,
@@ -84,8 +84,9 @@ Fact identifiability_fact(const LuGreIdentifiability& i) {
     values += (values.empty() ? "" : ", ") + significant(1e3 * v, few_digits);
   }
   return {"Singular values of the scaled Jacobian",
-          values + "\u00a0mN·m (rms torque that a change of the parameters by their own size makes "
-                   "along each direction); condition " +
+          values +
+              "\u00a0mN·m (rms torque that a change of the parameters by their own size makes "
+              "along each direction); condition " +
               significant(i.condition, few_digits) + "; weakest: " + i.weakest_in_words};
 }
 
@@ -97,7 +98,8 @@ void describe_lugre(const LuGreFit& f, double n, Section& section) {
     return;
   }
   section.facts.push_back(
-      {"LuGre fit", std::to_string(f.loops.size()) + (f.loops.size() == 1 ? " loop" : " loops together") +
+      {"LuGre fit", std::to_string(f.loops.size()) +
+                        (f.loops.size() == 1 ? " loop" : " loops together") +
                         ", motor speed up to " +
                         with_unit(significant(f.peak_speed_rad_s, few_digits), "rad/s")});
   if (!f.identifiability.names.empty()) {

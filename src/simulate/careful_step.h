@@ -40,8 +40,8 @@ Scalar careful_step(const Deflection& g, const Motion& motion, double a, double 
   const Scalar ga = g(wa);
   const Scalar gm = g(wm);
   const Scalar gb = g(wb);
-  const StepShape<Scalar> shape = step_shape<Scalar>(
-      wa, wm, wb, ga, gm, gb, Scalar(1.0 / ga), Scalar(1.0 / gm), Scalar(1.0 / gb), b - a);
+  const StepShape<Scalar> shape = step_shape<Scalar>(wa, wm, wb, ga, gm, gb, Scalar(1.0 / ga),
+                                                     Scalar(1.0 / gm), Scalar(1.0 / gb), b - a);
   if (std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) && halvings > 0) {
     return in_two(middle, wm);
   }

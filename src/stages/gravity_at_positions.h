@@ -24,8 +24,9 @@ std::size_t distinct_positions(std::vector<double> centres_rad, double gear_rati
 /// One stays as it is; of two, the wider of their scatter and their own intervals; from three on
 /// the scatter makes the interval. From six positions on that are spread over a motor turn, ripple
 /// is fitted as harmonics of the motor's angle (two fewer orders than half the positions), and only
-/// what scatters about that counts: an even spread averages such ripple out, and plain scatter would
-/// take it for an error. Ripple with as many periods a turn as there are positions stays unseen.
+/// what scatters about that counts: an even spread averages such ripple out, and plain scatter
+/// would take it for an error. Ripple with as many periods a turn as there are positions stays
+/// unseen.
 /// @param centres_rad joint angles of the recordings, as many as estimates.
 /// @param from_one_source what scatters within a recording: "cycles".
 /// @throw std::invalid_argument if there is none, or the sizes differ.

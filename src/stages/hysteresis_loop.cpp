@@ -96,18 +96,32 @@ Estimate combine_midlines(const std::vector<LoopResult>& loops, double gear_rati
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
                      double ripple_Nm, HysteresisResult& out) {
   std::vector<LuGreInput> inputs;
-  for (const LoopResult& loop : loops) inputs.push_back({&loop.recording, &loop.motion});
-  LuGreFit fit = fit_lugre(inputs, gear_ratio, q_peak, ripple_Nm);
+  std::vector<LoopTrace*> traces;
+  std::string not_followed;
+  for (LoopResult& loop : loops) {
+    if (loop.motion.follows_the_angle(loop.oscillation.encoder_step_rad)) {
+      inputs.push_back({&loop.recording, &loop.motion});
+      traces.push_back(&loop.trace);
+    } else if (not_followed.empty()) {
+      not_followed = fmt::format(
+          "{}: the angle is no periodic motion: a harmonic series leaves {:.2g} rad of an "
+          "amplitude "
+          "of {:.2g} rad, so that the LuGre model cannot be driven by it",
+          loop.recording.name, loop.motion.residual_rad, loop.motion.amplitude_rad);
+    }
+  }
+  LuGreFit fit;
+  if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple_Nm);
+  if (!not_followed.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + not_followed;
   if (!loops.front().trace.z_rad.empty()) {
     out.bristle_source = "recorded";
-  } else if (fit.gravity_Nm) {
+  } else if (fit.gravity_Nm && traces.front() == &loops.front().trace) {
     out.bristle_source = "LuGre model fitted to the loop";
   }
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
-    LoopTrace& trace = loops[r].trace;
-    if (!trace.z_rad.empty()) continue;
-    trace.z_rad = fit.loops[r].z_rad;
-    trace.dz_rad_s = fit.loops[r].dz_rad_s;
+    if (!traces[r]->z_rad.empty()) continue;
+    traces[r]->z_rad = fit.loops[r].z_rad;
+    traces[r]->dz_rad_s = fit.loops[r].dz_rad_s;
   }
   out.lugre = std::move(fit);
 }

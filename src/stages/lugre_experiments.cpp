@@ -55,15 +55,16 @@ std::string experiment_for(const LuGreParameter& p, const LuGreFit& fit, double 
   }
   if (p.name == "static_Nm" || p.name == "bristle_stiffness_Nm_rad") {
     return fmt::format(
-        "a larger amplitude, {:.2g} rad at the joint and more, until the ends of the loop flatten "
+        "an oscillation of larger amplitude, {:.2g} rad at the joint and more, until the ends of "
+        "the loop flatten "
         "(it was {:.2g} rad)",
         3 * amplitude, amplitude);
   }
   if (p.name == "inertia_kgm2") {
-    return fmt::format("a second oscillation of the same amplitude at {:.2g} Hz",
+    return fmt::format("another oscillation of the same amplitude at {:.2g} Hz",
                        fit.frequency_Hz * std::max(2.0, std::sqrt(growth)));
   }
-  const std::string second = fmt::format("a second oscillation of the same amplitude at {:.2g} Hz",
+  const std::string second = fmt::format("another oscillation of the same amplitude at {:.2g} Hz",
                                          fit.frequency_Hz * growth);
   if (p.name != "viscous_Nms_rad") return second;
   constexpr double most_by_frequency = 10;
@@ -76,8 +77,7 @@ std::string experiment_for(const LuGreParameter& p, const LuGreFit& fit, double 
 LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
                           const std::optional<double>& stribeck_speed_rad_s) {
   for (LuGreParameter& p : fit.parameters) {
-    p.experiment =
-        p.estimate ? "" : experiment_for(p, fit, gear_ratio, stribeck_speed_rad_s);
+    p.experiment = p.estimate ? "" : experiment_for(p, fit, gear_ratio, stribeck_speed_rad_s);
   }
   return fit;
 }

@@ -21,8 +21,8 @@ namespace {
 constexpr double thinned_per_cycle = 60;
 
 std::size_t stride_of(const Recording& r, double frequency_Hz) {
-  const double per_cycle = static_cast<double>(r.size() - 1) /
-                           ((r.t_s.back() - r.t_s.front()) * frequency_Hz);
+  const double per_cycle =
+      static_cast<double>(r.size() - 1) / ((r.t_s.back() - r.t_s.front()) * frequency_Hz);
   return static_cast<std::size_t>(std::max(1.0, std::floor(per_cycle / thinned_per_cycle)));
 }
 
@@ -30,10 +30,8 @@ LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio,
                         bool thinned) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    const auto motion =
-        std::make_shared<HarmonicMotion>(loop.motion->motor_motion(gear_ratio));
-    const std::size_t stride =
-        thinned ? stride_of(*loop.recording, loop.motion->frequency_Hz) : 1;
+    const auto motion = std::make_shared<HarmonicMotion>(loop.motion->motor_motion(gear_ratio));
+    const std::size_t stride = thinned ? stride_of(*loop.recording, loop.motion->frequency_Hz) : 1;
     models.emplace_back(*loop.recording, motion, gear_ratio, q_peak_rad, stride);
   }
   return LuGreProblem(std::move(models));
@@ -46,8 +44,8 @@ std::vector<std::size_t> half_cycle_blocks(const std::vector<LuGreInput>& loops)
   for (const LuGreInput& loop : loops) {
     const auto& t = loop.recording->t_s;
     for (const double time : t) {
-      blocks.push_back(first + static_cast<std::size_t>((time - t.front()) * 2 *
-                                                        loop.motion->frequency_Hz));
+      blocks.push_back(
+          first + static_cast<std::size_t>((time - t.front()) * 2 * loop.motion->frequency_Hz));
     }
     first = blocks.back() + 1;
   }
@@ -111,7 +109,8 @@ Estimate gravity_of(const std::vector<LuGreInput>& inputs, const LuGreFit& fit, 
     centres.push_back(inputs[r].motion->centre_rad);
   }
   const bool ripple_shows = distinct_positions(centres, gear_ratio) >= fewest_positions;
-  return with_ripple(combined_over_recordings(each, centres, gear_ratio, "half cycles"), ripple_shows ? 0 : ripple_Nm);
+  return with_ripple(combined_over_recordings(each, centres, gear_ratio, "half cycles"),
+                     ripple_shows ? 0 : ripple_Nm);
 }
 
 const char* rung_name(LuGreRung rung) {
@@ -138,7 +137,8 @@ std::string what_is_not_shown(const LuGreFit& fit) {
           fit.height_Nm / 2);
     case 'l':
       return fmt::format(
-          "the motor stays below {:.3g} rad/s in the loops: Coulomb torque and Stribeck velocity do "
+          "the motor stays below {:.3g} rad/s in the loops: Coulomb torque and Stribeck velocity "
+          "do "
           "not show in them and are taken from the constant-speed runs",
           fit.peak_speed_rad_s);
     case 'c':
@@ -180,8 +180,7 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   }
   fit.converged = true;
   const auto freedom = static_cast<double>(problem.samples() - climb.linear.r_factor.cols());
-  fit.residual_Nm =
-      std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
+  fit.residual_Nm = std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
   fit.parameters = lugre_parameters(climb, fit.peak_speed_rad_s);
   fit.identifiability =

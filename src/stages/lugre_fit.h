@@ -41,8 +41,12 @@ struct LuGreParameter {
 
 /// Names, in the order of LuGreFit::parameters.
 inline constexpr const char* lugre_parameter_names[] = {
-    "bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad", "viscous_Nms_rad",
-    "static_Nm",                "coulomb_Nm",              "stribeck_speed_rad_s",
+    "bristle_stiffness_Nm_rad",
+    "bristle_damping_Nms_rad",
+    "viscous_Nms_rad",
+    "static_Nm",
+    "coulomb_Nm",
+    "stribeck_speed_rad_s",
     "speed_weakening_Nms2_rad2",  // (Ts - Tc)/ws^2, the start of the fall
     "inertia_kgm2"};
 
@@ -51,10 +55,10 @@ inline constexpr const char* lugre_parameter_names[] = {
 /// recordings other than the first are projected out, and rows are averaged: a unit change along a
 /// direction changes the torque by its singular value [N·m, rms].
 struct LuGreIdentifiability {
-  std::vector<std::string> names;           ///< Of the columns, in words.
-  std::vector<double> singular_values_Nm;   ///< Descending.
-  double condition{};                       ///< First over last.
-  std::vector<double> weakest;              ///< Direction of the last, by names.
+  std::vector<std::string> names;          ///< Of the columns, in words.
+  std::vector<double> singular_values_Nm;  ///< Descending.
+  double condition{};                      ///< First over last.
+  std::vector<double> weakest;             ///< Direction of the last, by names.
   std::string weakest_in_words;
   std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
 };

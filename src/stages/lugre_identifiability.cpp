@@ -31,8 +31,8 @@ class Reader {
     const Eigen::Index k = climb_.column(parameter);
     if (k >= 0) gradient(k) += factor;
   }
-  [[nodiscard]] Reading product(double value,
-                                std::initializer_list<std::pair<Shared::Index, double>> powers) const {
+  [[nodiscard]] Reading product(
+      double value, std::initializer_list<std::pair<Shared::Index, double>> powers) const {
     Reading out{value, none(), true};
     for (const auto& [parameter, power] : powers) add(parameter, power, out.gradient);
     return out;
@@ -73,18 +73,17 @@ LuGreParameter judged(const char* name, const char* unit, const Reading& r, cons
   out.relative_error = relative / climb.around.t_factor;
   out.effect_Nm = reader.effect_Nm(r);
   const double smallest = smallest_effect * climb.height_Nm;
-  if (relative < widest_shown && *out.effect_Nm > smallest) {
+  if (relative<widest_shown&& * out.effect_Nm> smallest) {
     out.estimate = estimate_of(r, half);
   } else if (!(*out.effect_Nm > smallest)) {
     out.why_not = fmt::format(
-        "what it alone can explain is {:.2g} N·m (rms), below {:.2g} N·m, a {:.0f}th of the loop's "
+        "what it alone can explain is {:.2g} N·m (rms), below {:.2g} N·m, {:g} of the loop's "
         "height",
-        *out.effect_Nm, smallest, 1 / smallest_effect);
+        *out.effect_Nm, smallest, smallest_effect);
   } else {
     const Estimate wide = estimate_of(r, half);
-    out.why_not = fmt::format(
-        "its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value", wide.low, wide.high,
-        unit);
+    out.why_not = fmt::format("its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value",
+                              wide.low, wide.high, unit);
   }
   return out;
 }
@@ -114,8 +113,9 @@ Size size_of(Shared::Index parameter, const LuGreClimb& climb, double peak_speed
     case Shared::log_share:
       return {"Coulomb torque", 1};
     case Shared::fall:
-      return {"Stribeck velocity", climb.rung == LuGreRung::whole ? 2 * climb.point.shared(Shared::fall)
-                                                                  : climb.point.shared(Shared::fall)};
+      return {"Stribeck velocity", climb.rung == LuGreRung::whole
+                                       ? 2 * climb.point.shared(Shared::fall)
+                                       : climb.point.shared(Shared::fall)};
     case Shared::damping:
       return {"bristle damping", friction / peak_speed};
     case Shared::viscous:
@@ -161,8 +161,9 @@ std::vector<LuGreParameter> lugre_parameters(const LuGreClimb& climb, double pea
   if (climb.column(Shared::viscous) >= 0) {
     judge("viscous_Nms_rad", "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
-    out.push_back(held("viscous_Nms_rad", 0.0,
-                       "bristle damping has the same effect on these loops: the two show as a sum"));
+    out.push_back(
+        held("viscous_Nms_rad", 0.0,
+             "bristle damping has the same effect on these loops: the two show as a sum"));
   }
   if (climb.column(Shared::log_static) >= 0) {
     judge("static_Nm", "N·m", reader.product(ts, {{Shared::log_static, 1}}));
@@ -179,10 +180,10 @@ std::vector<LuGreParameter> lugre_parameters(const LuGreClimb& climb, double pea
   } else {
     const std::string why = fmt::format(
         "the motor stays below {:.3g} rad/s in the loops{}", peak_speed_rad_s,
-        climb.rung == LuGreRung::curvature
-            ? ", where friction has only begun to fall: of Ts, Tc and the Stribeck velocity no more "
-              "than (Ts - Tc)/ws² shows"
-            : ", where friction does not yet fall with speed");
+        climb.rung == LuGreRung::curvature ? ", where friction has only begun to fall: of Ts, Tc "
+                                             "and the Stribeck velocity no more "
+                                             "than (Ts - Tc)/ws² shows"
+                                           : ", where friction does not yet fall with speed");
     out.push_back(held("coulomb_Nm", std::nullopt, why));
     out.push_back(held("stribeck_speed_rad_s", std::nullopt, why));
   }
@@ -192,8 +193,8 @@ std::vector<LuGreParameter> lugre_parameters(const LuGreClimb& climb, double pea
                                                    {Shared::log_share, -share / (1 - share)},
                                                    {Shared::fall, 1 / fall}}));
   } else {
-    out.push_back(held("speed_weakening_Nms2_rad2", 0.0,
-                       "friction is the same at all speeds of the loops"));
+    out.push_back(
+        held("speed_weakening_Nms2_rad2", 0.0, "friction is the same at all speeds of the loops"));
   }
   if (climb.column(Shared::inertia) >= 0) {
     judge("inertia_kgm2", "kg·m²", reader.plain(Shared::inertia));
@@ -223,8 +224,8 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   const Eigen::Index gravity = LuGreProblem::gravity_column(climb.free, 0);
   use(gravity, {"gravity torque", friction});
   if (climb.free.starts) {
-    use(gravity + 1,
-        {"deflection at the start", friction / std::exp(climb.point.shared(Shared::log_stiffness))});
+    use(gravity + 1, {"deflection at the start",
+                      friction / std::exp(climb.point.shared(Shared::log_stiffness))});
   }
   const auto n = static_cast<Eigen::Index>(columns.size());
   // Rows of R^-1 are the pseudo-inverse of the Jacobian with the other columns projected out.

@@ -21,7 +21,8 @@ const std::vector<Shared::Index> at_level{Shared::log_stiffness, Shared::log_sta
 /// errors of one parameter, as two rungs are tried from four first guesses each.
 constexpr double least_gain = 25;
 
-std::vector<Shared::Index> with(std::vector<Shared::Index> some, std::initializer_list<Shared::Index> more) {
+std::vector<Shared::Index> with(std::vector<Shared::Index> some,
+                                std::initializer_list<Shared::Index> more) {
   some.insert(some.end(), more);
   std::sort(some.begin(), some.end());
   return some;
@@ -125,8 +126,8 @@ class Climber {
   void surround(LuGreClimb& at) const {
     at.linear = problem_.linearise(at.free, at.point, blocks_);
     const Eigen::Index n = at.linear.r_factor.cols();
-    const Eigen::MatrixXd inverse = at.linear.r_factor.triangularView<Eigen::Upper>().solve(
-        Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd inverse =
+        at.linear.r_factor.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n));
     at.around = block_covariance(at.linear.fit.jacobian, at.linear.fit.residuals, inverse, blocks_);
   }
 
@@ -150,11 +151,12 @@ class Climber {
     const LinearisedFit& fit = probe.linear.fit;
     const auto r = probe.linear.r_factor.triangularView<Eigen::Upper>();
     const Eigen::VectorXd gradient = fit.jacobian.transpose() * fit.residuals;
-    const Eigen::VectorXd step = -r.solve(probe.linear.r_factor.triangularView<Eigen::Upper>().transpose().solve(gradient));
+    const Eigen::VectorXd step =
+        -r.solve(probe.linear.r_factor.triangularView<Eigen::Upper>().transpose().solve(gradient));
     const Eigen::Index n = gradient.size();
     const Eigen::MatrixXd inverse = r.solve(Eigen::MatrixXd::Identity(n, n));
-    probe.around = block_covariance(fit.jacobian, fit.residuals + fit.jacobian * step, inverse,
-                                    blocks_);
+    probe.around =
+        block_covariance(fit.jacobian, fit.residuals + fit.jacobian * step, inverse, blocks_);
     const Eigen::Index k = probe.column(Shared::fall);
     const LuGreStanding s = probe.standing(k, step(k));
     return s.relative < widest_climbed && s.effect_Nm > smallest_effect * height_;

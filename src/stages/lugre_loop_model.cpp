@@ -22,6 +22,7 @@ constexpr int at_any_speed = 4;
 /// g(w) with its derivatives: level * (c + (1 - c) exp(-b w^2)).
 template <int N>
 struct SteadyDeflection {
+  static constexpr bool same_at_all_speeds = N == at_micro_speed;
   double rest_rad, share, fall;
 
   Dual<N> operator()(double w) const {
@@ -39,6 +40,7 @@ struct SteadyDeflection {
 };
 
 struct PlainDeflection {
+  static constexpr bool same_at_all_speeds = false;
   double rest_rad, share, fall;
   double operator()(double w) const {
     return rest_rad * (share + (1 - share) * exp_nonpositive(-fall * w * w));
@@ -92,12 +94,23 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
   };
   Scalar g0 = g(speed_.front());
   visit_sample(g0);
+  if constexpr (Deflection::same_at_all_speeds) {
+    const Scalar inverse = 1.0 / g0;
+    const Scalar backward = -g0;
+    for (const Piece& p : pieces_) {
+      const double way =
+          (p.to_s - p.from_s) / 6 * (p.start_speed + 4 * p.middle_speed + p.end_speed);
+      z = relaxed_to<Scalar>(way < 0 ? backward : g0, std::abs(way) * inverse, z);
+      if (p.ends_at_sample) visit_sample(g0);
+    }
+    return;
+  }
   for (const Piece& p : pieces_) {
     const Scalar gm = g(p.middle_speed);
     const Scalar g1 = g(p.end_speed);
     const StepShape<Scalar> shape =
-        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1,
-                           Scalar(1.0 / g0), Scalar(1.0 / gm), Scalar(1.0 / g1), p.to_s - p.from_s);
+        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1, Scalar(1.0 / g0),
+                           Scalar(1.0 / gm), Scalar(1.0 / g1), p.to_s - p.from_s);
     const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
                        reverses(p.start_speed, p.middle_speed, p.end_speed);
     z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z)
@@ -114,32 +127,31 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   const double s1 = p(Shared::damping);
   const double s2 = p(Shared::viscous);
   const double inertia = p(Shared::inertia);
-  run<Dual<N>>(
-      deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
-      [&](Eigen::Index row, const Dual<N>& z, const Dual<N>& dz) {
-        const auto i = static_cast<std::size_t>(row);
-        residuals(row) = local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
-                         s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
-        const auto by = [&](int k) {
-          const auto at = static_cast<std::size_t>(k);
-          return s0 * z.by[at] + s1 * dz.by[at];
-        };
-        double* column = &derivatives(row, 0);
-        column[0] = cosine_[i];
-        column[1] = by(by_start);
-        double* shared = column + local_count;
-        shared[Shared::log_stiffness] = s0 * z.value - by(by_log_rest);
-        shared[Shared::log_static] = by(by_log_rest);
-        if constexpr (N == at_any_speed) {
-          shared[Shared::log_share] = by(by_log_share);
-          shared[Shared::fall] = by(by_fall);
-        } else {
-          shared[Shared::log_share] = shared[Shared::fall] = 0;
-        }
-        shared[Shared::damping] = dz.value;
-        shared[Shared::viscous] = speed_[i];
-        shared[Shared::inertia] = acceleration_[i];
-      });
+  run<Dual<N>>(deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
+               [&](Eigen::Index row, const Dual<N>& z, const Dual<N>& dz) {
+                 const auto i = static_cast<std::size_t>(row);
+                 residuals(row) = local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
+                                  s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
+                 const auto by = [&](int k) {
+                   const auto at = static_cast<std::size_t>(k);
+                   return s0 * z.by[at] + s1 * dz.by[at];
+                 };
+                 double* column = &derivatives(row, 0);
+                 column[0] = cosine_[i];
+                 column[1] = by(by_start);
+                 double* shared = column + local_count;
+                 shared[Shared::log_stiffness] = s0 * z.value - by(by_log_rest);
+                 shared[Shared::log_static] = by(by_log_rest);
+                 if constexpr (N == at_any_speed) {
+                   shared[Shared::log_share] = by(by_log_share);
+                   shared[Shared::fall] = by(by_fall);
+                 } else {
+                   shared[Shared::log_share] = shared[Shared::fall] = 0;
+                 }
+                 shared[Shared::damping] = dz.value;
+                 shared[Shared::viscous] = speed_[i];
+                 shared[Shared::inertia] = acceleration_[i];
+               });
 }
 
 void LuGreLoopModel::evaluate(const Shared::Vector& shared, const LuGreLocal& local, bool bends,

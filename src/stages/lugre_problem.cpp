@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 
-
 namespace tribolog {
 namespace {
 
@@ -164,8 +163,7 @@ LuGreProblem::Linearisation LuGreProblem::linearise(
     const Eigen::Index rows = residuals.size();
     out.fit.residuals.segment(top, rows) = residuals;
     for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(columns.size()); ++k) {
-      const Eigen::Index column =
-          k < layout.local() ? layout.first_of(r) + k : k - layout.local();
+      const Eigen::Index column = k < layout.local() ? layout.first_of(r) + k : k - layout.local();
       out.fit.jacobian.col(column).segment(top, rows) =
           derivatives.col(columns[static_cast<std::size_t>(k)]);
     }

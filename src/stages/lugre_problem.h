@@ -4,6 +4,9 @@
 // Levenberg-Marquardt is Eigen's port of MINPACK. It sees, of each recording, not its thousands of
 // rows but the triangular factor of [J r], which has the same J'J, J'r and |r|, hence gives exactly
 // the same steps: columns that belong to one recording alone then cost nothing in the others.
+// Ceres is not used: on one loop its automatic differentiation took 17 ms where this way took 1.7
+// (dual numbers go through the recursion once; its Jets carry all parameters through every row),
+// and its package brings SuiteSparse, ATLAS and glog.
 
 #include <utility>
 #include <vector>

@@ -100,8 +100,8 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
   }
   if (hysteresis.lugre && hysteresis.lugre->gravity_Nm) {
     // Already at the peak, and widened by ripple where that is due.
-    out.masses.push_back(make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad,
-                                   1.0, context));
+    out.masses.push_back(
+        make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad, 1.0, context));
   }
   if (rough.found) {
     Context at_peak = context;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "parallel/parallel_for.h"
+
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 
@@ -28,7 +29,7 @@ struct Tally {
 };
 
 std::map<std::string, Tally> tally(std::size_t seeds,
-                                    const std::function<Scenario(std::size_t seed)>& scenario) {
+                                   const std::function<Scenario(std::size_t seed)>& scenario) {
   std::map<std::string, Tally> all;
   std::mutex guard;
   parallel_for(seeds, [&](std::size_t k) {
@@ -60,8 +61,8 @@ void expect_coverage(std::map<std::string, Tally>& all, int seeds,
 
 TEST(LuGreCoverage, InRealisticNoise) {
   auto all = tally(200, [](std::size_t seed) { return test::noisy_paper_joint(seed); });
-  expect_coverage(all, 200, {"gravity", "bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad",
-                        "static_Nm"});
+  expect_coverage(all, 200,
+                  {"gravity", "bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad", "static_Nm"});
   EXPECT_LT(all["gravity"].worst, 1e-3);
   EXPECT_LT(all["bristle_stiffness_Nm_rad"].worst, 0.05);
 }

@@ -79,8 +79,12 @@ HysteresisResult loop() {
   not_shown("speed_weakening_Nms2_rad2");
   not_shown("inertia_kgm2");
   fit.gravity_Nm = symmetric_estimate(gravity_Nm, 0.0005, "loop fit");
-  fit.identifiability = {{"bristle stiffness", "static torque"}, {0.9, 0.03}, 30.0, {0.6, -0.8},
-                         "static torque against bristle stiffness", {{1.0, 0.4}, {0.4, 1.0}}};
+  fit.identifiability = {{"bristle stiffness", "static torque"},
+                         {0.9, 0.03},
+                         30.0,
+                         {0.6, -0.8},
+                         "static torque against bristle stiffness",
+                         {{1.0, 0.4}, {0.4, 1.0}}};
   LuGreLoop only;
   only.recording = "oscillation";
   only.gravity_Nm = fit.gravity_Nm;

@@ -25,9 +25,8 @@ TEST(GravityAtPositions, PositionsCountOnceWhereTheySeeTheSameRipple) {
 }
 
 TEST(GravityAtPositions, ScatterOfThreeMakesTheInterval) {
-  const Estimate e =
-      combined_over_recordings({reading(1, 1e-6), reading(2, 1e-6), reading(3, 1e-6)}, {0, 1, 2}, 1,
-                               "cycles");
+  const Estimate e = combined_over_recordings(
+      {reading(1, 1e-6), reading(2, 1e-6), reading(3, 1e-6)}, {0, 1, 2}, 1, "cycles");
   EXPECT_DOUBLE_EQ(e.value, 2);
   // Standard error 1/sqrt(3), Student's t of two degrees of freedom 4.303.
   EXPECT_NEAR(e.half_width(), 4.303 / std::sqrt(3.0), 1e-3);
@@ -40,7 +39,8 @@ TEST(GravityAtPositions, OneStaysAndNoneIsAnError) {
 }
 
 TEST(GravityAtPositions, TwoThatAgreeKeepTheirOwnIntervals) {
-  const Estimate e = combined_over_recordings({reading(1, 0.3), reading(1, 0.4)}, {0, 1}, 1, "cycles");
+  const Estimate e =
+      combined_over_recordings({reading(1, 0.3), reading(1, 0.4)}, {0, 1}, 1, "cycles");
   EXPECT_NEAR(e.half_width(), 0.25, 1e-12);
 }
 

@@ -31,16 +31,16 @@ LuGreFit fit_loops(const std::vector<Recording>& oscillations) {
 
 std::map<std::string, double> true_parameters(const Scenario& s) {
   const auto& p = dynamic_cast<const LuGreFriction&>(*s.presliding).parameters();
-  return {{"bristle_stiffness_Nm_rad", p.bristle_stiffness_Nm_rad},
-          {"bristle_damping_Nms_rad", p.bristle_damping_Nms_rad},
-          {"viscous_Nms_rad", p.viscous_Nms_rad},
-          {"static_Nm", p.static_Nm},
-          {"coulomb_Nm", p.coulomb_Nm},
-          {"stribeck_speed_rad_s", p.stribeck_speed_rad_s},
-          {"speed_weakening_Nms2_rad2",
-           (p.static_Nm - p.coulomb_Nm) / std::pow(p.stribeck_speed_rad_s, 2)},
-          {"inertia_kgm2",
-           s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (s.gear_ratio * s.gear_ratio)}};
+  return {
+      {"bristle_stiffness_Nm_rad", p.bristle_stiffness_Nm_rad},
+      {"bristle_damping_Nms_rad", p.bristle_damping_Nms_rad},
+      {"viscous_Nms_rad", p.viscous_Nms_rad},
+      {"static_Nm", p.static_Nm},
+      {"coulomb_Nm", p.coulomb_Nm},
+      {"stribeck_speed_rad_s", p.stribeck_speed_rad_s},
+      {"speed_weakening_Nms2_rad2",
+       (p.static_Nm - p.coulomb_Nm) / std::pow(p.stribeck_speed_rad_s, 2)},
+      {"inertia_kgm2", s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (s.gear_ratio * s.gear_ratio)}};
 }
 
 Scenario at_eight_positions(Scenario s, double phase_1_rad, double phase_6_rad) {
