@@ -15,8 +15,10 @@ std::string to_string(Verdict verdict) {
 }
 
 std::vector<StageReport> Calibration::stages() const {
-  return {rough.stage,   precise.stage, hysteresis.stage, masses.stage,
-          viscous.stage, quality.stage, selection.stage,  friction.stage};
+  std::vector<StageReport> all{rough.stage,   precise.stage, hysteresis.stage, masses.stage,
+                               viscous.stage, quality.stage, selection.stage,  friction.stage};
+  if (!break_away.ramps.empty()) all.push_back(break_away.stage);
+  return all;
 }
 
 }  // namespace tribolog

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "joint/dataset.h"
+#include "stages/break_away.h"
 #include "stages/cog_sweep.h"
 #include "stages/friction_parameters.h"
 #include "stages/hysteresis_loop.h"
+#include "stages/loop_shape.h"
 #include "stages/quality_errors.h"
 #include "stages/selection.h"
 #include "stages/surrogate_masses.h"
@@ -42,9 +44,12 @@ struct Calibration {
   QualityErrorsResult quality;
   SelectionResult selection;
   FrictionParametersResult friction;
+  std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
+  BreakAwayResult break_away;
   Judgement judgement;
 
-  /// All stages' reports in the order of the method.
+  /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
+  /// only where there are some.
   [[nodiscard]] std::vector<StageReport> stages() const;
 };
 

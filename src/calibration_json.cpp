@@ -47,6 +47,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["quality"] = quality(c.quality);
   all["selection"] = selection(c.selection);
   all["friction"] = friction(c, n);
+  all["loop_shapes"] = loop_shapes(c.loop_shapes);
+  all["break_away"] = break_away(c.break_away, n);
   all["provenance"] = provenance_json(provenance);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,10 +7,20 @@
 #include "stages/lugre_experiments.h"
 
 namespace tribolog {
+namespace {
+
+/// What the earlier stages know of gravity.
+std::optional<KnownGravity> known_gravity(const Calibration& c) {
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr || !c.q_peak_rad) return std::nullopt;
+  return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
+}
+
+}  // namespace
 
 Calibration identify(const Dataset& dataset, const IdentifyOptions&,
                      const StageProgress& progress) {
-  constexpr int all = 8;
+  constexpr int all = 9;
   int done = 0;
   const auto begin = [&](const char* stage) {
     if (progress) progress(stage, done, all);
@@ -63,6 +73,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions&,
     c.hysteresis.lugre = with_experiments(std::move(*c.hysteresis.lugre), n,
                                           c.friction.waiboer->stribeck_speed_rad_s.value);
   }
+
+  begin("break-away ramps and loop shapes");
+  c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);
+  c.break_away = identify_break_away(dataset.with_role(Role::break_away), known_gravity(c));
 
   c.judgement = judge(c);
   if (progress) progress("identified", all, all);

@@ -22,5 +22,7 @@ Json quality(const QualityErrorsResult& q);
 Json selection(const SelectionResult& s);
 Json friction(const Calibration& c, double gear_ratio);
 Json lugre(const LuGreFit& f, double gear_ratio);
+Json break_away(const BreakAwayResult& result, double gear_ratio);
+Json loop_shapes(const std::vector<LoopShape>& shapes);
 
 }  // namespace tribolog::json

@@ -46,7 +46,7 @@ The manifest says, for example:
   angle  = { name = "q", unit = "deg" }
   effort = { name = "i", unit = "A" }
   [[recording]]
-  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed
+  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
   file = "sweep.csv"
 
 Each role may occur any number of times, and each is optional: what is absent

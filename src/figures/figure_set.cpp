@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "figures/break_away_ramps.h"
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
 #include "figures/lugre_loop.h"
@@ -29,6 +30,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
   candidates.push_back(lugre_loop_figure(calibration));
+  candidates.push_back(break_away_figure(dataset, calibration));
 
   std::vector<ReportFigure> figures;
   for (auto& candidate : candidates) {

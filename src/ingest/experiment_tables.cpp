@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr std::uint64_t most_positions = 99;  // file names have two digits
+constexpr std::uint64_t most_repeats = 49;    // in each of two directions
 
 /// The key in use and its factor to radians. `after` is what follows the unit: "", "_s", "_s2".
 std::pair<std::string, double> angle_key(const TomlTable& table, const std::string& name,
@@ -93,6 +94,24 @@ ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
   e.largest_travel_rad = read_angle(table, "largest_travel", Sign::positive);
   e.longest_plateau_s = table.number("longest_plateau_s", Sign::positive);
   e.acceleration_rad_s2 = read_in_rad(table, "acceleration", "_s2", Sign::positive);
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  table.refuse_unknown_keys();
+  return e;
+}
+
+BreakAwayExperiment read_break_away(const TomlTable& table) {
+  BreakAwayExperiment e;
+  e.centre_rad = read_angle(table, "centre");
+  e.rate_Nm_s = table.number("rate_Nm_s", Sign::positive);
+  e.largest_torque_Nm = table.number("largest_torque_Nm", Sign::positive);
+  const auto [key, factor] = angle_key(table, "largest_travel", "");
+  if (table.has(key)) e.largest_travel_rad = factor * table.number(key, Sign::positive);
+  e.repeats = table.count_or("repeats", e.repeats);
+  if (e.repeats < 1 || e.repeats > most_repeats) {
+    table.refuse("repeats", {"not usable", fmt::format("{}", e.repeats),
+                             fmt::format("a whole number from 1 to {}", most_repeats), ""});
+  }
+  e.both_directions = table.flag_or("both_directions", e.both_directions);
   e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
   table.refuse_unknown_keys();
   return e;

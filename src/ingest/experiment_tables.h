@@ -19,6 +19,7 @@ double read_angle_or(const TomlTable& table, const std::string& name, double oth
 SweepExperiment read_sweep(const TomlTable& table);
 /// One, or as many as `positions` says, spread over a turn of the motor.
 std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio);
+BreakAwayExperiment read_break_away(const TomlTable& table);
 ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
 Noise read_noise(const TomlTable& table);
 

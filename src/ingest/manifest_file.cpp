@@ -99,8 +99,8 @@ RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
   entry.where = table.where();
-  entry.role = static_cast<Role>(
-      table.choice("role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed"}));
+  entry.role = static_cast<Role>(table.choice(
+      "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away"}));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
   entry.from_s = table.find_number("from_s");

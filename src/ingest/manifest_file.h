@@ -17,8 +17,9 @@
 //   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
 //                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
 //                 the torque at constant speed is meant
-//   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed",
-//                 file (relative to the manifest); from_s, to_s, columns, note (optional)
+//   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
+//                 "break_away", file (relative to the manifest); from_s, to_s, columns, note
+//                 (optional)
 
 #include <cstdint>
 #include <optional>

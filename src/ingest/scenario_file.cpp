@@ -74,6 +74,11 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
       }
     }
   }
+  if (const auto table = top.find_table("break_away")) {
+    const BreakAwayExperiment e = read_break_away(*table);
+    refuse_endless(*table, e.largest_torque_Nm / e.rate_Nm_s, e.sample_rate_Hz);
+    scenario.break_away = e;
+  }
   if (const auto table = top.find_table("constant_speed")) {
     scenario.constant_speed = read_constant_speed(*table);
     const ConstantSpeedExperiment& e = *scenario.constant_speed;
@@ -111,10 +116,11 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
   if (const auto noise = top.find_table("noise")) scenario.noise = read_noise(*noise);
   top.refuse_unknown_keys();
   if (!scenario.rough_sweep && !scenario.precise_sweep && !scenario.oscillation &&
-      !scenario.constant_speed) {
-    throw InputError({file, 0, 0},
-                     {"no experiment is stated", "",
-                      "[rough_sweep], [precise_sweep], [oscillation] or [constant_speed]", ""});
+      !scenario.constant_speed && !scenario.break_away) {
+    throw InputError(
+        {file, 0, 0},
+        {"no experiment is stated", "",
+         "[rough_sweep], [precise_sweep], [oscillation], [constant_speed] or [break_away]", ""});
   }
   return scenario;
 }

@@ -12,6 +12,8 @@ std::string to_string(Role role) {
       return "oscillation";
     case Role::constant_speed:
       return "constant_speed";
+    case Role::break_away:
+      return "break_away";
   }
   return "unknown";
 }

@@ -13,6 +13,7 @@ enum class Role {
   precise_sweep,   ///< Slow motion close around the gravity peak.
   oscillation,     ///< Micro-oscillation, within or just beyond pre-sliding.
   constant_speed,  ///< One or more plateaus of constant speed.
+  break_away,      ///< From rest, torque rising slowly until the joint slides.
 };
 
 std::string to_string(Role role);

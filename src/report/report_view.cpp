@@ -7,10 +7,10 @@
 namespace tribolog::report {
 namespace {
 
-constexpr StageId all_stages[] = {StageId::cog_rough,      StageId::cog_precise,
-                                  StageId::hysteresis,     StageId::surrogate_masses,
-                                  StageId::viscous_curves, StageId::quality_errors,
-                                  StageId::selection,      StageId::parameters};
+constexpr StageId all_stages[] = {
+    StageId::cog_rough,        StageId::cog_precise,    StageId::hysteresis,
+    StageId::surrogate_masses, StageId::viscous_curves, StageId::quality_errors,
+    StageId::selection,        StageId::parameters,     StageId::break_away};
 
 void describe(const Calibration& c, StageId stage, Section& section) {
   switch (stage) {
@@ -19,7 +19,10 @@ void describe(const Calibration& c, StageId stage, Section& section) {
     case StageId::cog_precise:
       return describe_cog_sweep(c.precise, c.manifest.drive.gear_ratio(), section);
     case StageId::hysteresis:
-      return describe_hysteresis(c.hysteresis, section);
+      describe_hysteresis(c.hysteresis, section);
+      section.tables.push_back(
+          loop_shapes_table(c.loop_shapes, c.manifest.drive.gear_ratio(), section));
+      return;
     case StageId::surrogate_masses:
       return describe_surrogate_masses(c, section);
     case StageId::viscous_curves:
@@ -30,6 +33,8 @@ void describe(const Calibration& c, StageId stage, Section& section) {
       return describe_selection(c, section);
     case StageId::parameters:
       return describe_parameters(c, section);
+    case StageId::break_away:
+      return describe_break_away(c, section);
   }
 }
 
@@ -120,6 +125,7 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
   add_verdict(c.judgement, view);
   view.key_numbers = key_numbers_table(c);
   for (const StageId stage : all_stages) {
+    if (stage == StageId::break_away && c.break_away.ramps.empty()) continue;
     view.sections.push_back(make_section(c, stage));
     const Section& section = view.sections.back();
     if (section.outcome == Outcome::good) continue;

@@ -107,7 +107,7 @@ struct ReportView {
   std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
   Table key_numbers;
   std::vector<MissingResult> missing;
-  std::vector<Section> sections;  ///< Stages 1 to 8, and other figures if there are any.
+  std::vector<Section> sections;  ///< Stages 1 to 8, then what was recorded beyond.
   Table paper_table;
   ErrataNumbers errata;
   std::vector<std::string> notes;  ///< From reading the input.

@@ -20,6 +20,8 @@ const StageReport& stage_report(const Calibration& c, StageId stage) {
       return c.quality.stage;
     case StageId::selection:
       return c.selection.stage;
+    case StageId::break_away:
+      return c.break_away.stage;
     case StageId::parameters:
       break;
   }
@@ -46,6 +48,8 @@ std::string stage_title(StageId stage) {
       return "Quality errors";
     case StageId::selection:
       return "Selection";
+    case StageId::break_away:
+      return "Break-away ramps";
     case StageId::parameters:
       break;
   }
@@ -68,6 +72,8 @@ std::string explanation_template(StageId stage) {
       return "explain_quality_errors.tpl";
     case StageId::selection:
       return "explain_selection.tpl";
+    case StageId::break_away:
+      return "explain_break_away.tpl";
     case StageId::parameters:
       break;
   }
@@ -100,6 +106,10 @@ std::string helpful_experiment(StageId stage) {
              "difference of the two torques is friction, whatever gravity is.";
     case StageId::selection:
       return "It follows from the stages above; see what they are missing.";
+    case StageId::break_away:
+      return "From rest, let the torque rise slowly (a tenth of the expected break-away torque per "
+             "second or less) until the joint slides, five times in each direction from the same "
+             "angle, and stop only behind the slip.";
     case StageId::parameters:
       break;
   }

@@ -9,7 +9,7 @@
 
 namespace tribolog::report {
 
-/// The method's eight stages, in its order.
+/// The method's eight stages, in its order, and what was recorded beyond them.
 enum class StageId {
   cog_rough = 1,
   cog_precise,
@@ -19,6 +19,7 @@ enum class StageId {
   quality_errors,
   selection,
   parameters,
+  break_away,
 };
 
 const StageReport& stage_report(const Calibration& calibration, StageId stage);
@@ -41,6 +42,11 @@ void describe_quality_errors(const Calibration& calibration, Section& section);
 void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
 void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
+
+void describe_break_away(const Calibration& calibration, Section& section);
+/// The loops without any model; no rows where none was recorded.
+Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,
+                        const Section& section);
 
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);

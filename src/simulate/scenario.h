@@ -49,6 +49,17 @@ struct ConstantSpeedExperiment {
   double sample_rate_Hz{1000.0};
 };
 
+/// From rest, the torque rising at a steady rate until the joint slides.
+struct BreakAwayExperiment {
+  double centre_rad{};             ///< Where it starts.
+  double rate_Nm_s{};              ///< > 0, motor side.
+  double largest_torque_Nm{};      ///< > 0: largest change of the torque, motor side.
+  double largest_travel_rad{0.1};  ///< > 0: the ramp ends there, joint side.
+  std::size_t repeats{5};          ///< Ramps in each direction.
+  bool both_directions{true};
+  double sample_rate_Hz{1000.0};
+};
+
 /// What a real drive adds to its log; all zero: an ideal one.
 struct Noise {
   double torque_white_Nm{};          ///< Standard deviation, motor side.
@@ -89,6 +100,7 @@ struct Scenario {
   /// The same at other positions, amplitudes or frequencies; only beside `oscillation`.
   std::vector<OscillationExperiment> further_oscillations;
   std::optional<ConstantSpeedExperiment> constant_speed;
+  std::optional<BreakAwayExperiment> break_away;
   Noise noise;
 
   /// The model that drives sweeps and runs.

@@ -9,6 +9,7 @@
 #include "parameter_rules.h"
 
 #include "friction/lugre.h"
+#include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
 #include "simulate/friction_response.h"
@@ -177,6 +178,18 @@ std::vector<Recording> simulate_joint(const Scenario& scenario) {
   if (const auto& e = scenario.constant_speed) {
     for (std::size_t i = 0; i < e->motor_speeds_rad_s.size(); ++i) {
       keep(constant_speed(scenario, *e, i), e->sample_rate_Hz);
+    }
+  }
+  if (const auto& e = scenario.break_away) {
+    const std::size_t directions = e->both_directions ? 2 : 1;
+    std::vector<Recording> ramps;  // repeats differ by the drive's noise alone
+    for (std::size_t d = 0; d < directions; ++d) {
+      ramps.push_back(simulate_break_away_ramp(scenario, *e, d == 0 ? 1.0 : -1.0, ""));
+    }
+    for (std::size_t k = 0; k < e->repeats * directions; ++k) {
+      Recording ramp = ramps[k % directions];
+      ramp.name = fmt::format("break_away_{:02}.csv", k + 1);
+      keep(std::move(ramp), e->sample_rate_Hz);
     }
   }
   for (std::size_t i = 0; i < recordings.size(); ++i) {

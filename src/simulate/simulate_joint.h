@@ -14,7 +14,7 @@
 
 namespace tribolog {
 
-/// The recordings in the order rough, precise, oscillation, constant speeds (as asked for by the
+/// The recordings in the order rough, precise, oscillations, constant speeds, ramps (as asked for by the
 /// scenario). Names are file names such as "rough_sweep.csv" and "constant_speed_07.csv".
 /// The same scenario, seed included, gives the same numbers on every machine.
 /// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or

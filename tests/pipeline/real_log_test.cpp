@@ -44,5 +44,29 @@ TEST(RealLog, Ur10eJoint3) {
   EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
 }
 
+TEST(RealLog, CiceseBreakAwayAndLoops) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/breakaway/breakaway_j1_05_exp.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  ASSERT_EQ(c.break_away.ramps.size(), 10U);
+  // The first ramp stops at 10.07 N·m without a slip.
+  EXPECT_EQ(c.break_away.censored, 1U);
+  EXPECT_FALSE(c.break_away.ramps.front().broke_away);
+  EXPECT_NEAR(c.break_away.ramps.front().friction_Nm, 10.066, 0.001);
+  EXPECT_NE(c.break_away.stage.reason.find("larger than 10.07 N·m (censored"), std::string::npos);
+  ASSERT_TRUE(c.break_away.rising_Nm && c.break_away.falling_Nm);
+  EXPECT_NEAR(c.break_away.falling_Nm->value, 11.8, 0.3);  // the first leap in each of the plots
+  EXPECT_LT(c.break_away.rising_Nm->low, c.break_away.falling_Nm->value);
+  // Closed loops of 2.8e-4 rad.
+  ASSERT_EQ(c.loop_shapes.size(), 3U);
+  for (const LoopShape& shape : c.loop_shapes) {
+    EXPECT_TRUE(shape.closes) << shape.recording;
+    EXPECT_NEAR(shape.width_rad / 2.8e-4, 1, 0.1) << shape.recording;
+    ASSERT_TRUE(shape.stiffness_Nm_rad) << shape.recording;
+    EXPECT_NEAR(shape.stiffness_Nm_rad->value / 1.9e5, 1, 0.2) << shape.recording;
+    EXPECT_LT(shape.stiffness_Nm_rad->half_width() / shape.stiffness_Nm_rad->value, 0.2);
+  }
+}
+
 }  // namespace
 }  // namespace tribolog

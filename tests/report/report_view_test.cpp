@@ -96,6 +96,26 @@ TEST(ReportView, FiguresGoToTheirStages) {
   EXPECT_EQ(view.figures_missing, "");
 }
 
+TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
+  Calibration c = complete_calibration();
+  const auto sections = [&] { return view_of(c).sections; };
+  EXPECT_EQ(sections().size(), 8U);
+  BreakAwayRamp ramp;
+  ramp.recording = "ramp_1.csv";
+  ramp.friction_Nm = 0.8;
+  ramp.travel_rad = 1e-4;
+  c.break_away.stage = {"break_away", StageState::not_identifiable, "never slid"};
+  c.break_away.censored = 1;
+  c.break_away.ramps = {ramp};
+  ASSERT_EQ(sections().size(), 9U);
+  const Section section = sections().back();
+  EXPECT_EQ(section.title, "Break-away ramps");
+  ASSERT_EQ(section.tables.size(), 1U);
+  // A bound is told from a value.
+  EXPECT_EQ(section.tables.front().rows.front().cells[3], "> 0.8000");
+  EXPECT_EQ(section.tables.front().rows.front().cells[5], "censored: did not break away");
+}
+
 TEST(ReportView, AFigureOfNoStageIsNotLost) {
   auto figures = sample_figures(complete_calibration());
   figures[0].stage = "models";

@@ -74,6 +74,31 @@ TEST(SimulateJoint, OscillatesAtPositionsOverOneMotorTurn) {
   EXPECT_THROW(simulate_joint(s), std::invalid_argument);
 }
 
+TEST(SimulateJoint, RampsStartAtRestAndEndBehindTheSlip) {
+  Scenario s = test::paper_joint();
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.oscillation.reset();
+  s.constant_speed.reset();
+  s.break_away = BreakAwayExperiment{test::true_q_peak_rad(), 0.2, 1.5, 0.05, 2, true, 1000};
+  const auto ramps = simulate_joint(s);
+  ASSERT_EQ(ramps.size(), 4U);
+  for (std::size_t k = 0; k < ramps.size(); ++k) {
+    const Recording& r = ramps[k];
+    EXPECT_EQ(r.role, Role::break_away);
+    EXPECT_EQ(r.name, "break_away_0" + std::to_string(k + 1) + ".csv");
+    EXPECT_NEAR(r.torque_Nm.front(), test::true_gravity_Nm, 1e-6);
+    EXPECT_EQ(r.dq_rad_s.front(), 0);
+    const double travel = r.q_rad.back() - r.q_rad.front();
+    EXPECT_EQ(travel > 0, k % 2 == 0);
+    EXPECT_NEAR(std::abs(travel), 0.05, 0.005);  // ends within the travel, at a sample
+    EXPECT_LT(std::abs(r.torque_Nm.back() - r.torque_Nm.front()), 1.5);
+  }
+  s.motor_inertia_kgm2 = 0;
+  s.arm_inertia_kgm2 = 0;
+  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+}
+
 TEST(SimulateJoint, RefusesExperimentsThatCannotBe) {
   Scenario s = test::paper_joint();
   s.oscillation->cycles = 0.5;
