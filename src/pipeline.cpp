@@ -1,8 +1,11 @@
 #include "pipeline.h"
 
+#include <utility>
+
 #include "stages/bootstrap/stated_intervals.h"
 #include "stages/data_checks/data_checks.h"
 #include "stages/gravity_by_other_ways.h"
+#include "stages/lugre_experiments.h"
 #include "study/truth_check.h"
 #include "verdict/judge.h"
 #include "without_torque.h"
@@ -102,6 +105,10 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
 
   begin("friction parameters");
   c.friction = fit_friction_parameters(c.viscous, c.selection);
+  if (c.hysteresis.lugre && c.friction.waiboer && c.friction.waiboer->converged) {
+    c.hysteresis.lugre = with_experiments(std::move(*c.hysteresis.lugre), n,
+                                          c.friction.waiboer->stribeck_speed_rad_s.value);
+  }
   c.load_dependence = identify_load_dependence(c.rough, c.q_peak_rad, n);
   c.direction_asymmetry = identify_direction_asymmetry(
       c.viscous, c.masses.find(c.selection.recommended), c.rough.offset_Nm);

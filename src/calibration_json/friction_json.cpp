@@ -26,18 +26,6 @@ Json coulomb_viscous(const CoulombViscousFit& f, double n) {
           {"fastest_rad_s", number(f.fastest_rad_s)}};
 }
 
-Json lugre(const LuGreFit& f, double n) {
-  return {{"converged", f.converged},
-          {"bristle_stiffness_Nm_rad", both_sides(f.bristle_stiffness_Nm_rad, n * n)},
-          {"bristle_damping_Nms_rad", both_sides(f.bristle_damping_Nms_rad, n * n)},
-          {"viscous_Nms_rad", both_sides(f.viscous_Nms_rad, n * n)},
-          {"static_Nm", both_sides(f.static_Nm, n)},
-          {"gravity_Nm", both_sides(f.gravity_Nm, n)},
-          {"residual_Nm", number(f.residual_Nm)},
-          {"iterations", f.iterations},
-          {"reason", text_or_null(f.reason)}};
-}
-
 }  // namespace
 
 Json friction(const Calibration& c, double n) {

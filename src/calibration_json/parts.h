@@ -38,6 +38,7 @@ Json known_loads(const std::vector<KnownLoad>& loads);
 Json known_gravity(const std::optional<StatedGravity>& g);
 Json break_away(const BreakAwayResult& result, double gear_ratio);
 Json loop_shapes(const std::vector<LoopShape>& shapes);
+Json lugre(const LuGreFit& f, double gear_ratio);
 Json truth_check(const TruthCheckResult& t);
 
 }  // namespace tribolog::json

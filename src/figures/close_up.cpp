@@ -19,7 +19,7 @@ constexpr double room = 2.0;              // of the chosen curves' largest value
 constexpr double worthwhile = 2.0;        // times larger must the whole be for a close-up
 constexpr double resolved_share = 0.008;  // of an axis: about one line width
 
-const std::vector<std::string> unbiased{"midline", "sweep", "runs", "AB", "CD", "EF"};
+const std::vector<std::string> unbiased{"midline", "fit", "sweep", "runs", "AB", "CD", "EF"};
 
 std::ptrdiff_t rank(const std::string& estimator) {
   return std::find(unbiased.begin(), unbiased.end(), estimator) - unbiased.begin();

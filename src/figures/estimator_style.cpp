@@ -33,6 +33,7 @@ const std::array<NamedStyle, styled_names.size()> styles{{
      "mean of E and F",
      {colour::orange, LineStyle::dash_dot_dot, Marker::triangle, usual_px, 11.0}},
     {"midline", "mid-line", {colour::blue, LineStyle::solid, Marker::circle, 6.0, 20.0}},
+    {"fit", "LuGre fit", {colour::purple, LineStyle::dash, Marker::cross, usual_px, 14.0}},
     {"sweep", "sweep fit", {colour::grey, LineStyle::dash, Marker::plus, usual_px, 18.0}},
     {"runs",
      "fit of the runs",

@@ -19,9 +19,9 @@ struct SeriesStyle {
 
 /// Every name that `estimator_style` knows, in the order of the surrogate masses; last the
 /// reference curve.
-inline constexpr std::array<const char*, 14> styled_names{
-    "A",  "B",  "C",       "D",     "E",    "F",      "AB",
-    "CD", "EF", "midline", "sweep", "runs", "stated", "reference"};
+inline constexpr std::array<const char*, 15> styled_names{
+    "A",  "B",       "C",   "D",     "E",    "F",      "AB",       "CD",
+    "EF", "midline", "fit", "sweep", "runs", "stated", "reference"};
 
 /// Grey dots for a name it does not know.
 SeriesStyle estimator_style(const std::string& name);

@@ -9,6 +9,7 @@
 #include "figures/friction_curves.h"
 #include "figures/hysteresis_loops.h"
 #include "figures/load_dependence_figure.h"
+#include "figures/lugre_loop.h"
 #include "figures/mass_comparison.h"
 #include "figures/quality_error.h"
 #include "figures/selected_curve.h"
@@ -33,6 +34,7 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   candidates.push_back(quality_error_figure(calibration));
   candidates.push_back(selected_curve_figure(calibration));
   candidates.push_back(torque_choice_figure(calibration));
+  candidates.push_back(lugre_loop_figure(calibration));
   candidates.push_back(curve_model_figure(calibration));
   candidates.push_back(direction_lines_figure(calibration));
   candidates.push_back(load_dependence_figure(calibration));

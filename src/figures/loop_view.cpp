@@ -45,8 +45,9 @@ std::optional<LoopView> loop_view(const Calibration& calibration) {
   LoopView view;
   view.trace = &trace;
   view.modelled = !trace.z_rad.empty() && loop.bristle_source != "recorded";
-  if (loop.lugre && loop.lugre->torque_Nm.size() == trace.t_s.size()) {
-    view.model_torque_Nm = &loop.lugre->torque_Nm;
+  if (loop.lugre && !loop.lugre->loops.empty() &&
+      loop.lugre->loops.front().torque_Nm.size() == trace.t_s.size()) {
+    view.model_torque_Nm = &loop.lugre->loops.front().torque_Nm;
   }
   view.centre_rad = loop.midline_q_rad;
   const double start = trace.t_s.front();

@@ -156,6 +156,14 @@ Scalar relaxed(const StepShape<Scalar>& shape, const Scalar& y0) {
   return m.decay * y0 + step_source(shape, m);
 }
 
+/// y at the end of a step over which the target stays the same: of the parabola only its constant
+/// is left, and of the moments one.
+template <class Scalar>
+[[gnu::always_inline]] inline Scalar relaxed_to(const Scalar& target, const Scalar& length,
+                                                const Scalar& y0) {
+  return target + exp_nonpositive(-length) * (y0 - target);
+}
+
 /// z at the end of one step. For loops over many steps see simulate/bristle_integrator.cpp.
 template <class Scalar>
 Scalar exponential_step(double w0, double wm, double w1, const Scalar& g0, const Scalar& gm,

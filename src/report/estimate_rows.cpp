@@ -55,6 +55,7 @@ std::string estimator_name(const std::string& estimator) {
     return std::string("Mean of ") + estimator.front() + " and " + estimator.back();
   }
   if (estimator == "midline") return "Mid-line";
+  if (estimator == "fit") return "LuGre fit";
   if (estimator == "sweep") return "Sweep";
   if (estimator == "runs") return "Runs at constant speed";
   if (estimator == "stated") return "Stated";

@@ -17,6 +17,7 @@ std::string point_meaning(const std::string& point) {
   if (point == "CD") return "mean of C and D, steady loop";
   if (point == "EF") return "mean of E and F, steady loop";
   if (point == "midline") return "mid-line of the steady loop";
+  if (point == "fit") return "gravity torque of LuGre fitted to all loops";
   if (point == "sweep") return "gravity amplitude of the rough sweep";
   if (point == "runs") return "gravity amplitude of the runs at constant speed";
   if (point == "stated") return "gravity that the manifest states; nothing is decided by it";

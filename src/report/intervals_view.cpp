@@ -18,6 +18,7 @@ Scale kilogram(double) { return plain_scale("kg"); }
 Scale degree(double) { return degree_scale(); }
 Scale plain(double) { return plain_scale(""); }
 Scale speed(double) { return plain_scale("rad/s"); }
+Scale weakening(double) { return plain_scale("N·m·s²/rad²"); }
 Scale inertia(double) { return plain_scale("kg·m²"); }
 
 const Words exact_names[] = {
@@ -30,8 +31,10 @@ const Words exact_names[] = {
     {"lugre.bristle_damping_Nms_rad", "LuGre: bristle damping σ1", viscous_scale},
     {"lugre.viscous_Nms_rad", "LuGre: viscous coefficient σ2", viscous_scale},
     {"lugre.static_Nm", "LuGre: static torque Ts", torque_scale},
+    {"lugre.coulomb_Nm", "LuGre: Coulomb torque Tc", torque_scale},
+    {"lugre.stribeck_speed_rad_s", "LuGre: Stribeck velocity ws", speed},
+    {"lugre.speed_weakening_Nms2_rad2", "LuGre: fall with speed (Ts − Tc)/ws²", weakening},
     {"lugre.inertia_kgm2", "LuGre: inertia", inertia},
-    {"lugre.gravity_Nm", "LuGre: gravity torque", torque_scale},
     {"waiboer.asperity_torque_Nm", "Eq. (6): asperity torque Ta", torque_scale},
     {"waiboer.stribeck_speed_rad_s", "Eq. (6): Stribeck velocity", speed},
     {"waiboer.stribeck_power", "Eq. (6): Stribeck power δa", plain},

@@ -116,10 +116,12 @@ class KeyNumbers {
 
   void friction() {
     const HysteresisResult& loop = c_.hysteresis;
-    const bool has_lugre = loop.lugre && loop.lugre->converged;
-    const std::string from_loop = stage_reference(StageId::parameters) + ", LuGre fit of the loop";
-    if (has_lugre) {
-      sides("Break-away torque", loop.lugre->static_Nm, n_, torque_scale, from_loop);
+    const auto shown = [&](const char* name) {
+      return loop.lugre ? loop.lugre->shown(name) : std::nullopt;
+    };
+    const std::string from_loop = stage_reference(StageId::parameters) + ", LuGre fit of the loops";
+    if (const auto level = shown("static_Nm")) {
+      sides("Break-away torque", *level, n_, torque_scale, from_loop);
     } else {
       missing("Break-away torque", StageId::hysteresis);
     }
@@ -135,9 +137,8 @@ class KeyNumbers {
             number_row(name + ", at the joint", n_ * height, torque_scale(n_ * height), from));
       }
     }
-    if (has_lugre) {
-      sides("Bristle stiffness σ₀", loop.lugre->bristle_stiffness_Nm_rad, n_ * n_, stiffness_scale,
-            from_loop);
+    if (const auto stiffness = shown("bristle_stiffness_Nm_rad")) {
+      sides("Bristle stiffness σ₀", *stiffness, n_ * n_, stiffness_scale, from_loop);
     }
   }
 

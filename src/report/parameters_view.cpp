@@ -54,28 +54,6 @@ Table waiboer_table(const WaiboerFit& f, const Section& section) {
   return table;
 }
 
-Table lugre_table(const LuGreFit& f, double n, const Section& section) {
-  Table table = estimates(section.id + "-lugre", "LuGre model, fitted to the hysteresis loop");
-  add_both_sides("Bristle stiffness σ₀", f.bristle_stiffness_Nm_rad, n, n * n, stiffness_scale,
-                 table);
-  add_both_sides("Bristle damping σ₁", f.bristle_damping_Nms_rad, n, n * n, viscous_scale, table);
-  add_both_sides("Viscous coefficient σ₂", f.viscous_Nms_rad, n, n * n, viscous_scale, table);
-  add_both_sides("Break-away torque T_s", f.static_Nm, n, n, torque_scale, table);
-  add_both_sides("Gravity torque at the peak", f.gravity_Nm, n, n, torque_scale, table);
-  table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                                  torque_scale(f.residual_Nm), "fit"));
-  if (!f.converged) {
-    table.note = "The fit did not converge: these are its last values, not results. ";
-  }
-  table.note += as_sentence(f.reason);
-  if (table.note.empty()) {
-    table.note =
-        "Speeds in the loop are far below the Stribeck velocity: Coulomb torque and "
-        "Stribeck velocity do not show in it and are not fitted.";
-  }
-  return table;
-}
-
 }  // namespace
 
 void describe_parameters(const Calibration& c, Section& section) {
@@ -89,7 +67,7 @@ void describe_parameters(const Calibration& c, Section& section) {
   describe_curve_models(c, section);
   if (f.waiboer) section.tables.push_back(waiboer_table(*f.waiboer, section));
   if (f.coulomb_viscous) section.tables.push_back(line_table(*f.coulomb_viscous, n, section));
-  if (c.hysteresis.lugre) section.tables.push_back(lugre_table(*c.hysteresis.lugre, n, section));
+  if (c.hysteresis.lugre) describe_lugre(*c.hysteresis.lugre, n, section);
 }
 
 }  // namespace tribolog::report

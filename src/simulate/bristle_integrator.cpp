@@ -9,6 +9,7 @@
 #include "parameter_rules.h"
 
 #include "friction/exponential_step.h"
+#include "simulate/careful_step.h"
 #include "simulate/reversal.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused
@@ -23,10 +24,6 @@ namespace tribolog {
 namespace {
 
 constexpr std::size_t block_steps = 1024;
-// Above this size of the parabola's last term (relative to g) a step is halved: what is left out,
-// the cubic term, is then below 1e-8 of g for a Stribeck curve.
-constexpr double roughest_step = 3e-4;
-constexpr int deepest_halving = 14;
 
 struct Block {
   // Motor speed and g at the start of each step (one more: the end of the last) and at its middle.
@@ -153,45 +150,6 @@ TRIBOLOG_WIDE void weigh_block(Block& b, std::size_t steps) {
   }
 }
 
-/// Takes the steps that the block cannot: those with a reversal, and those where g bends sharply.
-class CarefulStepper {
- public:
-  CarefulStepper(const SteadyDeflection& g, const Motion& motion) : g_(g), motion_(motion) {}
-
-  /// z at time b from z at time a; wa and wb are the speeds there.
-  [[nodiscard]] double step(double a, double b, double wa, double wb, double z,
-                            int halvings = deepest_halving) const {
-    const double middle = a + (b - a) / 2;
-    const double wm = motion_.speed(middle);
-    if (reverses(wa, wm, wb) && halvings > 0) {
-      double zero = middle;
-      if (wa * wm < 0) {
-        zero = reversal_time(motion_, a, middle, wa < 0);
-      } else if (wm * wb < 0) {
-        zero = reversal_time(motion_, middle, b, wm < 0);
-      }
-      if (zero > a && zero < b) {
-        z = step(a, zero, wa, 0.0, z, halvings - 1);
-        return step(zero, b, 0.0, wb, z, halvings - 1);
-      }
-    }
-    const double ga = g_(wa);
-    const double gm = g_(wm);
-    const double gb = g_(wb);
-    const StepShape<double> shape =
-        step_shape<double>(wa, wm, wb, ga, gm, gb, 1 / ga, 1 / gm, 1 / gb, b - a);
-    if (std::abs(shape.c2) > roughest_step * gm && halvings > 0) {
-      z = step(a, middle, wa, wm, z, halvings - 1);
-      return step(middle, b, wm, wb, z, halvings - 1);
-    }
-    return exponential_step<double>(wa, wm, wb, ga, gm, gb, b - a, z);
-  }
-
- private:
-  const SteadyDeflection& g_;
-  const Motion& motion_;
-};
-
 }  // namespace
 
 void integrate_bristle(const LuGreFriction& friction, const Motion& motion, double t0_s,
@@ -206,7 +164,6 @@ void integrate_bristle(const LuGreFriction& friction, const Motion& motion, doub
   if (count == 0) return;
 
   const SteadyDeflection g(friction.parameters());
-  const CarefulStepper careful(g, motion);
   const double micro_speed = std::sqrt(near_zero) * friction.parameters().stribeck_speed_rad_s;
   Block b;
   double z = z0_rad;
@@ -229,7 +186,7 @@ void integrate_bristle(const LuGreFriction& friction, const Motion& motion, doub
     for (std::size_t i = 0; i < steps; ++i) {
       if (some_need_care && needs_care(i)) {
         const double a = t0_s + static_cast<double>(first + i) * dt_s;
-        z = careful.step(a, a + dt_s, b.w[i], b.w[i + 1], z);
+        z = careful_step<double>(g, motion, a, a + dt_s, b.w[i], b.w[i + 1], z);
       } else {
         z = b.decay[i] * z + b.source[i];
       }

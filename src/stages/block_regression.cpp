@@ -114,12 +114,20 @@ double BlockRegression::half_width(Eigen::Index k) const {
   return student_t_975(freedom(k)) * std::sqrt(std::max(0.0, covariance(k, k)));
 }
 
-double BlockRegression::half_width_along(const Eigen::VectorXd& gradient) const {
+double BlockRegression::standard_error_along(const Eigen::VectorXd& gradient) const {
+  return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+}
+
+double BlockRegression::freedom_along(const Eigen::VectorXd& gradient) const {
   double fewest = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < gradient.size(); ++k) {
     if (gradient(k) != 0) fewest = std::min(fewest, freedom(k));
   }
-  return student_t_975(fewest) * std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+  return fewest;
+}
+
+double BlockRegression::half_width_along(const Eigen::VectorXd& gradient) const {
+  return student_t_975(freedom_along(gradient)) * standard_error_along(gradient);
 }
 
 std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group,

@@ -34,8 +34,10 @@ struct BlockRegression {
 
   /// Half width of the 95 % interval of coefficient k.
   [[nodiscard]] double half_width(Eigen::Index k) const;
-  /// The same of a quantity with this gradient by the coefficients; its degrees of freedom are
-  /// taken as the fewest among the coefficients that it depends on.
+  /// Of a quantity with this gradient by the coefficients.
+  [[nodiscard]] double standard_error_along(const Eigen::VectorXd& gradient) const;
+  /// The fewest degrees of freedom among the coefficients that it depends on.
+  [[nodiscard]] double freedom_along(const Eigen::VectorXd& gradient) const;
   [[nodiscard]] double half_width_along(const Eigen::VectorXd& gradient) const;
 };
 

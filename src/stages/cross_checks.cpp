@@ -20,7 +20,7 @@ const std::vector<Method>& methods() {
       {"AB", "mean of A and B", "a loop that is not yet steady would do that"},
       {"CD", "mean of C and D", "a loop that is not yet steady would do that"},
       {"EF", "mean of E and F", "a loop that is not yet steady would do that"},
-      {"lugre", "LuGre model fitted to the loop",
+      {"fit", "LuGre model fitted to the loops",
        "friction that LuGre does not describe would do that"},
       {"sweep", "rough sweep",
        "torque ripple, friction that depends on the load, or a torque that is not zero without "
@@ -47,8 +47,6 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
     check.method = method.name;
     if (const SurrogateMass* mass = r.masses.find(method.name)) {
       check.gravity_Nm = mass->gravity_Nm;
-    } else if (method.name == "lugre" && r.hysteresis.lugre && r.hysteresis.lugre->converged) {
-      check.gravity_Nm = r.hysteresis.lugre->gravity_Nm;
     } else if (const GravityByOtherWay* way = r.other_ways.find(method.name)) {
       check.gravity_Nm = way->gravity_Nm;
     } else {

@@ -13,7 +13,7 @@
 namespace tribolog {
 
 struct CrossCheck {
-  std::string method;   ///< "midline", "AB", "lugre", "sweep", "sweep_directions", "classical", ...
+  std::string method;   ///< "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...
   Estimate gravity_Nm;  ///< Motor side; closed form.
   Estimate mass_kg;     ///< The same, as a surrogate mass.
   std::optional<Estimate> resampled_kg;  ///< With the interval of the bootstrap.

@@ -94,52 +94,58 @@ void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
 }
 
 struct LoopResult {
+  Recording recording;
+  OscillationMotion motion;
   Oscillation oscillation;
   LoopTrace trace;
   LoopMidline midline;
-  std::string warning;
 };
 
-/// The mid-lines of all recordings as one estimate of the gravity torque. From three positions on
-/// their scatter sets the interval (it carries what differs between positions: ripple).
+/// The mid-lines of all recordings as one estimate of the gravity torque.
 void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple, double gear_ratio,
                       HysteresisResult& out) {
-  if (loops.size() == 1) {
-    out.midline_Nm = loops.front().midline.torque_Nm;
-    return;
-  }
-  std::vector<double> gravity;
+  out.midline_Nm = loops.front().midline.torque_Nm;
+  if (loops.size() == 1) return;
+  std::vector<Estimate> at_peak;
   std::vector<double> angle;
-  double within = 0;
-  const auto n = static_cast<double>(loops.size());
   for (const LoopResult& loop : loops) {
-    gravity.push_back(loop.midline.torque_Nm.value / loop.midline.mean_cos);
+    at_peak.push_back(scaled(loop.midline.torque_Nm, 1 / loop.midline.mean_cos));
     angle.push_back(gear_ratio * loop.oscillation.centre_rad);
-    within += std::pow(loop.midline.torque_Nm.half_width() / n, 2);
   }
-  if (loops.size() >= fewest_positions) {
-    const PositionMean mean = mean_over_positions(gravity, angle, ripple);
-    out.midline_Nm = mean.gravity_Nm;
-    out.position_freedom = mean.freedom;
-    return;
-  }
-  const double between = student_t_975(1) * std::abs(gravity[0] - gravity[1]) / 2;
-  out.midline_Nm =
-      symmetric_estimate((gravity[0] + gravity[1]) / 2, std::max(std::sqrt(within), between),
-                         "scatter of the cycles and of the recordings");
+  out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
+  out.midline_Nm = out.positions->gravity_Nm;
 }
 
-/// The bristle state of the first loop: recorded, or observed by a fitted LuGre model.
-void observe_bristle(const Recording& recording, const OscillationMotion& motion, double gear_ratio,
-                     double q_peak, const Ripple& ripple, LoopTrace& trace, HysteresisResult& out) {
-  LuGreFit fit = fit_lugre(recording, motion, gear_ratio, q_peak);
-  fit.gravity_Nm = with_ripple(fit.gravity_Nm, ripple);
-  if (!trace.z_rad.empty()) {
+/// LuGre fitted to all loops together; it observes the bristle of those that hold none.
+void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
+                     const Ripple& ripple, HysteresisResult& out) {
+  std::vector<LuGreInput> inputs;
+  std::vector<LoopTrace*> traces;
+  std::string not_followed;
+  for (LoopResult& loop : loops) {
+    if (loop.motion.follows_the_angle(loop.oscillation.encoder_step_rad)) {
+      inputs.push_back({&loop.recording, &loop.motion});
+      traces.push_back(&loop.trace);
+    } else if (not_followed.empty()) {
+      not_followed = fmt::format(
+          "{}: the angle is no periodic motion: a harmonic series leaves {:.2g} rad of an "
+          "amplitude "
+          "of {:.2g} rad, so that the LuGre model cannot be driven by it",
+          loop.recording.name, loop.motion.residual_rad, loop.motion.amplitude_rad);
+    }
+  }
+  LuGreFit fit;
+  if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple);
+  if (!not_followed.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + not_followed;
+  if (!loops.front().trace.z_rad.empty()) {
     out.bristle_source = "recorded";
-  } else if (fit.converged) {
-    trace.z_rad = fit.z_rad;
-    trace.dz_rad_s = fit.dz_rad_s;
+  } else if (fit.gravity_Nm && traces.front() == &loops.front().trace) {
     out.bristle_source = "LuGre model fitted to the loop";
+  }
+  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+    if (!traces[r]->z_rad.empty()) continue;
+    traces[r]->z_rad = fit.loops[r].z_rad;
+    traces[r]->dz_rad_s = fit.loops[r].dz_rad_s;
   }
   out.lugre = std::move(fit);
 }
@@ -195,8 +201,8 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
           "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
           recording.name));
     }
-    if (loops.empty())
-      observe_bristle(recording, *motion, gear_ratio, q_peak, rough.ripple, loop.trace, out);
+    loop.recording = recording;
+    loop.motion = *motion;
     loops.push_back(std::move(loop));
   }
   for (const std::string& reason : reasons) {
@@ -206,6 +212,9 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     out.stage.state = StageState::not_identifiable;
     return out;
   }
+
+  const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().motion.centre_rad;
+  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, out);
 
   out.found = true;
   out.stage.state = reasons.empty() ? StageState::done : StageState::partial;

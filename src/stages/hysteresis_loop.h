@@ -17,6 +17,7 @@
 #include "stages/cog_sweep.h"
 #include "stages/estimate.h"
 #include "stages/lugre_fit.h"
+#include "stages/position_mean.h"
 
 namespace tribolog {
 
@@ -55,9 +56,6 @@ struct Oscillation {
   double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
 };
 
-/// From this many positions on the mid-lines' own scatter carries the ripple.
-inline constexpr std::size_t fewest_positions = 3;
-
 struct HysteresisResult {
   StageReport stage;
   bool found{false};
@@ -81,8 +79,10 @@ struct HysteresisResult {
   std::vector<double> cycle_means_Nm;  ///< Of the first recording's steady cycles.
   /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
   std::vector<std::array<double, 6>> turn_torques_Nm;
-  double
-      position_freedom{};  ///< Degrees of freedom of the positions' scatter; 0: fewer than three.
+  std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
+
+  /// Whether the scatter of the mid-lines over distinct positions holds the torque ripple.
+  [[nodiscard]] bool positions_hold_ripple() const { return positions && positions->freedom > 0; }
 
   /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
   /// within which torque turns over, and the encoder's step.

@@ -30,14 +30,15 @@ struct Functor {
 }  // namespace
 
 LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem,
-                                         const Eigen::VectorXd& start) {
+                                         const Eigen::VectorXd& start,
+                                         const LeastSquaresLimits& limits) {
   LeastSquaresSolution out;
   out.parameters = start;
   Functor functor{problem, start.size(), {}, {}};
   Eigen::LevenbergMarquardt<Functor> solver(functor);
-  solver.parameters.ftol = 1e-14;
-  solver.parameters.xtol = 1e-12;
-  solver.parameters.maxfev = 200;
+  solver.parameters.ftol = limits.cost_change;
+  solver.parameters.xtol = limits.step;
+  solver.parameters.maxfev = limits.evaluations;
   const auto status = solver.minimize(out.parameters);
   out.evaluations = static_cast<int>(solver.nfev);
   out.cost = solver.fnorm * solver.fnorm / 2;

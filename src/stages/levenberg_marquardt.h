@@ -20,8 +20,16 @@ struct LeastSquaresSolution {
   bool converged{};
 };
 
+/// Where the solver stops.
+struct LeastSquaresLimits {
+  double cost_change{1e-14};  ///< Relative.
+  double step{1e-12};         ///< Relative to the parameters.
+  int evaluations{200};
+};
+
 /// Levenberg-Marquardt from `start`.
 LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem,
-                                         const Eigen::VectorXd& start);
+                                         const Eigen::VectorXd& start,
+                                         const LeastSquaresLimits& limits = {});
 
 }  // namespace tribolog

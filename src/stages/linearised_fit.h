@@ -6,11 +6,20 @@
 // come of it.
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 namespace tribolog {
+
+/// A number that the fit gives, as a function of its parameters.
+struct LinearisedReading {
+  std::string name;
+  double value{};
+  Eigen::VectorXd gradient;  ///< Of ln(value), or of the value, by the fit's parameters.
+  bool logarithmic{true};
+};
 
 struct LinearisedFit {
   Eigen::VectorXd parameters;  ///< p0, the solution; their meaning is the fit's own.
@@ -18,6 +27,9 @@ struct LinearisedFit {
   Eigen::VectorXd residuals;   ///< r0 = model - measured.
   /// Block of each row, counted from 0, never falling: residuals of one block hang together.
   std::vector<std::size_t> block_of_row;
+  std::vector<LinearisedReading> readings;  ///< Of every number that is given, not of the held.
+  /// Columns of the gravity torque, one of each recording; empty where none is found.
+  std::vector<Eigen::Index> gravity_columns;
 };
 
 }  // namespace tribolog

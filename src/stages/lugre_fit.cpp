@@ -2,123 +2,216 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include "stages/block_regression.h"
-#include "stages/levenberg_marquardt.h"
 #include "stages/linearised_fit.h"
-#include "stages/lugre_loop_model.h"
+#include "stages/lugre_experiments.h"
+#include "stages/lugre_identifiability.h"
+#include "stages/lugre_ladder.h"
 
 namespace tribolog {
 namespace {
 
-using Model = LuGreLoopModel;
+/// Samples a cycle that first guesses are tried on.
+constexpr double thinned_per_cycle = 60;
 
-Eigen::VectorXd first_guess(const Recording& r, double motor_amplitude, double bends_per_stroke,
-                            double angular_frequency) {
-  const auto [low, high] = std::minmax_element(r.torque_Nm.begin(), r.torque_Nm.end());
-  const double level = std::max(1e-9, (*high - *low) / 2);
-  const double stiffness = bends_per_stroke * level / motor_amplitude;
-  Eigen::VectorXd p(Model::parameters);
-  p(Model::log_stiffness) = std::log(stiffness);
-  p(Model::log_static) = std::log(level);
-  p(Model::damping) = 0.01 * stiffness / angular_frequency;
-  p(Model::viscous) = 0;
-  p(Model::gravity) = (*high + *low) / 2;
-  p(Model::inertia) = 0;
-  p(Model::start_deflection) = 0;
-  return p;
+std::size_t stride_of(const Recording& r, double frequency_Hz) {
+  const double per_cycle =
+      static_cast<double>(r.size() - 1) / ((r.t_s.back() - r.t_s.front()) * frequency_Hz);
+  return static_cast<std::size_t>(std::max(1.0, std::floor(per_cycle / thinned_per_cycle)));
+}
+
+LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                        bool thinned) {
+  std::vector<LuGreLoopModel> models;
+  for (const LuGreInput& loop : loops) {
+    const auto motion = std::make_shared<HarmonicMotion>(loop.motion->motor_motion(gear_ratio));
+    const std::size_t stride = thinned ? stride_of(*loop.recording, loop.motion->frequency_Hz) : 1;
+    models.emplace_back(*loop.recording, motion, gear_ratio, q_peak_rad, stride);
+  }
+  return LuGreProblem(std::move(models));
 }
 
 /// Blocks of half a cycle, in which residuals of a misfitted loop hang together.
-std::vector<std::size_t> half_cycle_blocks(const Recording& r, double frequency_Hz) {
-  std::vector<std::size_t> blocks(r.size());
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    blocks[i] = static_cast<std::size_t>((r.t_s[i] - r.t_s.front()) * 2 * frequency_Hz);
+std::vector<std::size_t> half_cycle_blocks(const std::vector<LuGreInput>& loops) {
+  std::vector<std::size_t> blocks;
+  std::size_t first = 0;
+  for (const LuGreInput& loop : loops) {
+    const auto& t = loop.recording->t_s;
+    for (const double time : t) {
+      blocks.push_back(
+          first + static_cast<std::size_t>((time - t.front()) * 2 * loop.motion->frequency_Hz));
+    }
+    first = blocks.back() + 1;
   }
   return blocks;
 }
 
+void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
+                         LuGreFit& fit) {
+  for (std::size_t r = 0; r < loops.size(); ++r) {
+    const LuGreLoopModel& model = problem.models()[r];
+    fit.height_Nm = std::max(fit.height_Nm, model.height_Nm());
+    fit.peak_speed_rad_s = std::max(fit.peak_speed_rad_s, model.peak_speed_rad_s());
+    if (model.motor_amplitude_rad() > fit.motor_amplitude_rad) {
+      fit.motor_amplitude_rad = model.motor_amplitude_rad();
+      fit.frequency_Hz = loops[r].motion->frequency_Hz;
+    }
+  }
+}
+
+/// Gravity of each recording, and the fit's bristle in it.
+void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
+                    const LuGreClimb& climb, LuGreFit& fit) {
+  const Eigen::VectorXd& residuals = climb.linear.fit.residuals;
+  Eigen::Index top = 0;
+  for (std::size_t r = 0; r < inputs.size(); ++r) {
+    const Recording& recording = *inputs[r].recording;
+    const Eigen::Index column = LuGreProblem::gravity_column(climb.free, r);
+    const auto half_width = [&](Eigen::Index k) { return climb.standing(k, 1).half_width; };
+    LuGreLoop loop;
+    loop.recording = recording.name;
+    loop.t_s = recording.t_s;
+    const auto rows = static_cast<Eigen::Index>(recording.size());
+    const auto part = residuals.segment(top, rows);
+    loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(rows));
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      loop.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
+    }
+    loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
+    if (climb.free.starts) {
+      loop.gravity_Nm = symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
+                                           "LuGre fit, blocks of half a cycle");
+      // The loop shows the deflection at its start within an interval; where that holds zero, the
+      // arm started from rest and z = 0 is the simpler truth.
+      loop.start_deflection_rad = climb.point.locals[r].start_rad;
+      const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
+                               ? 0.0
+                               : loop.start_deflection_rad;
+      problem.models()[r].bristle(climb.point.shared, start, loop.z_rad, loop.dz_rad_s);
+    }
+    top += rows;
+    fit.loops.push_back(std::move(loop));
+  }
+}
+
+PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const LuGreFit& fit,
+                                    double gear_ratio, const Ripple& ripple) {
+  std::vector<Estimate> each;
+  std::vector<double> angle;
+  for (std::size_t r = 0; r < inputs.size(); ++r) {
+    each.push_back(*fit.loops[r].gravity_Nm);
+    angle.push_back(gear_ratio * inputs[r].motion->centre_rad);
+  }
+  return mean_over_positions(each, angle, ripple, "half cycles");
+}
+
+/// All that resampling needs.
+LinearisedFit linearised(const LuGreClimb& climb, std::vector<LinearisedReading> shown,
+                         std::size_t recordings) {
+  LinearisedFit out = climb.linear.fit;
+  out.readings = std::move(shown);
+  for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
+    out.gravity_columns.push_back(LuGreProblem::gravity_column(climb.free, r));
+  }
+  return out;
+}
+
+const char* rung_name(LuGreRung rung) {
+  switch (rung) {
+    case LuGreRung::elastic:
+      return "elastic";
+    case LuGreRung::level:
+      return "level";
+    case LuGreRung::curvature:
+      return "curvature";
+    case LuGreRung::whole:
+      return "whole";
+  }
+  return "";
+}
+
+std::string what_is_not_shown(const LuGreFit& fit) {
+  switch (fit.rung.front()) {
+    case 'e':
+      return fmt::format(
+          "the loops do not bend: friction stays elastic up to {:.2g} N·m about the middle, so "
+          "that neither static torque nor gravity torque nor the bristle deflection shows; a "
+          "larger amplitude would show them",
+          fit.height_Nm / 2);
+    case 'l':
+      return fmt::format(
+          "the motor stays below {:.3g} rad/s in the loops: Coulomb torque and Stribeck velocity "
+          "do "
+          "not show in them and are taken from the constant-speed runs",
+          fit.peak_speed_rad_s);
+    case 'c':
+      return fmt::format(
+          "the motor stays below {:.3g} rad/s in the loops, where friction has only begun to fall "
+          "with speed: Coulomb torque and Stribeck velocity do not show apart",
+          fit.peak_speed_rad_s);
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
-LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion, double gear_ratio,
-                   double q_peak_rad) {
-  LuGreFit fit;
-  const Model model(oscillation, motion, gear_ratio, q_peak_rad);
-  const double motor_amplitude = gear_ratio * motion.amplitude_rad;
-  const double omega = 2 * std::numbers::pi * motion.frequency_Hz;
-  const LeastSquaresProblem problem{
-      model.samples(), [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
-        model.evaluate(p, r, j);
-      }};
-  LeastSquaresSolution best;
-  best.cost = std::numeric_limits<double>::infinity();
-  // From nearly elastic to nearly sliding loops.
-  for (const double bends : {2.0, 6.0, 20.0}) {
-    const LeastSquaresSolution s =
-        solve_least_squares(problem, first_guess(oscillation, motor_amplitude, bends, omega));
-    fit.iterations += s.evaluations;
-    if (s.converged && s.cost < best.cost) best = s;
+std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
+  for (const LuGreParameter& p : parameters) {
+    if (p.name == name) return p.estimate;
   }
-  if (!best.converged) {
-    fit.reason = "the LuGre model could not be fitted to the loop from any of three first guesses";
+  return std::nullopt;
+}
+
+LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                   const Ripple& ripple) {
+  if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
+  LuGreFit fit;
+  const LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, false);
+  describe_excitation(loops, problem, fit);
+  if (!(fit.height_Nm > 0)) {
+    fit.reason = "the torque is the same all over the loop: there is no friction in it to fit";
     return fit;
   }
-  Eigen::VectorXd residuals;
-  Eigen::MatrixXd jacobian;
-  const Model::Vector p = best.parameters;
-  model.evaluate(p, residuals, &jacobian);
-  const auto blocks = half_cycle_blocks(oscillation, motion.frequency_Hz);
-  const BlockRegression around = block_regression(jacobian, -residuals, blocks);
-  fit.linearised = std::make_shared<LinearisedFit>(LinearisedFit{p, jacobian, residuals, blocks});
-  fit.residual_Nm =
-      std::sqrt(residuals.squaredNorm() /
-                std::max<double>(1, static_cast<double>(residuals.size()) - Model::parameters));
-  const auto half_width = [&](Eigen::Index k) { return around.half_width(k); };
-  const char* method = "loop fit, blocks of half a cycle";
-  const auto positive = [&](Model::Index k) {
-    const double h = half_width(k);
-    return Estimate{std::exp(p(k)), std::exp(p(k) - h), std::exp(p(k) + h), method};
-  };
-  fit.bristle_stiffness_Nm_rad = positive(Model::log_stiffness);
-  fit.static_Nm = positive(Model::log_static);
-  fit.bristle_damping_Nms_rad =
-      symmetric_estimate(p(Model::damping), half_width(Model::damping), method);
-  fit.viscous_Nms_rad = symmetric_estimate(p(Model::viscous), half_width(Model::viscous), method);
-  fit.inertia_kgm2 = symmetric_estimate(p(Model::inertia), half_width(Model::inertia), method);
-  fit.gravity_Nm = symmetric_estimate(p(Model::gravity), half_width(Model::gravity), method);
-  // The loop shows the deflection at its start within an interval; where that holds zero, the arm
-  // started from rest and z = 0 is the simpler truth.
-  Model::Vector start_from_rest = p;
-  if (std::abs(p(Model::start_deflection)) <= half_width(Model::start_deflection)) {
-    start_from_rest(Model::start_deflection) = 0;
-  }
-  model.bristle(start_from_rest, fit.z_rad, fit.dz_rad_s);
-  fit.torque_Nm.resize(oscillation.size());
-  for (std::size_t i = 0; i < oscillation.size(); ++i) {
-    fit.torque_Nm[i] = oscillation.torque_Nm[i] + residuals(static_cast<Eigen::Index>(i));
+  const LuGreProblem thinned = problem_of(loops, gear_ratio, q_peak_rad, true);
+  const LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_cycle_blocks(loops));
+  fit.iterations = climb.evaluations;
+  fit.rung = rung_name(climb.rung);
+  if (!climb.converged) {
+    fit.reason = "the LuGre model could not be fitted to the loops from any of the first guesses";
+    return fit;
   }
   fit.converged = true;
-  const double fastest =
-      std::abs(*std::max_element(model.speed().begin(), model.speed().end(),
-                                 [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  fit.reason = fmt::format(
-      "the motor stays below {:.3g} rad/s in this loop: Coulomb torque and Stribeck velocity do "
-      "not "
-      "show in it and are taken from the constant-speed runs",
-      fastest);
-  const double reach = motor_amplitude * fit.bristle_stiffness_Nm_rad.value / fit.static_Nm.value;
-  if (reach < 1) {
-    fit.reason += fmt::format(
-        "; the loop reaches only {:.0f} % of the way to sliding, so the static torque is "
-        "extrapolated: a larger amplitude would show it",
-        100 * reach);
+  const auto freedom = static_cast<double>(problem.samples() - climb.linear.r_factor.cols());
+  fit.residual_Nm = std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
+  const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
+  LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);
+  fit.parameters = std::move(readings.parameters);
+  fit.identifiability =
+      lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
+  describe_loops(loops, problem, climb, fit);
+  if (climb.free.starts) {
+    fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
+    fit.gravity_Nm = fit.positions->freedom > 0 ? fit.positions->gravity_Nm
+                                                : with_ripple(fit.positions->gravity_Nm, ripple);
   }
-  return fit;
+  fit.reason = what_is_not_shown(fit);
+  const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
+  const auto level = fit.shown("static_Nm");
+  if (stiffness && level && fit.motor_amplitude_rad * stiffness->value < level->value) {
+    fit.reason += fmt::format(
+        "; the loops reach only {:.0f} % of the way to sliding, so the static torque is "
+        "extrapolated: a larger amplitude would show it",
+        100 * fit.motor_amplitude_rad * stiffness->value / level->value);
+  }
+  fit.linearised =
+      std::make_shared<LinearisedFit>(linearised(climb, std::move(readings.shown), loops.size()));
+  return with_experiments(std::move(fit), gear_ratio, std::nullopt);
 }
 
 }  // namespace tribolog

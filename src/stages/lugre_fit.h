@@ -1,44 +1,117 @@
 #pragma once
-// Stage 8, first half: LuGre friction and gravity torque fitted to one recorded loop T(t).
+// Stage 8, first half: every LuGre parameter that recorded loops T(q) can show, and the gravity
+// torque, with no bristle deflection measured: z is the fitted model's own.
 //
-// In a micro-oscillation the speed stays far below the Stribeck velocity, so that
-// s0 g(w) is one level Ts; Tc and the Stribeck velocity do not show and are not fitted.
-// The motion is a harmonic series fitted to q(t); the bristle equation is integrated once per
-// model evaluation, with its exact derivatives by the parameters carried along.
+// All recordings together, of any amplitude, frequency and position: friction and inertia are
+// shared, gravity torque and the deflection at the start are each recording's own (torque ripple is
+// a constant over a micro-oscillation). The motion is what was fitted to q(t). Which parameters the
+// loops carry is decided by the data (lugre_ladder.h); one that they do not show is held, is given
+// no number, and comes with the experiment that would show it.
+//
+// Intervals: block regression over half cycles, right for residuals that hang together within a
+// stroke; wrong where the model is, which the residual's scatter against the noise tells.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "joint/recording.h"
 #include "stages/estimate.h"
+#include "stages/loop_misfit.h"
 #include "stages/oscillation_motion.h"
+#include "stages/position_mean.h"
 
 namespace tribolog {
 
 struct LinearisedFit;
 
-struct LuGreFit {
-  bool converged{false};
-  Estimate bristle_stiffness_Nm_rad;
-  Estimate bristle_damping_Nms_rad;
-  Estimate viscous_Nms_rad;
-  Estimate static_Nm;     ///< Level s0 g at the loop's speeds, break-away torque.
-  Estimate inertia_kgm2;  ///< Motor, gear and arm, at the motor; slow loops hardly show it.
-  Estimate gravity_Nm;    ///< Motor side, at the gravity peak.
-  double residual_Nm{};   ///< Standard deviation of T - model.
-  int iterations{};
-  std::string reason;         ///< Why not converged, or what the loop cannot show.
+struct LuGreParameter {
+  std::string name;  ///< Stable, with its unit: see lugre_parameter_names.
+  /// Present only where the loops show it. Motor side.
+  std::optional<Estimate> estimate;
+  std::optional<double> held_at;  ///< Where the fit did not vary it.
+  /// Standard error over the value; absent where it was held.
+  std::optional<double> relative_error;
+  /// Torque (rms over the samples) that the parameter makes and no other can imitate; absent where
+  /// it was held.
+  std::optional<double> effect_Nm;
+  std::string why_not;     ///< Why it is not shown; empty if it is.
+  std::string experiment;  ///< What would show it; empty if it is shown.
+};
+
+/// Names, in the order of LuGreFit::parameters.
+inline constexpr const char* lugre_parameter_names[] = {
+    "bristle_stiffness_Nm_rad",
+    "bristle_damping_Nms_rad",
+    "viscous_Nms_rad",
+    "static_Nm",
+    "coulomb_Nm",
+    "stribeck_speed_rad_s",
+    "speed_weakening_Nms2_rad2",  // (Ts - Tc)/ws^2, the start of the fall
+    "inertia_kgm2"};
+
+/// What the singular values of the scaled Jacobian tell. Columns are scaled by the parameters'
+/// natural sizes (the value at which its torque would be that of friction), those of single
+/// recordings other than the first are projected out, and rows are averaged: a unit change along a
+/// direction changes the torque by its singular value [N·m, rms].
+struct LuGreIdentifiability {
+  std::vector<std::string> names;          ///< Of the columns, in words.
+  std::vector<double> singular_values_Nm;  ///< Descending.
+  double condition{};                      ///< First over last.
+  std::vector<double> weakest;             ///< Direction of the last, by names.
+  std::string weakest_in_words;
+  std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
+};
+
+/// The fit's view of one recording.
+struct LuGreLoop {
+  std::string recording;
+  std::optional<Estimate> gravity_Nm;  ///< At the gravity peak; ripple of its position included.
+  double start_deflection_rad{};
+  double residual_Nm{};  ///< Standard deviation of T - model.
+  std::vector<double> t_s;
   std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.
   std::vector<double> dz_rad_s;
   std::vector<double> torque_Nm;  ///< The model's torque there.
-  /// Of a fit that converged, for resampling (stages/linearised_fit.h); not stored.
-  std::shared_ptr<const LinearisedFit> linearised;
+  LoopMisfit misfit;
 };
 
-/// @param motion of the recording.
+struct LuGreFit {
+  bool converged{false};
+  std::string rung;  ///< "elastic", "level", "curvature" or "whole": see lugre_ladder.h.
+  std::vector<LuGreParameter> parameters;  ///< All of them, shown or not.
+  std::optional<Estimate> gravity_Nm;      ///< Motor side, at the peak, over all recordings.
+  LuGreIdentifiability identifiability;
+  std::vector<LuGreLoop> loops;  ///< In the order given.
+  double residual_Nm{};          ///< Standard deviation of T - model.
+  double height_Nm{};            ///< Largest height of a loop.
+  double peak_speed_rad_s{};     ///< Largest motor speed in the loops.
+  double motor_amplitude_rad{};  ///< Largest.
+  double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
+  int iterations{};
+  std::string reason;  ///< Why nothing was fitted, or what the loops cannot show, in words.
+  // For resampling, not stored.
+  /// Gravity before ripple is laid on it; present with gravity_Nm.
+  std::optional<PositionMean> positions;
+  /// Of a fit that converged (stages/linearised_fit.h).
+  std::shared_ptr<const LinearisedFit> linearised;
+
+  /// Present only where the parameter is shown.
+  [[nodiscard]] std::optional<Estimate> shown(const std::string& name) const;
+};
+
+struct LuGreInput {
+  const Recording* recording{};
+  const OscillationMotion* motion{};  ///< Fitted to it.
+};
+
+/// @param loops at least one.
 /// @param q_peak_rad angle at which gravity is largest.
-LuGreFit fit_lugre(const Recording& oscillation, const OscillationMotion& motion, double gear_ratio,
-                   double q_peak_rad);
+/// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
+/// three.
+/// @throw std::invalid_argument if there is no loop.
+LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                   const Ripple& ripple = {});
 
 }  // namespace tribolog

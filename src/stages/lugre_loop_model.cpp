@@ -1,131 +1,201 @@
 #include "stages/lugre_loop_model.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <unsupported/Eigen/AutoDiff>
-
+#include "friction/dual.h"
 #include "friction/exponential_step.h"
+#include "simulate/careful_step.h"
 #include "simulate/reversal.h"
 
 namespace tribolog {
 namespace {
 
-using Dual = Eigen::AutoDiffScalar<Eigen::Vector3d>;  // by log s0, log Ts and z0
+using Shared = LuGreShared;
 
-double exp_of(double x) { return exp_nonpositive(x); }
-Dual exp_of(const Dual& x) {
-  const double value = exp_nonpositive(x.value());
-  return {value, value * x.derivatives()};
-}
+// What z depends on, in the order of its derivatives; at micro-speed the first two alone.
+enum DualIndex { by_log_rest, by_start, by_log_share, by_fall };
+constexpr int at_micro_speed = 2;
+constexpr int at_any_speed = 4;
 
-/// One step at a constant g; the source integral has a constant h then, and one moment suffices.
-template <class Scalar>
-Scalar micro_step(double w0, double wm, double w1, double dt, const Scalar& g, const Scalar& z) {
-  const double way = dt / 6 * (w0 + 4 * wm + w1);
-  const Scalar length = std::abs(way) / g;
-  const Scalar decay = exp_of(Scalar(-length));
-  const Scalar target = way < 0 ? Scalar(-g) : g;
-  return target + decay * (z - target);
+/// g(w) with its derivatives: level * (c + (1 - c) exp(-b w^2)).
+template <int N>
+struct SteadyDeflection {
+  static constexpr bool same_at_all_speeds = N == at_micro_speed;
+  double rest_rad, share, fall;
+
+  Dual<N> operator()(double w) const {
+    Dual<N> g(rest_rad);
+    g.by[by_log_rest] = rest_rad;
+    if constexpr (N == at_any_speed) {
+      const double e = exp_nonpositive(-fall * w * w);
+      g.value = rest_rad * (share + (1 - share) * e);
+      g.by[by_log_rest] = g.value;
+      g.by[by_log_share] = rest_rad * share * (1 - e);
+      g.by[by_fall] = -rest_rad * (1 - share) * w * w * e;
+    }
+    return g;
+  }
+};
+
+struct PlainDeflection {
+  static constexpr bool same_at_all_speeds = false;
+  double rest_rad, share, fall;
+  double operator()(double w) const {
+    return rest_rad * (share + (1 - share) * exp_nonpositive(-fall * w * w));
+  }
+};
+
+template <class Deflection>
+Deflection deflection_of(const Shared::Vector& p) {
+  return {std::exp(p(Shared::log_static) - p(Shared::log_stiffness)),
+          std::exp(p(Shared::log_share)), p(Shared::fall)};
 }
 
 }  // namespace
 
-LuGreLoopModel::LuGreLoopModel(const Recording& recording, const OscillationMotion& motion,
-                               double gear_ratio, double q_peak_rad)
-    : recording_(recording) {
-  const HarmonicMotion motor = motion.motor_motion(gear_ratio);
-  const std::size_t n = recording.size();
-  speed_.resize(n);
-  acceleration_.resize(n);
-  cosine_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double t = recording.t_s[i] - motion.start_s;
-    speed_[i] = motor.speed(t);
-    acceleration_[i] = motor.acceleration(t);
-    cosine_[i] = std::cos(motor.angle(t) / gear_ratio - q_peak_rad);
+LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
+                               double gear_ratio, double q_peak_rad, std::size_t stride)
+    : motion_(std::move(motion)) {
+  std::vector<double> t;
+  for (std::size_t i = 0; i < recording.size(); i += stride) {
+    const double time = recording.t_s[i] - recording.t_s.front();
+    t.push_back(time);
+    measured_Nm_.push_back(recording.torque_Nm[i]);
+    angle_.push_back(motion_->angle(time));
+    speed_.push_back(motion_->speed(time));
+    acceleration_.push_back(motion_->acceleration(time));
+    cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
   }
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_sample) {
-    pieces_.push_back({wa, motor.speed((a + b) / 2), wb, b - a, ends_at_sample});
+    pieces_.push_back({a, b, wa, motion_->speed((a + b) / 2), wb, ends_at_sample});
   };
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const double a = recording.t_s[i] - motion.start_s;
-    const double b = recording.t_s[i + 1] - motion.start_s;
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     if (speed_[i] * speed_[i + 1] < 0) {
-      const double turn = reversal_time(motor, a, b, speed_[i] < 0);
-      add(a, turn, speed_[i], 0.0, false);
-      add(turn, b, 0.0, speed_[i + 1], true);
+      const double turn = reversal_time(*motion_, t[i], t[i + 1], speed_[i] < 0);
+      add(t[i], turn, speed_[i], 0.0, false);
+      add(turn, t[i + 1], 0.0, speed_[i + 1], true);
     } else {
-      add(a, b, speed_[i], speed_[i + 1], true);
+      add(t[i], t[i + 1], speed_[i], speed_[i + 1], true);
     }
   }
 }
 
-Eigen::Index LuGreLoopModel::samples() const { return static_cast<Eigen::Index>(speed_.size()); }
-
-template <class Scalar, class Visit>
-void LuGreLoopModel::run(const Scalar& stiffness, const Scalar& level, const Scalar& start,
-                         Visit visit) const {
-  const Scalar g = level / stiffness;
-  const Scalar inverse_g = 1.0 / g;
+template <class Scalar, class Deflection, class Visit>
+void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) const {
   Scalar z = start;
   std::size_t sample = 0;
-  const auto visit_sample = [&] {
+  const auto visit_sample = [&](const Scalar& g_here) {
     const double w = speed_[sample];
-    const Scalar rate = w - std::abs(w) * z * inverse_g;
-    visit(sample, z, rate);
+    const Scalar rate = w - (std::abs(w) * z) / g_here;
+    visit(static_cast<Eigen::Index>(sample), z, rate);
     ++sample;
   };
-  visit_sample();
-  for (const Piece& p : pieces_) {
-    z = micro_step<Scalar>(p.start_speed, p.middle_speed, p.end_speed, p.duration, g, z);
-    if (p.ends_at_sample) visit_sample();
-  }
-}
-
-void LuGreLoopModel::evaluate(const Vector& p, Eigen::VectorXd& residuals,
-                              Eigen::MatrixXd* jacobian) const {
-  residuals.resize(samples());
-  const auto torque = [&](std::size_t i, double z, double dz) {
-    return p(gravity) * cosine_[i] + std::exp(p(log_stiffness)) * z + p(damping) * dz +
-           p(viscous) * speed_[i] + p(inertia) * acceleration_[i];
-  };
-  if (jacobian == nullptr) {
-    run<double>(std::exp(p(log_stiffness)), std::exp(p(log_static)), p(start_deflection),
-                [&](std::size_t i, double z, double dz) {
-                  residuals(static_cast<Eigen::Index>(i)) =
-                      torque(i, z, dz) - recording_.torque_Nm[i];
-                });
+  Scalar g0 = g(speed_.front());
+  visit_sample(g0);
+  if constexpr (Deflection::same_at_all_speeds) {
+    const Scalar inverse = 1.0 / g0;
+    const Scalar backward = -g0;
+    for (const Piece& p : pieces_) {
+      const double way =
+          (p.to_s - p.from_s) / 6 * (p.start_speed + 4 * p.middle_speed + p.end_speed);
+      z = relaxed_to<Scalar>(way < 0 ? backward : g0, std::abs(way) * inverse, z);
+      if (p.ends_at_sample) visit_sample(g0);
+    }
     return;
   }
-  jacobian->resize(samples(), parameters);
-  const double s0 = std::exp(p(log_stiffness));
-  const double ts = std::exp(p(log_static));
-  const Dual stiffness(s0, s0 * Eigen::Vector3d::UnitX());
-  const Dual level(ts, ts * Eigen::Vector3d::UnitY());
-  const Dual start(p(start_deflection), Eigen::Vector3d::UnitZ());
-  run<Dual>(stiffness, level, start, [&](std::size_t i, const Dual& z, const Dual& dz) {
-    const auto row = static_cast<Eigen::Index>(i);
-    residuals(row) = torque(i, z.value(), dz.value()) - recording_.torque_Nm[i];
-    const Eigen::Vector3d by = s0 * z.derivatives() + p(damping) * dz.derivatives();
-    (*jacobian)(row, log_stiffness) = by(0) + s0 * z.value();
-    (*jacobian)(row, log_static) = by(1);
-    (*jacobian)(row, start_deflection) = by(2);
-    (*jacobian)(row, damping) = dz.value();
-    (*jacobian)(row, viscous) = speed_[i];
-    (*jacobian)(row, gravity) = cosine_[i];
-    (*jacobian)(row, inertia) = acceleration_[i];
-  });
+  for (const Piece& p : pieces_) {
+    const Scalar gm = g(p.middle_speed);
+    const Scalar g1 = g(p.end_speed);
+    const StepShape<Scalar> shape =
+        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1, Scalar(1.0 / g0),
+                           Scalar(1.0 / gm), Scalar(1.0 / g1), p.to_s - p.from_s);
+    const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
+                       reverses(p.start_speed, p.middle_speed, p.end_speed);
+    z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z)
+              : relaxed(shape, z);
+    g0 = g1;
+    if (p.ends_at_sample) visit_sample(g1);
+  }
 }
 
-void LuGreLoopModel::bristle(const Vector& p, std::vector<double>& z,
-                             std::vector<double>& dz) const {
-  z.resize(speed_.size());
-  dz.resize(speed_.size());
-  run<double>(std::exp(p(log_stiffness)), std::exp(p(log_static)), p(start_deflection),
-              [&](std::size_t i, double z_i, double dz_i) {
-                z[i] = z_i;
-                dz[i] = dz_i;
+template <int N>
+void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& local,
+                                   Eigen::VectorXd& residuals, Rows& derivatives) const {
+  const double s0 = std::exp(p(Shared::log_stiffness));
+  const double s1 = p(Shared::damping);
+  const double s2 = p(Shared::viscous);
+  const double inertia = p(Shared::inertia);
+  run<Dual<N>>(deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
+               [&](Eigen::Index row, const Dual<N>& z, const Dual<N>& dz) {
+                 const auto i = static_cast<std::size_t>(row);
+                 residuals(row) = local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
+                                  s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
+                 const auto by = [&](int k) {
+                   const auto at = static_cast<std::size_t>(k);
+                   return s0 * z.by[at] + s1 * dz.by[at];
+                 };
+                 double* column = &derivatives(row, 0);
+                 column[0] = cosine_[i];
+                 column[1] = by(by_start);
+                 double* shared = column + local_count;
+                 shared[Shared::log_stiffness] = s0 * z.value - by(by_log_rest);
+                 shared[Shared::log_static] = by(by_log_rest);
+                 if constexpr (N == at_any_speed) {
+                   shared[Shared::log_share] = by(by_log_share);
+                   shared[Shared::fall] = by(by_fall);
+                 } else {
+                   shared[Shared::log_share] = shared[Shared::fall] = 0;
+                 }
+                 shared[Shared::damping] = dz.value;
+                 shared[Shared::viscous] = speed_[i];
+                 shared[Shared::inertia] = acceleration_[i];
+               });
+}
+
+void LuGreLoopModel::evaluate(const Shared::Vector& shared, const LuGreLocal& local, bool bends,
+                              Eigen::VectorXd& residuals, Rows& derivatives) const {
+  residuals.resize(samples());
+  derivatives.resize(samples(), columns);
+  if (bends) {
+    evaluate_with<at_any_speed>(shared, local, residuals, derivatives);
+  } else {
+    evaluate_with<at_micro_speed>(shared, local, residuals, derivatives);
+  }
+}
+
+void LuGreLoopModel::bristle(const Shared::Vector& shared, double start_rad,
+                             std::vector<double>& z_rad, std::vector<double>& dz_rad_s) const {
+  z_rad.resize(speed_.size());
+  dz_rad_s.resize(speed_.size());
+  run<double>(deflection_of<PlainDeflection>(shared), start_rad,
+              [&](Eigen::Index row, double z, double dz) {
+                z_rad[static_cast<std::size_t>(row)] = z;
+                dz_rad_s[static_cast<std::size_t>(row)] = dz;
               });
+}
+
+double LuGreLoopModel::peak_speed_rad_s() const {
+  double peak = 0;
+  for (const double w : speed_) peak = std::max(peak, std::abs(w));
+  return peak;
+}
+
+double LuGreLoopModel::motor_amplitude_rad() const {
+  const auto [low, high] = std::minmax_element(angle_.begin(), angle_.end());
+  return (*high - *low) / 2;
+}
+
+double LuGreLoopModel::height_Nm() const {
+  const auto [low, high] = std::minmax_element(measured_Nm_.begin(), measured_Nm_.end());
+  return *high - *low;
+}
+
+double LuGreLoopModel::mean_torque_Nm() const {
+  double sum = 0;
+  for (const double torque : measured_Nm_) sum += torque;
+  return sum / static_cast<double>(measured_Nm_.size());
 }
 
 }  // namespace tribolog

@@ -1,49 +1,89 @@
 #pragma once
-// The model behind the loop fit: LuGre at micro-speed under a known motion, with its derivatives.
+// The model behind the loop fit: LuGre under a known motion, with its derivatives.
 //
-//   T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w + J dw/dt,   dz/dt = w - |w| z s0 / Ts
+//   T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w + J dw/dt,    dz/dt = w - |w| z / g(w)
+//   s0 g(w) = Ts (c + (1 - c) exp(-b w^2)),    c = Tc/Ts,    b = 1/ws^2
 //
-// Unknown: log s0, log Ts (positive by construction), s1, s2, G, the inertia J of motor, gear and
-// arm at the motor, and the deflection z at the start.
+// One recording: G and the deflection at its start are its own, all else is shared by the
+// recordings of a joint. z depends on four numbers only: g at rest Ts/s0, c, b and its start; its
+// derivatives by them are carried through the exponential step as dual numbers. s1, s2, J and G
+// enter linearly.
+//
+// At speeds far below ws only b (1 - c) shows, the curvature of g; b = 0 is the level of
+// micro-speed, and a derivative by b is to be had there too.
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "joint/recording.h"
-#include "stages/oscillation_motion.h"
+#include "simulate/motion.h"
 
 namespace tribolog {
 
+/// The shared parameters as the fit varies them: positive ones by their logarithm.
+struct LuGreShared {
+  enum Index { log_stiffness, log_static, log_share, fall, damping, viscous, inertia };
+  static constexpr int count = 7;
+  using Vector = Eigen::Matrix<double, count, 1>;
+};
+
+/// Those of one recording.
+struct LuGreLocal {
+  double gravity_Nm{};  ///< G, at the peak, motor side.
+  double start_rad{};   ///< z at the first sample.
+};
+
 class LuGreLoopModel {
  public:
-  static constexpr int parameters = 7;
-  enum Index { log_stiffness, log_static, damping, viscous, gravity, inertia, start_deflection };
-  using Vector = Eigen::Matrix<double, parameters, 1>;
+  /// Columns of the derivatives: G, start, then the shared ones in their order.
+  static constexpr int local_count = 2;
+  static constexpr int columns = local_count + LuGreShared::count;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>;
 
-  /// The recording must outlive the model.
-  LuGreLoopModel(const Recording& recording, const OscillationMotion& motion, double gear_ratio,
-                 double q_peak_rad);
+  /// @param motion of the motor shaft, by the time since the recording's first sample.
+  /// @param stride every stride-th sample is compared; the others are passed over.
+  LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
+                 double gear_ratio, double q_peak_rad, std::size_t stride = 1);
 
-  [[nodiscard]] Eigen::Index samples() const;
-  /// Residuals T_model - T_measured, and their derivatives (one row per sample) if asked for.
-  void evaluate(const Vector& p, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
+  [[nodiscard]] Eigen::Index samples() const {
+    return static_cast<Eigen::Index>(measured_Nm_.size());
+  }
+  /// Residuals T_model - T_measured, and their derivatives, one row per sample.
+  /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
+  /// level of micro-speed is integrated at half the work.
+  void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
+                Eigen::VectorXd& residuals, Rows& derivatives) const;
   /// z and dz/dt of the model at the samples.
-  void bristle(const Vector& p, std::vector<double>& z, std::vector<double>& dz) const;
-  /// Motor speed at the samples, by the fitted motion.
-  [[nodiscard]] const std::vector<double>& speed() const { return speed_; }
+  void bristle(const LuGreShared::Vector& shared, double start_rad, std::vector<double>& z_rad,
+               std::vector<double>& dz_rad_s) const;
+  /// Motor speed at the samples, by the motion.
+  [[nodiscard]] const std::vector<double>& speed_rad_s() const { return speed_; }
+  /// Largest motor speed at a sample [rad/s].
+  [[nodiscard]] double peak_speed_rad_s() const;
+  /// Half of the way between the ends of the motion [rad, motor].
+  [[nodiscard]] double motor_amplitude_rad() const;
+  /// Largest less smallest torque.
+  [[nodiscard]] double height_Nm() const;
+  [[nodiscard]] double mean_torque_Nm() const;
 
  private:
   /// A piece of the way between two samples in which the speed keeps its sign.
   struct Piece {
-    double start_speed, middle_speed, end_speed, duration;
+    double from_s, to_s, start_speed, middle_speed, end_speed;
     bool ends_at_sample;
   };
-  template <class Scalar, class Visit>
-  void run(const Scalar& stiffness, const Scalar& level, const Scalar& start, Visit visit) const;
+  template <class Scalar, class Deflection, class Visit>
+  void run(const Deflection& g, const Scalar& start, Visit visit) const;
+  template <int N>
+  void evaluate_with(const LuGreShared::Vector& shared, const LuGreLocal& local,
+                     Eigen::VectorXd& residuals, Rows& derivatives) const;
 
-  const Recording& recording_;
+  std::shared_ptr<const Motion> motion_;
   std::vector<Piece> pieces_;
+  std::vector<double> measured_Nm_;
+  std::vector<double> angle_;
   std::vector<double> speed_;
   std::vector<double> acceleration_;
   std::vector<double> cosine_;

@@ -37,6 +37,11 @@ double rough_period(const Recording& r) {
 
 }  // namespace
 
+bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
+  constexpr double largest_share = 0.02;
+  return residual_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
+}
+
 HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
   std::vector<HarmonicMotion::Harmonic> motor = harmonics;
   for (auto& h : motor) {

@@ -17,6 +17,10 @@ struct OscillationMotion {
   double residual_rad{};   ///< Standard deviation of q less the harmonics.
   std::vector<HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
 
+  /// Whether the harmonics are the motion: what they leave is below a fiftieth of the amplitude, or
+  /// below a step of the encoder. A joint driven by torque creeps and drifts; its loops are not
+  /// periodic.
+  [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
   /// Motor-side motion as a function of the time since start_s.
   [[nodiscard]] HarmonicMotion motor_motion(double gear_ratio) const;
 };

@@ -41,7 +41,7 @@ std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
   if (!hysteresis.found || !hysteresis.midline_Nm || !(rough.ripple.half_width_Nm() > 0)) {
     return std::nullopt;
   }
-  if (hysteresis.oscillations.size() >= fewest_positions) return std::nullopt;
+  if (hysteresis.positions_hold_ripple()) return std::nullopt;
   const double centre = gear_ratio * hysteresis.oscillations.front().centre_rad;
   // One motor turn, or whole periods of a line where they leave clearly less of all of them.
   PositionPlan plan;

@@ -48,7 +48,7 @@ double cosine_at(const Context& c, double q_rad) {
   return c.q_peak_rad ? std::cos(q_rad - *c.q_peak_rad) : 1.0;
 }
 
-/// The paper's six, the pair means and the mid-line.
+/// The paper's six, the pair means, the mid-line and the loop fit.
 void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hysteresis,
                      const Context& context, SurrogateMassesResult& out) {
   const Ripple& ripple = rough.ripple;  // points and pairs are read at one position
@@ -73,12 +73,16 @@ void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hyster
         make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    // From three positions on, the scatter between them carries the ripple.
-    const Estimate torque = hysteresis.oscillations.size() < fewest_positions
-                                ? with_ripple(*hysteresis.midline_Nm, ripple)
-                                : *hysteresis.midline_Nm;
+    const Estimate torque = hysteresis.positions_hold_ripple()
+                                ? *hysteresis.midline_Nm
+                                : with_ripple(*hysteresis.midline_Nm, ripple);
     out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
                                    hysteresis.midline_mean_cos, context));
+  }
+  if (hysteresis.lugre && hysteresis.lugre->gravity_Nm) {
+    // Already at the peak, and widened by ripple where that is due.
+    out.masses.push_back(
+        make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad, 1.0, context));
   }
 }
 

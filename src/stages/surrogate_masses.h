@@ -2,10 +2,10 @@
 // Stage 4: the surrogate mass of every estimator, eq. (12) as corrected.
 //
 // A to F: the paper's six. AB, CD, EF: means of opposite points of the steady loop. midline: the
-// mean of the steady loop. sweep: the gravity amplitude of the rough sweep. runs: that of the runs
-// at constant speed. stated: that of the manifest, by which nothing is decided where anything was
-// identified. A loop far from the gravity peak, where little of the gravity torque shows, gives no
-// mass.
+// mean of the steady loop. fit: gravity torque of LuGre fitted to all loops. sweep: the gravity
+// amplitude of the rough sweep. runs: that of the runs at constant speed. stated: that of the
+// manifest, by which nothing is decided where anything was identified. A loop far from the gravity
+// peak, where little of the gravity torque shows, gives no mass.
 
 #include <optional>
 #include <string>
@@ -31,7 +31,7 @@ struct OtherGravity {
 };
 
 struct SurrogateMass {
-  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "sweep", "runs",
+  std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "fit", "sweep", "runs",
                           ///< "stated", in this order.
   Estimate torque_Nm;     ///< Motor side.
   double q_rad{};         ///< Joint angle it was read at.

@@ -124,11 +124,24 @@ class Maker {
       return {};
     }
     const LuGreFit& fit = *c_.hysteresis.lugre;
-    const double level = fit.static_Nm.value;
-    // The loop shows one level of friction and the sum of the two dampings; neither may push.
-    const LuGreFriction friction({fit.bristle_stiffness_Nm_rad.value,
-                                  std::max(0.0, fit.bristle_damping_Nms_rad.value),
-                                  std::max(0.0, fit.viscous_Nms_rad.value), level, level, 1.0});
+    const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
+    const auto level = fit.shown("static_Nm");
+    if (!stiffness || !level) {
+      why_not = "the loops do not show stiffness and static torque";
+      return {};
+    }
+    // What they do not show stays out; neither damping may push.
+    const auto size_of = [&](const char* name) {
+      const auto shown = fit.shown(name);
+      return shown ? std::max(0.0, shown->value) : 0.0;
+    };
+    const auto coulomb = fit.shown("coulomb_Nm");
+    const auto stribeck = fit.shown("stribeck_speed_rad_s");
+    const bool weakens = coulomb && stribeck && coulomb->value < level->value;
+    const LuGreFriction friction(
+        {stiffness->value, size_of("bristle_damping_Nms_rad"), size_of("viscous_Nms_rad"),
+         weakens ? coulomb->value : level->value, level->value, weakens ? stribeck->value : 1.0});
+    const double inertia = size_of("inertia_kgm2");
     const HarmonicMotion motor = motion->motor_motion(n_);
     const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);
     std::vector<double> z(r.size());
@@ -143,8 +156,7 @@ class Maker {
       const double z_t = z[k] + x * (z[k + 1] - z[k]);
       const double dz_t = dz[k] + x * (dz[k + 1] - dz[k]);
       torque[i] = gravity(r.q_rad[i], motion->centre_rad) +
-                  friction.torque_Nm(z_t, dz_t, motor.speed(t)) +
-                  fit.inertia_kgm2.value * motor.acceleration(t);
+                  friction.torque_Nm(z_t, dz_t, motor.speed(t)) + inertia * motor.acceleration(t);
     }
     return torque;
   }

@@ -46,8 +46,8 @@ void read_steady_points(const Calibration& c, Reader& out) {
 void read_loop_fit(const LuGreFit& fit, Reader& out) {
   if (!fit.converged) return;
   out.add("fit", Quantity::gravity, fit.gravity_Nm);
-  out.add("bristle_stiffness", Quantity::stiffness, fit.bristle_stiffness_Nm_rad);
-  out.add("static_torque", Quantity::static_torque, fit.static_Nm);
+  out.add("bristle_stiffness", Quantity::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
+  out.add("static_torque", Quantity::static_torque, fit.shown("static_Nm"));
 }
 
 void read_curve(const FrictionParametersResult& friction, Reader& out) {

@@ -38,22 +38,25 @@ QuantityVerdict break_away(const Calibration& c, const std::optional<Estimate>& 
 
 std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c) {
   const auto& fit = c.hysteresis.lugre;
-  const bool fitted = fit && fit->converged;
-  const std::string why = why_no_fit(c);
-  const auto of_fit = [&](Estimate LuGreFit::*member) {
-    return fitted ? std::optional<Estimate>((*fit).*member) : std::nullopt;
+  // A parameter that the loops do not show says why, and what would show it.
+  const auto of_fit = [&](const std::string& key, const std::string& words, const std::string& unit,
+                          const char* name, const std::optional<Estimate>& instead) {
+    std::string why = why_no_fit(c);
+    std::string experiment = record_an_oscillation;
+    std::optional<Estimate> estimate = instead;
+    if (fit && !estimate) estimate = fit->shown(name);
+    for (const LuGreParameter& p : fit ? fit->parameters : std::vector<LuGreParameter>{}) {
+      if (p.name != name || p.estimate) continue;
+      why = p.why_not;
+      experiment = p.experiment;
+    }
+    return by_estimate(key, words, unit, estimate, why, experiment);
   };
-  // What a fit says of each of its parameters lowers that one here.
   std::vector<QuantityVerdict> all{
-      break_away(c, of_fit(&LuGreFit::static_Nm), why),
-      by_estimate("bristle_stiffness", "Bristle stiffness", "N·m/rad",
-                  of_fit(&LuGreFit::bristle_stiffness_Nm_rad), why, record_an_oscillation),
-      by_estimate("bristle_damping", "Bristle damping", "N·m·s/rad",
-                  of_fit(&LuGreFit::bristle_damping_Nms_rad), why,
-                  "micro-oscillation of higher frequency: damping shows with the speed"),
-      by_estimate("inertia", "Inertia at the motor", "kg·m²",
-                  c.rough.inertia_kgm2 ? c.rough.inertia_kgm2 : of_fit(&LuGreFit::inertia_kgm2),
-                  why, "motion with large accelerations, such as a fast sine over some degrees")};
+      break_away(c, fit ? fit->shown("static_Nm") : std::nullopt, why_no_fit(c)),
+      of_fit("bristle_stiffness", "Bristle stiffness", "N·m/rad", "bristle_stiffness_Nm_rad", {}),
+      of_fit("bristle_damping", "Bristle damping", "N·m·s/rad", "bristle_damping_Nms_rad", {}),
+      of_fit("inertia", "Inertia at the motor", "kg·m²", "inertia_kgm2", c.rough.inertia_kgm2)};
   // The method does not rest on these two, and slow loops hardly show them.
   all[2].decides = false;
   all[3].decides = false;

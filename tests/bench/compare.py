@@ -86,6 +86,27 @@ def integrator(build):
                       f"{peer_ns:.0f} ns, error {peer_error:.1e}; ours is {peer_ns / ns:.1f} times faster")
 
 
+def loop_fit(build, scratch, rounds):
+    """LuGre on 2,000 samples of a loop, six parameters: ours against scipy.optimize.least_squares."""
+    data = f"{scratch}/loop.csv"
+
+    def row(command):
+        out = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        return [float(x) for x in out.split()]
+
+    pairs = [(row([f"{build}/tests/bench/loop_fit_bench", data]),
+              row([sys.executable, f"{HERE}/peer/loop_fit.py", data])) for _ in range(rounds)]
+    ratios = sorted(peer[0] / ours[0] for ours, peer in pairs)
+    ours, peer = pairs[-1]
+    print(f"loop fit, 2,000 samples, six parameters: {statistics.median(ratios):.0f} times faster than "
+          f"scipy.optimize.least_squares (lowest {ratios[0]:.0f}, highest {ratios[-1]:.0f}; "
+          f"{ours[0]:.2f} ms in {ours[2]:.0f} evaluations against {peer[0]:.1f} ms in {peer[2]:.0f})")
+    print(f"  cost: ours {ours[1]:.9g}, peer {peer[1]:.9g}, relative difference "
+          f"{abs(ours[1] - peer[1]) / peer[1]:.1e}")
+    if abs(ours[1] - peer[1]) > 1e-6 * peer[1]:
+        sys.exit("the two did not fit the same: their costs differ before the sixth digit")
+
+
 def without_drawings(scenario, scratch):
     """A copy that names no robot description: the peer draws no scenes."""
     with open(scenario) as lines:
@@ -109,6 +130,7 @@ def main():
     print(subprocess.run([f"{build}/tests/bench/intervals_bench"], check=True, capture_output=True,
                          text=True).stdout, end="")
     with tempfile.TemporaryDirectory() as scratch:
+        loop_fit(build, scratch, options.rounds)
         scenario = without_drawings(f"{ROOT}/examples/paper/scenario.toml", scratch)
 
         def ours_whole():

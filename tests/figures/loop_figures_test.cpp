@@ -81,7 +81,8 @@ TEST_F(LoopFigures, AxesSayMicroradiansAndMilliradians) {
 TEST_F(LoopFigures, FittedBristleIsCalledAModel) {
   calibration_.hysteresis.bristle_source = "LuGre model fitted to the loop";
   LuGreFit fit;
-  fit.torque_Nm = calibration_.hysteresis.traces[0].torque_Nm;
+  fit.loops.emplace_back();
+  fit.loops.front().torque_Nm = calibration_.hysteresis.traces[0].torque_Nm;
   calibration_.hysteresis.lugre = fit;
   for (const auto& figure : {torque_loop_figure(calibration_), bristle_loop_figure(calibration_),
                              bristle_rate_loop_figure(calibration_)}) {

@@ -57,7 +57,6 @@ std::map<std::string, double> known_truths() {
   truth["lugre.bristle_stiffness_Nm_rad"] = contact.bristle_stiffness_Nm_rad;
   truth["lugre.bristle_damping_Nms_rad"] = contact.bristle_damping_Nms_rad;
   truth["lugre.static_Nm"] = contact.static_Nm;
-  truth["lugre.gravity_Nm"] = test::true_gravity_Nm;
   const WaiboerFriction::Parameters curve = test::paper_curve().parameters();
   truth["waiboer.asperity_torque_Nm"] = curve.asperity_torque_Nm;
   truth["waiboer.stribeck_speed_rad_s"] = curve.stribeck_speed_rad_s;

@@ -94,7 +94,7 @@ TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsFound) {
   };
   EXPECT_TRUE(disagrees("sweep"));
   EXPECT_FALSE(disagrees("AB"));
-  EXPECT_FALSE(disagrees("lugre"));
+  EXPECT_FALSE(disagrees("fit"));
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ Calibration filled_with(const std::string& text) {
     stage->state = StageState::partial;
     stage->reason = text;
   }
+  c.hysteresis.lugre->identifiability.weakest_in_words = text;
+  c.hysteresis.lugre->loops.front().recording = text;
+  for (LuGreParameter& p : c.hysteresis.lugre->parameters) p.why_not = p.experiment = text;
   c.judgement.findings = {text};
   for (QuantityVerdict& quantity : c.judgement.quantities) {
     quantity.words = quantity.experiment = text;

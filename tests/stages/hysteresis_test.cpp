@@ -136,6 +136,37 @@ TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
   EXPECT_NE(h.stage.reason.find("at least 50"), std::string::npos) << h.stage.reason;
 }
 
+TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
+  Scenario s = test::noisy_paper_joint(2);
+  OscillationExperiment further = *s.oscillation;
+  further.centre_rad += 0.01;
+  s.further_oscillations = {further};
+  const HysteresisResult h = hysteresis_of(test::simulated_dataset(s));
+  ASSERT_EQ(h.traces.size(), 2U);
+  for (const LoopTrace& trace : h.traces) EXPECT_EQ(trace.z_rad.size(), trace.t_s.size());
+  ASSERT_TRUE(h.lugre);
+  EXPECT_EQ(h.lugre->loops.size(), 2U);
+  const auto m = identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
+  ASSERT_NE(m.find("fit"), nullptr);
+  EXPECT_NEAR(m.find("fit")->mass_kg.value, test::true_surrogate_mass_kg,
+              1e-3 * test::true_surrogate_mass_kg);
+}
+
+TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsNotFitted) {
+  Dataset d = test::simulated_dataset(test::noisy_paper_joint(2));
+  for (Recording& r : d.recordings) {
+    if (r.role != Role::oscillation) continue;
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      r.q_rad[i] -= 5e-5 * std::exp(-static_cast<double>(i) / 3000);
+    }
+  }
+  const HysteresisResult h = hysteresis_of(d);
+  ASSERT_TRUE(h.lugre);
+  EXPECT_FALSE(h.lugre->converged);
+  EXPECT_NE(h.lugre->reason.find("no periodic motion"), std::string::npos) << h.lugre->reason;
+  EXPECT_TRUE(h.bristle_source.empty());
+}
+
 TEST(Hysteresis, NothingRecordedIsSkippedWithAnInstruction) {
   const HysteresisResult h = identify_hysteresis({}, {}, 100, peak);
   EXPECT_EQ(h.stage.state, StageState::skipped);

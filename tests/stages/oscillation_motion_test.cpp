@@ -40,6 +40,19 @@ TEST(OscillationMotion, OneCycleIsEnoughHalfIsNot) {
   EXPECT_FALSE(fit_oscillation_motion(sampled(truth, 0.45, 1000)));
 }
 
+TEST(OscillationMotion, ADriftingLoopIsNotFollowed) {
+  const auto sine = HarmonicMotion::sine(0, 1e-4, 1);
+  Recording steady = sampled(sine, 5.0, 200);
+  EXPECT_TRUE(fit_oscillation_motion(steady)->follows_the_angle(0));
+  for (std::size_t i = 0; i < steady.size(); ++i) {
+    steady.q_rad[i] += 1e-4 * std::exp(-static_cast<double>(i) / 200);
+  }
+  const auto motion = fit_oscillation_motion(steady);
+  ASSERT_TRUE(motion);
+  EXPECT_FALSE(motion->follows_the_angle(5e-6));
+  EXPECT_TRUE(motion->follows_the_angle(1e-4)) << "within a step of the encoder nothing is known";
+}
+
 TEST(OscillationMotion, AStandingJointDoesNotSwing) {
   Recording r;
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,4 @@
-// Ripple with known periods comes back, and positions spread over it average it out.
+// Ripple with known periods comes back.
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "simulate/random_stream.h"
-#include "stages/position_mean.h"
 #include "stages/ripple_spectrum.h"
 
 namespace tribolog {
@@ -59,30 +58,6 @@ TEST(RippleSpectrum, HalfWidthOfOneLineIsNearlyItsAmplitude) {
   // |cos u| < cos(0.025 pi) for 95 % of all u.
   EXPECT_NEAR(random_phase_half_width({2.0}, 0), 2 * std::cos(0.025 * pi), 0.01);
   EXPECT_NEAR(random_phase_half_width({}, 1.0), 1.96, 1e-3);
-}
-
-TEST(PositionMean, EightPositionsOverATurnLeaveNothingOfTheRipple) {
-  const Ripple ripple = two_lines();
-  std::vector<double> angle, gravity;
-  for (int k = 0; k < 8; ++k) {
-    angle.push_back(-38.8 + k * 2 * pi / 8);
-    gravity.push_back(3.88 + ripple.torque_Nm(angle.back()));
-  }
-  const PositionMean mean = mean_over_positions(gravity, angle, ripple);
-  EXPECT_NEAR(mean.gravity_Nm.value, 3.88, 1e-12);
-  EXPECT_LT(mean.gravity_Nm.half_width(), 1e-12);
-  EXPECT_EQ(mean.freedom, 3);
-  // Without knowing the periods the same mean, and the scatter of the positions.
-  const PositionMean plain = mean_over_positions(gravity, angle, {});
-  EXPECT_NEAR(plain.gravity_Nm.value, 3.88, 1e-12);
-  EXPECT_GT(plain.gravity_Nm.half_width(), 0.01);
-}
-
-TEST(PositionMean, KeepsALineThatRepeatsFromPositionToPosition) {
-  std::vector<double> angle;
-  for (int k = 0; k < 8; ++k) angle.push_back(k * 2 * pi / 8);
-  EXPECT_NEAR(share_left_in_mean({8, 1, 0}, angle), 1, 1e-12);
-  EXPECT_NEAR(share_left_in_mean({6, 1, 0}, angle), 0, 1e-12);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "stages/bootstrap/chain_draw.h"
 #include "stages/bootstrap/chain_quantities.h"
 #include "stages/bootstrap/quantiles.h"
-#include "stages/lugre_loop_model.h"
 
 namespace tribolog {
 namespace {
@@ -96,11 +95,6 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
   for (std::size_t k = 0; k < masses.size(); ++k) {
     add(masses[k].estimator, masses[k].gravity_Nm.value,
         [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
-  }
-  if (draws.front().lugre.size() > 0) {
-    const double value = results.hysteresis.lugre->gravity_Nm.value;
-    add("lugre", value,
-        [value](const ChainDraw& d) { return value + d.lugre(LuGreLoopModel::gravity); });
   }
   for (std::size_t k = 0; k < results.other_ways.gravity.size(); ++k) {
     add(results.other_ways.gravity[k].method, results.other_ways.gravity[k].gravity_Nm.value,

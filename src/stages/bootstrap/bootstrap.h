@@ -4,9 +4,11 @@
 // Every stage is reduced once to what each of its blocks does to its result; a resample draws
 // blocks with replacement and redoes the small algebra: no sample is touched again. Blocks are
 // fixed: neighbours within the strokes of a sweep, whole cycles of the oscillation, tenths of a
-// run's plateau, and runs for the fitted curve (block_draw.h, parameter_resample.h). Angle and
-// gravity drawn in a resample go into its masses, curves and parameters, so that what has a common
-// cause moves together. Ripple at the position of a single oscillation is drawn at any phase.
+// run's plateau, and runs for the fitted curve (block_draw.h, parameter_resample.h). Of several
+// oscillations half cycles for LuGre's parameters, and the positions' scatter for gravity. Angle
+// and gravity drawn in a resample go into its masses, curves and parameters, so that what has a
+// common cause moves together. Ripple at the position of a single oscillation is drawn at any
+// phase.
 //
 // Each resample has its own random stream: the same seed gives the same numbers on any number of
 // threads.
@@ -75,7 +77,7 @@ struct ChoiceShare {
 /// Difference of a gravity torque to the recommended one, judged by its own scatter: both were
 /// resampled together.
 struct GravityDifference {
-  std::string method;  ///< Estimator of a mass, "lugre", or one of OtherWays.
+  std::string method;  ///< Estimator of a mass, or one of OtherWays.
   Estimate gravity_Nm;
   Estimate difference_Nm;
 };

@@ -22,6 +22,7 @@ int point_index(char name) {
 /// Torque shift of an estimator that reads the loop; nothing for others.
 std::optional<double> loop_shift(const std::string& estimator, const LoopShift& loop) {
   if (estimator == "midline") return loop.midline_Nm;
+  if (estimator == "fit") return loop.fit_gravity_Nm;
   if (estimator.size() > 2) return std::nullopt;
   std::vector<std::size_t> points;
   for (const char name : estimator) {

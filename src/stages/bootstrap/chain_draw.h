@@ -16,7 +16,7 @@ struct ChainDraw {
   double q_rough_rad{}, q_precise_rad{}, q_peak_rad{};
   double coulomb_Nm{};              ///< Of the rough sweep.
   std::vector<double> gravity_Nm;   ///< Per surrogate mass.
-  Eigen::VectorXd lugre;            ///< Shifts of the loop fit's parameters.
+  std::vector<double> lugre;        ///< Shifts of the loop fit's readings or their logarithms.
   std::vector<double> other_Nm;     ///< Per other way.
   std::vector<double> friction_Nm;  ///< Curve by curve, run by run.
   std::vector<double> rms_percent;  ///< Per curve; empty without a reference.

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "stages/lugre_loop_model.h"
+#include "stages/linearised_fit.h"
 
 namespace tribolog::bootstrap {
 namespace {
@@ -60,25 +60,15 @@ void add_masses(const ChainResults& r, Quantities& out) {
 void add_loop_fit(const ChainResults& r, Quantities& out) {
   const auto& fit = r.hysteresis.lugre;
   if (!fit || !fit->converged || !fit->linearised) return;
-  const auto shifted = [&](const char* name, const Estimate& e, Eigen::Index k) {
-    const double value = e.value;
-    out.add(name, e, false, [value, k](const ChainDraw& d) {
-      return d.lugre.size() > k ? value + d.lugre(k) : value;
-    });
-  };
-  const auto scaled_by = [&](const char* name, const Estimate& e, Eigen::Index k) {
-    const double value = e.value;
-    out.add(name, e, false, [value, k](const ChainDraw& d) {
-      return d.lugre.size() > k ? value * std::exp(d.lugre(k)) : value;
-    });
-  };
-  scaled_by("lugre.bristle_stiffness_Nm_rad", fit->bristle_stiffness_Nm_rad,
-            LuGreLoopModel::log_stiffness);
-  shifted("lugre.bristle_damping_Nms_rad", fit->bristle_damping_Nms_rad, LuGreLoopModel::damping);
-  shifted("lugre.viscous_Nms_rad", fit->viscous_Nms_rad, LuGreLoopModel::viscous);
-  scaled_by("lugre.static_Nm", fit->static_Nm, LuGreLoopModel::log_static);
-  shifted("lugre.inertia_kgm2", fit->inertia_kgm2, LuGreLoopModel::inertia);
-  shifted("lugre.gravity_Nm", fit->gravity_Nm, LuGreLoopModel::gravity);
+  const std::vector<LinearisedReading>& readings = fit->linearised->readings;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const double value = readings[k].value;
+    const bool logarithmic = readings[k].logarithmic;
+    out.add("lugre." + readings[k].name, *fit->shown(readings[k].name), false,
+            [value, logarithmic, k](const ChainDraw& d) {
+              return logarithmic ? value * std::exp(d.lugre[k]) : value + d.lugre[k];
+            });
+  }
 }
 
 void add_curve(const ChainResults& r, Quantities& out) {

@@ -1,0 +1,112 @@
+// Stage 8: what the hysteresis loops alone show of LuGre.
+
+#include <cmath>
+#include <map>
+
+#include "report/units.h"
+#include "report/view_parts.h"
+
+namespace tribolog::report {
+namespace {
+
+constexpr int few_digits = 3;
+
+struct Words {
+  const char* quantity;
+  int torque_powers;  ///< Factors n from motor to joint.
+  Scale (*scale)(double);
+};
+
+Scale weakening_scale(double) { return plain_scale("N·m·s²/rad²"); }
+Scale speed_scale(double) { return plain_scale("rad/s"); }
+Scale inertia_scale(double) { return plain_scale("kg·m²"); }
+
+const std::map<std::string, Words> words{
+    {"bristle_stiffness_Nm_rad", {"Bristle stiffness σ₀", 2, stiffness_scale}},
+    {"bristle_damping_Nms_rad", {"Bristle damping σ₁", 2, viscous_scale}},
+    {"viscous_Nms_rad", {"Viscous coefficient σ₂", 2, viscous_scale}},
+    {"static_Nm", {"Break-away torque T_s", 1, torque_scale}},
+    {"coulomb_Nm", {"Coulomb torque T_c", 1, torque_scale}},
+    {"stribeck_speed_rad_s", {"Stribeck velocity ω_s", -1, speed_scale}},
+    {"speed_weakening_Nms2_rad2", {"Start of the fall of friction with speed", 3, weakening_scale}},
+    {"inertia_kgm2", {"Inertia J of motor, gear and arm", 2, inertia_scale}}};
+
+void add_both_sides(const std::string& quantity, const Estimate& motor, double n, int powers,
+                    Scale (*scale)(double), Table& table) {
+  table.rows.push_back(
+      estimate_row(n == 1.0 ? quantity : quantity + ", at the motor", motor, scale(motor.value)));
+  if (n == 1.0) return;
+  const Estimate joint = scaled(motor, std::pow(n, powers));
+  table.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale(joint.value)));
+}
+
+Table shown_table(const LuGreFit& f, double n, const Section& section) {
+  Table table;
+  table.id = section.id + "-lugre";
+  table.caption = "LuGre model, fitted to the hysteresis loops alone";
+  table.columns = estimate_columns();
+  for (const LuGreParameter& p : f.parameters) {
+    const Words& w = words.at(p.name);
+    if (p.estimate) {
+      add_both_sides(w.quantity, *p.estimate, n, w.torque_powers, w.scale, table);
+    } else {
+      table.rows.push_back(not_identified_row(w.quantity, "not shown by this excitation"));
+    }
+  }
+  if (f.gravity_Nm) {
+    add_both_sides("Gravity torque at the peak", *f.gravity_Nm, n, 1, torque_scale, table);
+  }
+  table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
+                                  torque_scale(f.residual_Nm), "fit"));
+  table.note = as_sentence(f.reason);
+  return table;
+}
+
+Table not_shown_table(const LuGreFit& f, const Section& section) {
+  Table table;
+  table.id = section.id + "-lugre-not-shown";
+  table.caption = "What these loops do not show, and the experiment that would";
+  table.columns = {{"Quantity", "", false, true},
+                   {"Why not", "", false, true},
+                   {"Next experiment", "", false, true}};
+  for (const LuGreParameter& p : f.parameters) {
+    if (p.estimate) continue;
+    std::string why = as_sentence(p.why_not);
+    if (p.held_at) why += " Held at " + as_stated(*p.held_at) + " in the fit.";
+    table.rows.push_back({{words.at(p.name).quantity, why, as_sentence(p.experiment)}, false});
+  }
+  return table;
+}
+
+Fact identifiability_fact(const LuGreIdentifiability& i) {
+  std::string values;
+  for (const double v : i.singular_values_Nm) {
+    values += (values.empty() ? "" : ", ") + significant(1e3 * v, few_digits);
+  }
+  return {"Singular values of the scaled Jacobian",
+          values +
+              "\u00a0mN·m (rms torque that a change of the parameters by their own size makes "
+              "along each direction); condition " +
+              significant(i.condition, few_digits) + "; weakest: " + i.weakest_in_words};
+}
+
+}  // namespace
+
+void describe_lugre(const LuGreFit& f, double n, Section& section) {
+  if (!f.converged) {
+    section.facts.push_back({"LuGre fit of the loops", as_sentence(f.reason)});
+    return;
+  }
+  section.facts.push_back(
+      {"LuGre fit", std::to_string(f.loops.size()) +
+                        (f.loops.size() == 1 ? " loop" : " loops together") +
+                        ", motor speed up to " +
+                        with_unit(significant(f.peak_speed_rad_s, few_digits), "rad/s")});
+  if (!f.identifiability.names.empty()) {
+    section.facts.push_back(identifiability_fact(f.identifiability));
+  }
+  section.tables.push_back(shown_table(f, n, section));
+  section.tables.push_back(not_shown_table(f, section));
+}
+
+}  // namespace tribolog::report

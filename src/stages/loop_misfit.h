@@ -1,0 +1,22 @@
+#pragma once
+// What a fitted loop leaves, averaged over equal bins of the angle: scatter averages out there, and
+// what stays is where the model is wrong.
+
+#include <vector>
+
+#include "joint/recording.h"
+
+namespace tribolog {
+
+struct LoopMisfit {
+  std::vector<double> q_rad;       ///< Middles of the bins that both directions pass.
+  std::vector<double> rising_Nm;   ///< Mean of T - model while the angle grows.
+  std::vector<double> falling_Nm;  ///< While it falls.
+};
+
+/// @param model_Nm torque of the model at the recording's samples.
+/// @param speed of the motion there, of any unit: > 0 rising, < 0 falling.
+LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& model_Nm,
+                       const std::vector<double>& speed);
+
+}  // namespace tribolog
