@@ -57,9 +57,8 @@ std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves, doubl
     if (twin == drawn.end()) {
       drawn.push_back(std::move(curve));
     } else {
-      twin->same.push_back(curve.estimator == "sweep" || curve.estimator == "runs"
-                               ? estimator_words(curve.estimator)
-                               : curve.estimator);
+      const bool is_point_or_pair = curve.estimator.size() <= 2;
+      twin->same.push_back(is_point_or_pair ? curve.estimator : estimator_words(curve.estimator));
     }
   }
   return drawn;

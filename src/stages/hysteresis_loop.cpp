@@ -129,8 +129,7 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
     } else if (not_followed.empty()) {
       not_followed = fmt::format(
           "{}: the angle is no periodic motion: a harmonic series leaves {:.2g} rad of an "
-          "amplitude "
-          "of {:.2g} rad, so that the LuGre model cannot be driven by it",
+          "amplitude of {:.2g} rad, so that the LuGre model cannot be driven by it",
           loop.recording.name, loop.motion.residual_rad, loop.motion.amplitude_rad);
     }
   }

@@ -234,6 +234,7 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
                          .transpose() /
                      sizes[at];
   }
+  if (!inverse.allFinite()) return {};  // two columns are the same to the last bit
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(inverse, Eigen::ComputeThinU);
   const double root = std::sqrt(static_cast<double>(climb.linear.fit.residuals.size()));
   for (Eigen::Index k = n; k-- > 0;) {

@@ -108,6 +108,7 @@ Coverage coverage_of(const std::function<Scenario(std::uint64_t)>& scenario) {
 
 void expect_coverage(const std::map<std::string, double>& shares) {
   for (const auto& [name, share] : shares) {
+    testing::Test::RecordProperty(name, std::to_string(share));
     EXPECT_GE(share, least_coverage) << name;
     EXPECT_LE(share, largest_coverage) << name;
   }
@@ -156,8 +157,11 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
   ASSERT_TRUE(c.position_plan);
   EXPECT_EQ(c.position_plan->further_rad.size(), 7U);
   EXPECT_NEAR(c.position_plan->spread_motor_rad, 2 * std::numbers::pi, 1e-12);
-  EXPECT_NE(c.judgement.findings.front().find("at 6 periods a motor turn"), std::string::npos)
-      << c.judgement.findings.front();
+  // Which of two lines of the same amplitude comes first is a matter of noise.
+  for (const char* words : {"N·m at 6", "N·m at 1", "periods a motor turn"}) {
+    EXPECT_NE(c.judgement.findings.front().find(words), std::string::npos)
+        << c.judgement.findings.front();
+  }
   // The positions planned are those that the scenario would take, and they bring what was promised.
   const Scenario eight = from_eight_positions(s);
   for (std::size_t k = 0; k < 7; ++k) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,8 @@ void expect_coverage(std::map<std::string, Tally>& all, int seeds,
                      std::initializer_list<const char*> always) {
   for (const char* name : always) EXPECT_EQ(all[name].shown, seeds) << name;
   for (const auto& [name, one] : all) {
+    testing::Test::RecordProperty(name,
+                                  std::to_string(one.covered) + " of " + std::to_string(one.shown));
     if (one.shown < seeds / 10) {
       // At the edge of what shows, luck shows it: then false numbers must be rare.
       EXPECT_LE(one.shown - one.covered, seeds / 50) << name;
