@@ -1,6 +1,5 @@
 #include "stages/position_mean.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
@@ -62,9 +61,6 @@ PositionMean mean_over_positions(const std::vector<double>& gravity_Nm,
   out.gravity_Nm = symmetric_estimate(
       c(0), student_t_975(out.freedom) * std::sqrt(variance),
       x.cols() > 1 ? "scatter of the positions about the ripple" : "scatter of the positions");
-  for (const RippleLine& line : ripple.lines) {
-    out.ripple_kept = std::max(out.ripple_kept, share_left_in_mean(line, motor_angle_rad));
-  }
   return out;
 }
 

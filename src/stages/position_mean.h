@@ -16,8 +16,6 @@ namespace tribolog {
 struct PositionMean {
   Estimate gravity_Nm;
   double freedom{};  ///< Degrees of freedom of its scatter.
-  /// Largest share of a ripple line's amplitude that a plain mean would have kept.
-  double ripple_kept{};
 };
 
 /// @param gravity_Nm at each position, motor side, at least three.
