@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
 #include "stages/block_regression.h"
+#include "stages/median.h"
 #include "stages/student_t.h"
 
 namespace tribolog {
@@ -66,13 +68,15 @@ void add_rows(const Recording& r, std::size_t number, std::size_t group, double 
   }
 }
 
-/// White noise of averaged rows from third differences, see sweep_noise.h.
+/// White noise of averaged rows from third differences; the median passes over the jumps between
+/// strokes and recordings.
 double row_noise(const std::vector<double>& torque) {
-  double squares = 0;
+  std::vector<double> third;
   for (std::size_t i = 3; i < torque.size(); ++i) {
-    squares += std::pow(torque[i] - 3 * torque[i - 1] + 3 * torque[i - 2] - torque[i - 3], 2) / 20;
+    third.push_back(std::abs(torque[i] - 3 * torque[i - 1] + 3 * torque[i - 2] - torque[i - 3]));
   }
-  return torque.size() > 3 ? std::sqrt(squares / static_cast<double>(torque.size() - 3)) : 0.0;
+  constexpr double normal_mad = 1.4826;
+  return third.empty() ? 0.0 : normal_mad * median(std::move(third)) / std::sqrt(20.0);
 }
 
 }  // namespace

@@ -98,6 +98,8 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
   if (recommended == checks.end()) return out;
   recommended->is_recommended = true;
   const Estimate ours = recommended->gravity_Nm;
+  // Shares of a gravity that cannot be told from none say nothing.
+  if (!(ours.low > 0)) return out;
   const double kg_per_Nm =
       surrogate_mass_kg(1.0, r.gear_ratio, r.masses.distance_m, r.masses.gravity_m_s2, 1.0);
   for (CrossCheck& check : checks) {

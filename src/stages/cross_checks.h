@@ -26,7 +26,8 @@ struct CrossCheck {
 };
 
 struct CrossChecksResult {
-  std::vector<CrossCheck> checks;  ///< The recommended one among them; empty without one.
+  /// The recommended one among them; empty without one, or where it cannot be told from zero.
+  std::vector<CrossCheck> checks;
   std::optional<ClassicalRegression> classical;
   std::vector<std::string> findings;  ///< In words, with likely causes.
   /// Whether one of those disagrees that should agree: not the classical regression, whose model

@@ -1,6 +1,5 @@
 #include "stages/position_mean.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>

@@ -60,9 +60,6 @@ std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
   for (std::size_t k = 1; k < angles.size(); ++k) {
     plan.further_rad.push_back(angles[k] / gear_ratio);
   }
-  for (const RippleLine& line : rough.ripple.lines) {
-    plan.ripple_kept = std::max(plan.ripple_kept, share_left_in_mean(line, angles));
-  }
   // The scatter of eight mid-lines like this one about a mean and the lines of the ripple; ripple
   // that is no line stays, averaged.
   const double own = hysteresis.midline_Nm->half_width();

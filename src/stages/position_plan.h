@@ -16,7 +16,6 @@ struct PositionPlan {
   double half_width_now_Nm{};       ///< Of the mid-line's torque, motor side, as it stands.
   double ripple_half_width_Nm{};    ///< What of it the ripple demands.
   double expected_half_width_Nm{};  ///< With all positions recorded.
-  double ripple_kept{};             ///< Largest share of a line that the mean would keep.
 };
 
 /// Positions to which a plan fills up.

@@ -77,6 +77,18 @@ TEST(CrossChecks, EveryWayFindsTheMassWithoutNoise) {
   EXPECT_GT(c.cross_checks.classical->residual_Nm, 0.03);
 }
 
+TEST(CrossChecks, ClassicalRegressionKnowsTheNoiseThatItDoesNotReach) {
+  const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(2));
+  const Calibration c = identify(dataset);
+  ASSERT_TRUE(c.cross_checks.classical);
+  const ClassicalRegression& classical = *c.cross_checks.classical;
+  // 0.02 N·m white, in means of 20 samples.
+  EXPECT_NEAR(classical.row_noise_Nm, 0.02 / std::sqrt(20.0), 0.001);
+  EXPECT_GT(classical.residual_Nm, 10 * classical.row_noise_Nm);
+  // The textbook interval does not see that the model is wrong.
+  EXPECT_GT(classical.gravity_Nm.half_width(), 5 * classical.textbook_gravity_Nm.half_width());
+}
+
 TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsFound) {
   // The sweep's regression has an offset and is not moved; loop and directions take it for gravity.
   Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(5));
