@@ -26,6 +26,7 @@ std::string mean_text(const ConstantSpeedRun& run) {
 void describe_run_gravity(const Calibration& c, Section& section) {
   const RunGravityResult& r = c.run_gravity;
   if (c.viscous.from_sweep) return;
+  if (!r.found && r.reason.empty()) return;
   if (!r.found) {
     section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
     return;
