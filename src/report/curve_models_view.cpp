@@ -134,7 +134,7 @@ void describe_curve_models(const Calibration& c, Section& section) {
     section.facts.push_back(
         {"Same friction in both directions", as_sentence(c.direction_asymmetry.sentence)});
   }
-  if (!c.load_dependence.examined && c.rough.found) {
+  if (!c.load_dependence.examined && c.rough.found && !c.load_dependence.sentence.empty()) {
     section.facts.push_back({"Friction against load", as_sentence(c.load_dependence.sentence)});
   }
   const Table directions = directions_table(c, section);

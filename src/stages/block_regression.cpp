@@ -72,6 +72,12 @@ double degrees_of_freedom(const WhitenedBlocks& blocks, const Eigen::VectorXd& d
   return std::isfinite(freedom) ? std::max(1.0, freedom) : 1.0;
 }
 
+/// Of columns that cannot be told apart nothing is known.
+double root_of_variance(double variance) {
+  if (!std::isfinite(variance)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(std::max(0.0, variance));
+}
+
 }  // namespace
 
 BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
@@ -111,11 +117,11 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
 }
 
 double BlockRegression::half_width(Eigen::Index k) const {
-  return student_t_975(freedom(k)) * std::sqrt(std::max(0.0, covariance(k, k)));
+  return student_t_975(freedom(k)) * root_of_variance(covariance(k, k));
 }
 
 double BlockRegression::standard_error_along(const Eigen::VectorXd& gradient) const {
-  return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+  return root_of_variance(gradient.dot(covariance * gradient));
 }
 
 double BlockRegression::freedom_along(const Eigen::VectorXd& gradient) const {

@@ -120,8 +120,16 @@ ViscousCurvesResult curves(const SurrogateMassesResult& of) {
   v.stage = {"viscous_curves", StageState::done, ""};
   for (const double speed : {-300.0, -100.0, -10.0, 10.0, 100.0, 300.0}) {
     const double friction = std::copysign(0.45 + 0.0026 * std::abs(speed), speed);
-    v.runs.push_back({"run.csv", speed, gravity_Nm + friction, 0.002, q_peak_rad, 1.0, 2000, -1,
-                      friction, 0.002});
+    ConstantSpeedRun run;
+    run.recording = "run.csv";
+    run.speed_rad_s = speed;
+    run.torque_Nm = gravity_Nm + friction;
+    run.torque_half_width_Nm = run.direction_difference_half_width_Nm = 0.002;
+    run.q_rad = q_peak_rad;
+    run.mean_cos = 1;
+    run.samples = 2000;
+    run.direction_difference_Nm = friction;
+    v.runs.push_back(run);
   }
   for (const SurrogateMass& m : of.masses) {
     ViscousCurve curve{m.estimator, {}};

@@ -63,5 +63,14 @@ TEST(EqualBlocks, StayWithinTheirGroup) {
   EXPECT_EQ(blocks, (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2}));
 }
 
+TEST(BlockRegression, AColumnWithoutEffectHasNoInterval) {
+  Eigen::MatrixXd x = line_design();
+  x.col(1).setZero();
+  const BlockRegression fit = block_regression(x, Eigen::VectorXd::LinSpaced(rows, 0, 1),
+                                               equal_blocks(std::vector<std::size_t>(rows, 0), 20));
+  EXPECT_TRUE(std::isinf(fit.half_width(1)));
+  EXPECT_TRUE(std::isinf(fit.standard_error_along(Eigen::Vector2d(0, 1))));
+}
+
 }  // namespace
 }  // namespace tribolog
