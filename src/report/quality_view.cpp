@@ -38,7 +38,9 @@ void describe_quality_errors(const Calibration& c, Section& section) {
   section.facts.push_back(
       {"Runs left out", count(q.runs_left_out) + " (no reference, or driving torque near zero)"});
 
-  section.facts.push_back({"What the reference can tell", as_sentence(q.evidence)});
+  if (!q.evidence.empty()) {
+    section.facts.push_back({"What the reference can tell", as_sentence(q.evidence)});
+  }
 
   Table table;
   table.id = section.id + "-results";
