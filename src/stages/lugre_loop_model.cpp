@@ -19,6 +19,10 @@ enum DualIndex { by_log_rest, by_start, by_log_share, by_fall };
 constexpr int at_micro_speed = 2;
 constexpr int at_any_speed = 4;
 
+/// Halvings of a step between two samples. A Stribeck velocity that a solver tries in passing may
+/// be so small that no step is ever short enough; one that a log can show needs fewer.
+constexpr int deepest_halving_in_a_fit = 5;
+
 /// g(w) with its derivatives: level * (c + (1 - c) exp(-b w^2)).
 template <int N>
 struct SteadyDeflection {
@@ -113,7 +117,8 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
                            Scalar(1.0 / gm), Scalar(1.0 / g1), p.to_s - p.from_s);
     const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
                        reverses(p.start_speed, p.middle_speed, p.end_speed);
-    z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z)
+    z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z,
+                                     deepest_halving_in_a_fit)
               : relaxed(shape, z);
     g0 = g1;
     if (p.ends_at_sample) visit_sample(g1);
