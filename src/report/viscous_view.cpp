@@ -28,7 +28,9 @@ void describe_run_gravity(const Calibration& c, Section& section) {
   if (c.viscous.from_sweep) return;
   if (!r.found && r.reason.empty()) return;
   if (!r.found) {
-    section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
+    if (!r.reason.empty()) {
+      section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
+    }
     return;
   }
   const Estimate gravity = scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
