@@ -19,6 +19,7 @@ using render::LineStyle;
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 constexpr double chosen_px = 5.0;
 constexpr double other_px = 2.5;
+constexpr double ring_px = 19.0;
 
 struct LawStyle {
   render::Colour colour;
@@ -47,6 +48,11 @@ render::Panel curves_panel(const Calibration& c, const AxisScale& scale) {
   }
   add_folded_curve(panel, c, choice.curve, scale, true);
   panel.error_bars.clear();  // those are figure 21's
+  for (render::Series& series : panel.series) {
+    // Rings about the other direction's dots, which they match in a clean log.
+    const bool is_backward = series.label.find("backward") != std::string::npos;
+    if (is_backward) series.marker_size_px = ring_px;
+  }
   for (const CurveModelTrial& trial : choice.ladder) {
     if (!trial.excluded_because.empty()) continue;
     const bool is_chosen = trial.model.law == choice.chosen.law;

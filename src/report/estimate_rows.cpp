@@ -11,7 +11,8 @@ std::string or_dash(const std::string& text) { return text.empty() ? "–" : tex
 std::string as_sentence(const std::string& text) {
   if (text.empty()) return text;
   const std::string first_word = text.substr(0, text.find(' '));
-  const bool is_symbol = first_word.size() == 1 || first_word.find('_') != std::string::npos;
+  const bool is_symbol =
+      (first_word.size() == 1 && first_word != "a") || first_word.find('_') != std::string::npos;
   std::string sentence = text;
   if (!is_symbol && sentence.front() >= 'a' && sentence.front() <= 'z') {
     sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');

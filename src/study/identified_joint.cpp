@@ -95,8 +95,22 @@ class Maker {
     const double coulomb = sweep.coulomb_Nm ? sweep.coulomb_Nm->value : 0.0;
     const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
     const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
-    const SlidingFriction friction(coulomb, viscous, rest_speed(r));
-    return sliding(r, friction, sweep.offset_Nm, inertia);
+    const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
+    const SlidingFriction friction(unloaded, viscous, rest_speed(r));
+    std::vector<double> torque = sliding(r, friction, sweep.offset_Nm, inertia);
+    if (sweep.load_coulomb_Nm) add_load_friction(r, sweep, torque);
+    return torque;
+  }
+
+  /// Friction that grows with the gravity torque.
+  void add_load_friction(const Recording& r, const CogSweepResult& sweep,
+                         std::vector<double>& torque) const {
+    const SlidingFriction per_load(sweep.load_coulomb_Nm->value, 0.0, rest_speed(r));
+    const MotionSegments motion = find_plateaus(r);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
+                   std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
+    }
   }
 
   [[nodiscard]] std::vector<double> run_torque(const Recording& r, std::string& why_not) const {

@@ -36,7 +36,7 @@ TEST(MainJob, FromScenarioToReport) {
        ++at) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 15U);
+  EXPECT_EQ(pictures, 20U);
   EXPECT_EQ(html.find("Other figures"), std::string::npos) << "each has its section";
   const std::size_t precise = html.find("id=\"stage-2\"");
   for (const char* id : {"fig-09-robot", "fig-10-phenomenological-model", "fig-11-rough-motion",
@@ -53,7 +53,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 15U);
+  EXPECT_EQ(files, 20U);
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {

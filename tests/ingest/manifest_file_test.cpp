@@ -132,14 +132,15 @@ TEST(Manifest, NeverGuessesWhatTheEffortIs) {
   const std::string hint =
       "; hint: state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same "
       "column "
-      "is ampere on one robot and newton metre on another, so it is never guessed";
+      "is ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
+      "neither was recorded";
   EXPECT_EQ(refusal(with("[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n", "")),
             "m.toml:1:1: key 'effort' is missing" + hint);
   EXPECT_EQ(refusal(with("kind = \"motor_torque\"\n", "")),
             "m.toml:7:1: key 'effort.kind' is missing" + hint);
   EXPECT_EQ(refusal(with("\"motor_torque\"", "\"effort\"")),
             "m.toml:8:8: key 'effort.kind': not known, found 'effort', expected one of "
-            "'motor_current', 'motor_torque', 'joint_torque'" +
+            "'motor_current', 'motor_torque', 'joint_torque', 'none'" +
                 hint);
   EXPECT_EQ(refusal(with("side = \"motor\"\n", "")),
             "m.toml:7:1: key 'effort.side' is missing; hint: \"motor\": before the gear, or "
@@ -181,7 +182,8 @@ TEST(Manifest, RefusesWhatIsMissing) {
   EXPECT_EQ(
       refusal(with("effort = {name = \"tau\", unit = \"Nm\"}\n", "")),
       "m.toml:13:1: no column is stated for the effort, expected effort = {name = ..., unit = "
-      "...} in [columns]; hint: without torque or current nothing can be identified");
+      "...} in [columns]; hint: without torque or current nothing can be identified; where neither "
+      "was recorded, effort.kind = \"none\" checks the motion alone");
   EXPECT_EQ(refusal(with(", unit = \"s\"", "")),
             "m.toml:11:8: key 'columns.time.unit' is missing; hint: one of s, ms, us, ns");
   EXPECT_EQ(

@@ -199,7 +199,7 @@ TEST(RealLog, CiceseRaisesItsSpeedColumnAndTheLackOfCommonAngles) {
   Dataset dataset;
   const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
   EXPECT_EQ(findings_of(c.data_checks),
-            (std::vector<std::string>{"speed_noise", "run_common_angles"}));
+            (std::vector<std::string>{"speed_noise", "run_common_angles", "oscillation_at_peak"}));
   EXPECT_NE(quantity(c, "coulomb_torque").verdict, Verdict::usable);
 }
 

@@ -34,12 +34,13 @@ TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
   }
 }
 
-TEST(RealTruthCheck, CiceseLoopsAreSimulatedAndJudged) {
+TEST(RealTruthCheck, WhatCiceseShowsComesBackAndTheRestIsNamed) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   const TruthCheckResult check = check_of("cicese_joint1.toml");
-  const ReturnedQuantity* stiffness = check.find("bristle_stiffness");
-  ASSERT_NE(stiffness, nullptr);
-  EXPECT_TRUE(stiffness->comes_back);
+  // Driven by torque the angle is no sine that the model could follow: no loop is simulated.
+  EXPECT_EQ(check.find("bristle_stiffness"), nullptr);
+  ASSERT_FALSE(check.left_out.empty());
+  ASSERT_FALSE(check.quantities.empty());
   for (const ReturnedQuantity& q : check.quantities) EXPECT_EQ(q.found, 20U) << q.name;
 }
 

@@ -87,13 +87,19 @@ TEST(AcceptanceLimits, OfWhatIsNotKnownAreNotKept) {
   EXPECT_EQ(quantities[0].verdict, Verdict::doubtful);
 }
 
-TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantity) {
+TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantityThatDecides) {
   const Dataset d = simulated_dataset(test::paper_joint());
   const Calibration c = identify(d);
   ASSERT_EQ(c.judgement.quantities.size(), 11U);
   for (const QuantityVerdict& q : c.judgement.quantities) {
+    if (q.key == "inertia") {  // 0.0001 N·m in a slow loop: it is said to be missing, not guessed
+      EXPECT_EQ(q.verdict, Verdict::not_identifiable);
+      EXPECT_FALSE(q.experiment.empty());
+      continue;
+    }
     EXPECT_EQ(q.verdict, Verdict::usable) << q.key << ": " << q.reasons.front();
   }
+  EXPECT_EQ(c.judgement.verdict, Verdict::usable);
 }
 
 TEST(Verdicts, ABrokenLimitMakesAUsableJointDoubtful) {

@@ -244,6 +244,7 @@ TEST(Errata, EvidenceComesFromTable2) {
 }
 
 TEST(Sentences, CapitalAndFullStopButSymbolsStay) {
+  EXPECT_EQ(as_sentence("a fast sine"), "A fast sine.");
   EXPECT_EQ(as_sentence("no data"), "No data.");
   EXPECT_EQ(as_sentence("q_peak is unknown"), "q_peak is unknown.");
   EXPECT_EQ(as_sentence("Done."), "Done.");
