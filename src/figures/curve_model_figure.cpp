@@ -19,7 +19,8 @@ using render::LineStyle;
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 constexpr double chosen_px = 5.0;
 constexpr double other_px = 2.5;
-constexpr double ring_px = 19.0;
+constexpr double circle_px = 27.0;
+constexpr double diamond_px = 14.0;
 
 struct LawStyle {
   render::Colour colour;
@@ -49,9 +50,9 @@ render::Panel curves_panel(const Calibration& c, const AxisScale& scale) {
   add_folded_curve(panel, c, choice.curve, scale, true);
   panel.error_bars.clear();  // those are figure 21's
   for (render::Series& series : panel.series) {
-    // Rings about the other direction's dots, which they match in a clean log.
+    // To be seen beside the lines, and both where the directions agree.
     const bool is_backward = series.label.find("backward") != std::string::npos;
-    if (is_backward) series.marker_size_px = ring_px;
+    series.marker_size_px = is_backward ? diamond_px : circle_px;
   }
   for (const CurveModelTrial& trial : choice.ladder) {
     if (!trial.excluded_because.empty()) continue;

@@ -50,7 +50,7 @@ struct Manifest {
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};
   IntervalSettings intervals;
-  std::vector<KnownLoad> known_loads;         ///< Subtracted when the logs were read.
+  std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
   std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
   std::vector<AcceptanceLimit> limits;              ///< What the user accepts; may be empty.

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "stages/cog_sweep.h"
 #include "stages/data_checks/check_list.h"
 #include "stages/data_checks/direction_difference.h"
 #include "stages/data_checks/scale_causes.h"
-#include "stages/cog_sweep.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {

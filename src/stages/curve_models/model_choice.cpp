@@ -143,10 +143,10 @@ class Chooser {
                                                                                : asymmetry;
   }
 
-  /// An error that is only the computer's: nothing is left to explain.
+  /// An error that no drive resolves, or is only the computer's: nothing is left to explain.
   static bool is_rounding(const Tried& t) {
-    constexpr double rounding = 1e-9;
-    return t.trial.held_out_rms_Nm < rounding * t.fit.torque_scale_Nm;
+    constexpr double resolved = 1e-6;  // of the friction's size
+    return t.trial.held_out_rms_Nm < resolved * t.fit.torque_scale_Nm;
   }
 
   /// Takes up terms one by one while the best of those left pays.

@@ -6,15 +6,14 @@ namespace tribolog {
 
 DataChecksResult check_recordings(const Dataset& dataset) {
   constexpr DataCheck (*in_order[])(const CheckedDataset&) = {
-      check_joint_moves,        check_angle_unit,     check_clock_jitter,
-      check_clock_gaps,         check_speed_scale,    check_speed_noise,
-      check_sweep_directions,   check_run_directions, check_sweep_common_angles,
-      check_run_common_angles,  check_run_speeds,     check_stick_slip,
-      check_torque_alive,       check_torque_noise,   check_torque_saturation,
-      check_torque_step,        check_dissipation,    check_power,
-      check_friction_drift,
-      check_temperature,        check_encoder_step,   check_oscillation_cycles,
-      check_oscillation_slides,
+      check_joint_moves,        check_angle_unit,         check_clock_jitter,
+      check_clock_gaps,         check_speed_scale,        check_speed_noise,
+      check_sweep_directions,   check_run_directions,     check_sweep_common_angles,
+      check_run_common_angles,  check_run_speeds,         check_stick_slip,
+      check_torque_alive,       check_torque_noise,       check_torque_saturation,
+      check_torque_step,        check_dissipation,        check_power,
+      check_friction_drift,     check_temperature,        check_encoder_step,
+      check_oscillation_cycles, check_oscillation_slides,
   };
   const CheckedDataset data = look_at(dataset);
   DataChecksResult result;

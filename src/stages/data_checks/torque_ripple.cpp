@@ -28,11 +28,12 @@ std::string in_words(const std::vector<RippleLine>& lines) {
 
 /// Why a sweep cannot tell of ripple; empty: it can.
 std::string why_not(const CogSweepResult& sweep, double gear_ratio) {
-  if (!sweep.found) return "no gravity was found in a rough sweep, whose residual would show ripple";
-  const double turns =
-      gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);
-  return turns < fewest_turns ? "the rough sweep does not turn the motor often enough to show a period"
-                              : "";
+  if (!sweep.found)
+    return "no gravity was found in a rough sweep, whose residual would show ripple";
+  const double turns = gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);
+  return turns < fewest_turns
+             ? "the rough sweep does not turn the motor often enough to show a period"
+             : "";
 }
 
 }  // namespace
