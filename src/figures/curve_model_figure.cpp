@@ -19,7 +19,7 @@ using render::LineStyle;
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 constexpr double chosen_px = 5.0;
 constexpr double other_px = 2.5;
-constexpr double circle_px = 27.0;
+constexpr double circle_px = 31.0;
 constexpr double diamond_px = 14.0;
 
 struct LawStyle {
