@@ -30,13 +30,13 @@ TEST(MainJob, FromScenarioToReport) {
   EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
   EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
   const std::string html = read_text(out + "/report.html");
-  // Figures 9 to 22.
+  // Figures 9 to 22, and the LuGre fit of the loop.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
        ++at) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 14U);
+  EXPECT_EQ(pictures, 15U);
   EXPECT_EQ(html.find("Other figures"), std::string::npos) << "each has its section";
   const std::size_t precise = html.find("id=\"stage-2\"");
   for (const char* id : {"fig-09-robot", "fig-10-phenomenological-model", "fig-11-rough-motion",
@@ -53,7 +53,7 @@ TEST(MainJob, FromScenarioToReport) {
     EXPECT_EQ(entry.path().extension(), ".png");
     ++files;
   }
-  EXPECT_EQ(files, 14U);
+  EXPECT_EQ(files, 15U);
 }
 
 TEST(MainJob, NoisyScenariosReportToo) {
