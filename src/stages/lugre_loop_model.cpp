@@ -73,7 +73,8 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const
     cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
   }
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_sample) {
-    pieces_.push_back({a, b, wa, motion_->speed((a + b) / 2), wb, ends_at_sample});
+    const double wm = motion_->speed((a + b) / 2);
+    pieces_.push_back({a, b, wa, wm, wb, (b - a) / 6 * (wa + 4 * wm + wb), ends_at_sample});
   };
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     if (speed_[i] * speed_[i + 1] < 0) {
@@ -90,38 +91,38 @@ template <class Scalar, class Deflection, class Visit>
 void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) const {
   Scalar z = start;
   std::size_t sample = 0;
-  const auto visit_sample = [&](const Scalar& g_here) {
+  const auto visit_sample = [&](const Scalar& inverse_g) {
     const double w = speed_[sample];
-    const Scalar rate = w - (std::abs(w) * z) / g_here;
+    const Scalar rate = w - (std::abs(w) * z) * inverse_g;
     visit(static_cast<Eigen::Index>(sample), z, rate);
     ++sample;
   };
   Scalar g0 = g(speed_.front());
-  visit_sample(g0);
+  Scalar inverse0 = Scalar(1.0 / g0);
+  visit_sample(inverse0);
   if constexpr (Deflection::same_at_all_speeds) {
-    const Scalar inverse = 1.0 / g0;
     const Scalar backward = -g0;
     for (const Piece& p : pieces_) {
-      const double way =
-          (p.to_s - p.from_s) / 6 * (p.start_speed + 4 * p.middle_speed + p.end_speed);
-      z = relaxed_to<Scalar>(way < 0 ? backward : g0, std::abs(way) * inverse, z);
-      if (p.ends_at_sample) visit_sample(g0);
+      z = relaxed_to<Scalar>(p.way_rad < 0 ? backward : g0, std::abs(p.way_rad) * inverse0, z);
+      if (p.ends_at_sample) visit_sample(inverse0);
     }
     return;
   }
   for (const Piece& p : pieces_) {
     const Scalar gm = g(p.middle_speed);
     const Scalar g1 = g(p.end_speed);
+    const Scalar inverse1 = Scalar(1.0 / g1);
     const StepShape<Scalar> shape =
-        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1, Scalar(1.0 / g0),
-                           Scalar(1.0 / gm), Scalar(1.0 / g1), p.to_s - p.from_s);
+        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1, inverse0,
+                           Scalar(1.0 / gm), inverse1, p.to_s - p.from_s);
     const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
                        reverses(p.start_speed, p.middle_speed, p.end_speed);
     z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z,
                                      deepest_halving_in_a_fit)
               : relaxed(shape, z);
     g0 = g1;
-    if (p.ends_at_sample) visit_sample(g1);
+    inverse0 = inverse1;
+    if (p.ends_at_sample) visit_sample(inverse1);
   }
 }
 
@@ -141,21 +142,22 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
                    const auto at = static_cast<std::size_t>(k);
                    return s0 * z.by[at] + s1 * dz.by[at];
                  };
-                 double* column = &derivatives(row, 0);
-                 column[0] = cosine_[i];
-                 column[1] = by(by_start);
-                 double* shared = column + local_count;
-                 shared[Shared::log_stiffness] = s0 * z.value - by(by_log_rest);
-                 shared[Shared::log_static] = by(by_log_rest);
+                 const auto shared = [&](Shared::Index k) -> double& {
+                   return derivatives(row, local_count + k);
+                 };
+                 derivatives(row, 0) = cosine_[i];
+                 derivatives(row, 1) = by(by_start);
+                 shared(Shared::log_stiffness) = s0 * z.value - by(by_log_rest);
+                 shared(Shared::log_static) = by(by_log_rest);
                  if constexpr (N == at_any_speed) {
-                   shared[Shared::log_share] = by(by_log_share);
-                   shared[Shared::fall] = by(by_fall);
+                   shared(Shared::log_share) = by(by_log_share);
+                   shared(Shared::fall) = by(by_fall);
                  } else {
-                   shared[Shared::log_share] = shared[Shared::fall] = 0;
+                   shared(Shared::log_share) = shared(Shared::fall) = 0;
                  }
-                 shared[Shared::damping] = dz.value;
-                 shared[Shared::viscous] = speed_[i];
-                 shared[Shared::inertia] = acceleration_[i];
+                 shared(Shared::damping) = dz.value;
+                 shared(Shared::viscous) = speed_[i];
+                 shared(Shared::inertia) = acceleration_[i];
                });
 }
 

@@ -40,7 +40,7 @@ class LuGreLoopModel {
   /// Columns of the derivatives: G, start, then the shared ones in their order.
   static constexpr int local_count = 2;
   static constexpr int columns = local_count + LuGreShared::count;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, columns>;
 
   /// @param motion of the motor shaft, by the time since the recording's first sample.
   /// @param stride every stride-th sample is compared; the others are passed over.
@@ -71,7 +71,7 @@ class LuGreLoopModel {
  private:
   /// A piece of the way between two samples in which the speed keeps its sign.
   struct Piece {
-    double from_s, to_s, start_speed, middle_speed, end_speed;
+    double from_s, to_s, start_speed, middle_speed, end_speed, way_rad;
     bool ends_at_sample;
   };
   template <class Scalar, class Deflection, class Visit>

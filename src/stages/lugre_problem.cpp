@@ -63,7 +63,7 @@ class Layout {
 /// Triangular factor of the chosen columns and the residuals, chunk by chunk within the cache.
 Triangle compressed(const LuGreLoopModel::Rows& rows, const Eigen::VectorXd& residuals,
                     const std::vector<Eigen::Index>& columns) {
-  constexpr Eigen::Index chunk = 256;
+  constexpr Eigen::Index chunk = 384;
   const auto n = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd stack = Eigen::MatrixXd::Zero(n + 1 + chunk, n + 1);
   for (Eigen::Index first = 0; first < rows.rows(); first += chunk) {

@@ -30,7 +30,7 @@ TEST(MainJob, FromScenarioToReport) {
   EXPECT_NE(report.out.find("verdict: usable"), std::string::npos) << report.out;
   EXPECT_NE(report.out.find("79.1679"), std::string::npos) << report.out;
   const std::string html = read_text(out + "/report.html");
-  // Figures 9 to 22, and that of the known-truth check.
+  // Figures 9 to 22, loop fit, curve models, directions, load, masses, known-truth check.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = html.find("data:image/png;base64,", at)) != std::string::npos;
        ++at) {
