@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include <Eigen/Dense>
@@ -78,10 +79,40 @@ double root_of_variance(double variance) {
   return std::sqrt(std::max(0.0, variance));
 }
 
+/// The same with the rows in the order of their blocks.
+BlockRegression regression_of_scattered_blocks(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
+                                               const std::vector<std::size_t>& block_of_row) {
+  std::vector<Eigen::Index> order(block_of_row.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return block_of_row[static_cast<std::size_t>(a)] < block_of_row[static_cast<std::size_t>(b)];
+  });
+  Eigen::MatrixXd sorted_x(x.rows(), x.cols());
+  Eigen::VectorXd sorted_y(y.size());
+  std::vector<std::size_t> blocks;
+  for (const Eigen::Index row : order) {
+    const auto to = static_cast<Eigen::Index>(blocks.size());
+    sorted_x.row(to) = x.row(row);
+    sorted_y(to) = y(row);
+    blocks.push_back(block_of_row[static_cast<std::size_t>(row)]);
+  }
+  BlockRegression out = block_regression(sorted_x, sorted_y, blocks);
+  const Eigen::VectorXd residuals = out.residuals;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    out.residuals(order[i]) = residuals(static_cast<Eigen::Index>(i));
+  }
+  return out;
+}
+
 }  // namespace
 
 BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                  const std::vector<std::size_t>& block_of_row) {
+  const bool fits =
+      y.size() == x.rows() && block_of_row.size() == static_cast<std::size_t>(y.size());
+  if (fits && !std::is_sorted(block_of_row.begin(), block_of_row.end())) {
+    return regression_of_scattered_blocks(x, y, block_of_row);
+  }
   const Eigen::Index rows = x.rows();
   const Eigen::Index columns = x.cols();
   if (rows < columns || y.size() != rows || block_of_row.size() != static_cast<std::size_t>(rows)) {

@@ -41,7 +41,8 @@ struct BlockRegression {
   [[nodiscard]] double half_width_along(const Eigen::VectorXd& gradient) const;
 };
 
-/// @param block_of_row non-decreasing block number of each row, starting at 0.
+/// @param block_of_row block number of each row, each from 0 to the largest at least once; rows of
+/// a block need not follow each other.
 /// @throw std::invalid_argument if there are fewer rows than columns or sizes differ.
 BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
                                  const std::vector<std::size_t>& block_of_row);

@@ -144,6 +144,24 @@ void keep_for_resampling(const SweepDesign& design, const SweepSamples& samples,
   out.resampling.freedom = fit.freedom;
 }
 
+/// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
+/// samples cannot see. Blocks of the angle can: the wider of the two intervals is stated.
+SweepGravityFit with_the_wider_blocks(const std::vector<const Recording*>& recordings,
+                                      const SweepSamples& samples, SweepDesign& design,
+                                      double middle, const SweepGravityFit& fit,
+                                      const CogSweepResult& range) {
+  constexpr double cells = 20;
+  std::vector<std::size_t> by_angle(samples.size());
+  const double width = (range.highest_rad - range.lowest_rad) / cells;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double place = (angle_of(recordings, samples, i) - range.lowest_rad) / width;
+    by_angle[i] = static_cast<std::size_t>(std::clamp(place, 0.0, cells - 1));
+  }
+  SweepGravityFit other = fit_amplitude_and_angle(recordings, samples, design, middle, by_angle);
+  other.regression.residuals = fit.regression.residuals;  // those behind the ripple's lines too
+  return other.gravity_Nm.half_width() > fit.gravity_Nm.half_width() ? other : fit;
+}
+
 CogSweepResult skipped(const std::string& name, std::string reason, StageState state) {
   CogSweepResult out;
   out.stage = {name, state, std::move(reason)};
@@ -212,6 +230,9 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
     out.residual_Nm = fit.regression.residual_sd;
     fit = fit_without_ripple(recordings, samples, gear_ratio, middle, blocks, fit, design, out);
+    if (!samples.constant_speed && strokes > 2) {
+      fit = with_the_wider_blocks(recordings, samples, design, middle, fit, out);
+    }
   }
   const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
   out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,

@@ -26,9 +26,8 @@ TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
       const ReturnedQuantity* q = check.find(name);
       ASSERT_NE(q, nullptr) << manifest << name;
       EXPECT_TRUE(q->comes_back) << manifest << name;
-      // Honest intervals would have 15 or more of 20. Strokes over the same angles repeat what the
-      // model leaves there, which blocks of neighbouring samples do not see.
-      EXPECT_GE(q->inside, 10U) << manifest << name;
+      // 14 or fewer of 20 once in 400 checks with honest intervals.
+      EXPECT_GE(q->inside, 15U) << manifest << name;
     }
     EXPECT_GT(check.white_Nm, 0);
     EXPECT_EQ(check.find("midline"), nullptr);

@@ -58,6 +58,33 @@ TEST(BlockRegression, RefusesTooFewRows) {
                std::invalid_argument);
 }
 
+TEST(BlockRegression, RowsOfABlockNeedNotFollowEachOther) {
+  const Eigen::MatrixXd x = line_design();
+  const Eigen::VectorXd y = x.col(1).array().sin() + 0.1 * x.col(1).array().square();
+  std::vector<std::size_t> together(rows);
+  for (std::size_t i = 0; i < together.size(); ++i) together[i] = i * 10 / together.size();
+  const BlockRegression sorted = block_regression(x, y, together);
+  // The same rows, shuffled along with their blocks.
+  Eigen::MatrixXd mixed_x(x.rows(), x.cols());
+  Eigen::VectorXd mixed_y(y.size());
+  std::vector<std::size_t> mixed(together.size());
+  std::vector<Eigen::Index> from(together.size());
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    from[i] = static_cast<Eigen::Index>(i * 7 % mixed.size());  // 7 shares no factor with the rows
+    mixed_x.row(static_cast<Eigen::Index>(i)) = x.row(from[i]);
+    mixed_y(static_cast<Eigen::Index>(i)) = y(from[i]);
+    mixed[i] = together[static_cast<std::size_t>(from[i])];
+  }
+  const BlockRegression scattered = block_regression(mixed_x, mixed_y, mixed);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    EXPECT_NEAR(scattered.coefficients(k), sorted.coefficients(k), 1e-9);
+    EXPECT_NEAR(scattered.half_width(k) / sorted.half_width(k), 1, 1e-6);
+  }
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    EXPECT_NEAR(scattered.residuals(static_cast<Eigen::Index>(i)), sorted.residuals(from[i]), 1e-9);
+  }
+}
+
 TEST(EqualBlocks, StayWithinTheirGroup) {
   const auto blocks = equal_blocks({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, 2);
   EXPECT_EQ(blocks, (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2}));
