@@ -69,9 +69,9 @@ class Maker {
     return gravity_Nm_ * std::cos(q - (c_.q_peak_rad ? c_.q_peak_rad->value : middle));
   }
 
-  [[nodiscard]] std::vector<double> sliding(const Recording& r, const StaticFriction& friction,
-                                            double offset_Nm, double inertia_kgm2) const {
-    const MotionSegments motion = find_plateaus(r);
+  [[nodiscard]] std::vector<double> sliding(const Recording& r, const MotionSegments& motion,
+                                            const StaticFriction& friction, double offset_Nm,
+                                            double inertia_kgm2) const {
     std::vector<double> torque(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
       torque[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm +
@@ -81,8 +81,8 @@ class Maker {
     return torque;
   }
 
-  [[nodiscard]] double rest_speed(const Recording& r) const {
-    return std::max(1e-9, rest_share * n_ * find_plateaus(r).fastest_rad_s);
+  [[nodiscard]] double rest_speed(const MotionSegments& motion) const {
+    return std::max(1e-9, rest_share * n_ * motion.fastest_rad_s);
   }
 
   [[nodiscard]] std::vector<double> sweep_torque(const Recording& r, const CogSweepResult& sweep,
@@ -96,17 +96,17 @@ class Maker {
     const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
     const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
     const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
-    const SlidingFriction friction(unloaded, viscous, rest_speed(r));
-    std::vector<double> torque = sliding(r, friction, sweep.offset_Nm, inertia);
-    if (sweep.load_coulomb_Nm) add_load_friction(r, sweep, torque);
+    const MotionSegments motion = find_plateaus(r);
+    const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
+    std::vector<double> torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
+    if (sweep.load_coulomb_Nm) add_load_friction(r, motion, sweep, torque);
     return torque;
   }
 
   /// Friction that grows with the gravity torque.
-  void add_load_friction(const Recording& r, const CogSweepResult& sweep,
-                         std::vector<double>& torque) const {
-    const SlidingFriction per_load(sweep.load_coulomb_Nm->value, 0.0, rest_speed(r));
-    const MotionSegments motion = find_plateaus(r);
+  void add_load_friction(const Recording& r, const MotionSegments& motion,
+                         const CogSweepResult& sweep, std::vector<double>& torque) const {
+    const SlidingFriction per_load(sweep.load_coulomb_Nm->value, 0.0, rest_speed(motion));
     for (std::size_t i = 0; i < r.size(); ++i) {
       torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
                    std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
@@ -116,12 +116,13 @@ class Maker {
   [[nodiscard]] std::vector<double> run_torque(const Recording& r, std::string& why_not) const {
     const FrictionParametersResult& f = c_.friction;
     if (f.waiboer && f.waiboer->converged) {
-      return sliding(r, waiboer_of(*f.waiboer), 0, 0);
+      return sliding(r, find_plateaus(r), waiboer_of(*f.waiboer), 0, 0);
     }
     if (f.coulomb_viscous && !c_.viscous.from_sweep) {
+      const MotionSegments motion = find_plateaus(r);
       const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
-                                     f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(r));
-      return sliding(r, friction, 0, 0);
+                                     f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
+      return sliding(r, motion, friction, 0, 0);
     }
     why_not = "no friction curve was identified";
     return {};

@@ -7,11 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "stages/student_t.h"
+
 namespace tribolog {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double normal_975 = 1.959963984540054;
 constexpr double lowest_honest = 0.91;
 constexpr double highest_honest = 0.99;
 

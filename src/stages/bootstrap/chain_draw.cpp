@@ -7,11 +7,10 @@
 #include "stages/bootstrap/block_draw.h"
 #include "stages/bootstrap/run_resample.h"
 #include "stages/bootstrap/sweep_resample.h"
+#include "stages/student_t.h"
 
 namespace tribolog::bootstrap {
 namespace {
-
-constexpr double normal_975 = 1.959963984540054;
 
 /// 0 for "A" to 5 for "F", -1 for others.
 int point_index(char name) {

@@ -12,8 +12,6 @@
 namespace tribolog::bootstrap {
 namespace {
 
-constexpr double normal_975 = 1.959963984540054;
-
 /// The cycle of each sample; what is left over at the end belongs to the last.
 std::vector<std::size_t> cycle_of_sample(const std::vector<double>& t_s, double frequency_Hz,
                                          std::size_t cycles) {

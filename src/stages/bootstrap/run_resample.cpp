@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "stages/bootstrap/block_draw.h"
+#include "stages/student_t.h"
 
 namespace tribolog::bootstrap {
 
 std::vector<double> resample_runs(RandomStream& random, const ViscousCurvesResult& curves) {
-  constexpr double normal_975 = 1.959963984540054;
   std::vector<double> shifts;
   shifts.reserve(curves.runs.size());
   for (const ConstantSpeedRun& run : curves.runs) {
