@@ -77,7 +77,7 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
     }
   }
 
-  c.run_gravity = identify_run_gravity(dataset.with_role(Role::constant_speed));
+  c.run_gravity = identify_run_gravity(dataset.with_role(Role::constant_speed), n);
   if (!c.q_peak_rad && c.run_gravity.found) {
     c.q_peak_rad = c.run_gravity.q_peak_rad;
     c.q_peak_source = "runs";

@@ -158,10 +158,11 @@ Scalar relaxed(const StepShape<Scalar>& shape, const Scalar& y0) {
 
 /// y at the end of a step over which the target stays the same: of the parabola only its constant
 /// is left, and of the moments one.
+/// @param decay exp(-L)
 template <class Scalar>
-[[gnu::always_inline]] inline Scalar relaxed_to(const Scalar& target, const Scalar& length,
+[[gnu::always_inline]] inline Scalar relaxed_to(const Scalar& target, const Scalar& decay,
                                                 const Scalar& y0) {
-  return target + exp_nonpositive(-length) * (y0 - target);
+  return target + decay * (y0 - target);
 }
 
 /// z at the end of one step. For loops over many steps see simulate/bristle_integrator.cpp.

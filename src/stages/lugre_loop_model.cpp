@@ -74,7 +74,9 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const
   }
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_sample) {
     const double wm = motion_->speed((a + b) / 2);
-    pieces_.push_back({a, b, wa, wm, wb, (b - a) / 6 * (wa + 4 * wm + wb), ends_at_sample});
+    const double way = (b - a) / 6 * (wa + 4 * wm + wb);
+    pieces_.push_back({a, b, wa, wm, wb, way < 0, ends_at_sample});
+    distance_rad_.push_back(std::abs(way));
   };
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     if (speed_[i] * speed_[i + 1] < 0) {
@@ -102,9 +104,17 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
   visit_sample(inverse0);
   if constexpr (Deflection::same_at_all_speeds) {
     const Scalar backward = -g0;
-    for (const Piece& p : pieces_) {
-      z = relaxed_to<Scalar>(p.way_rad < 0 ? backward : g0, std::abs(p.way_rad) * inverse0, z);
-      if (p.ends_at_sample) visit_sample(inverse0);
+    // They depend on no z: all exponentials at once, in a loop that vectorises.
+    std::vector<double> decays(pieces_.size());
+    const double scale = -value_of(inverse0);
+    for (std::size_t k = 0; k < decays.size(); ++k) {
+      decays[k] = exp_nonpositive(scale * distance_rad_[k]);
+    }
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      const Scalar length = distance_rad_[k] * inverse0;
+      z = relaxed_to<Scalar>(pieces_[k].backward ? backward : g0,
+                             chained(decays[k], -decays[k], length), z);
+      if (pieces_[k].ends_at_sample) visit_sample(inverse0);
     }
     return;
   }

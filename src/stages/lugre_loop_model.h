@@ -71,8 +71,8 @@ class LuGreLoopModel {
  private:
   /// A piece of the way between two samples in which the speed keeps its sign.
   struct Piece {
-    double from_s, to_s, start_speed, middle_speed, end_speed, way_rad;
-    bool ends_at_sample;
+    double from_s, to_s, start_speed, middle_speed, end_speed;
+    bool backward, ends_at_sample;
   };
   template <class Scalar, class Deflection, class Visit>
   void run(const Deflection& g, const Scalar& start, Visit visit) const;
@@ -82,6 +82,7 @@ class LuGreLoopModel {
 
   std::shared_ptr<const Motion> motion_;
   std::vector<Piece> pieces_;
+  std::vector<double> distance_rad_;  // of each piece
   std::vector<double> measured_Nm_;
   std::vector<double> angle_;
   std::vector<double> speed_;

@@ -76,7 +76,7 @@ RippleLine line_at(const BinnedResidual& r, double periods_per_turn) {
 }
 
 /// The strongest line of the spectrum, refined between its neighbours.
-std::optional<RippleLine> strongest_line(const BinnedResidual& r) {
+std::optional<RippleLine> strongest_line(const BinnedResidual& r, double slowest_per_turn) {
   constexpr std::size_t padding = 4;
   std::size_t size = 1;
   while (size < padding * r.mean.size()) size *= 2;
@@ -88,7 +88,8 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r) {
   fft.fwd(spectrum, padded);
   const double per_index = bins_per_turn / static_cast<double>(size);
   const double turns = static_cast<double>(r.mean.size()) / bins_per_turn;
-  const auto first = static_cast<std::size_t>(std::ceil(fewest_periods / turns / per_index));
+  const double slowest = std::max(fewest_periods / turns, slowest_per_turn);
+  const auto first = static_cast<std::size_t>(std::ceil(slowest / per_index));
   std::size_t best = 0;
   // Bins resolve periods up to a few of them; towards half their number sines look alike.
   const auto last = static_cast<std::size_t>(most_periods_per_turn / per_index);
@@ -131,8 +132,8 @@ double Ripple::half_width_Nm() const {
 }
 
 Ripple find_ripple(const std::vector<double>& motor_angle_rad,
-                   const std::vector<double>& residual_Nm, double ripple_Nm,
-                   double white_variance) {
+                   const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
+                   double slowest_per_turn) {
   Ripple out;
   out.rest_Nm = ripple_Nm;
   if (!(ripple_Nm > 0) || motor_angle_rad.empty()) return out;
@@ -142,7 +143,7 @@ Ripple find_ripple(const std::vector<double>& motor_angle_rad,
   BinnedResidual binned = bin_residual(motor_angle_rad, residual_Nm);
   double left = ripple_Nm * ripple_Nm;
   while (out.lines.size() < most_lines) {
-    const std::optional<RippleLine> found = strongest_line(binned);
+    const std::optional<RippleLine> found = strongest_line(binned, slowest_per_turn);
     if (!found) break;
     const double power = found->amplitude_Nm * found->amplitude_Nm / 2;
     const double noise = 2 * std::max(white_variance, 1e-300) / binned.samples;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "stages/block_regression.h"
-#include "stages/plateaus.h"
+#include "stages/run_gravity_rows.h"
 #include "stages/student_t.h"
 
 namespace tribolog {
@@ -17,8 +17,6 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double least_travel_share = 0.25;
 constexpr double least_travel_rad = 3 / degrees;
-constexpr std::size_t cells = 240;  // over all angles; a run's mean in each is one row
-constexpr std::size_t angle_blocks = 24;
 constexpr std::size_t fewest_blocks = 6;
 // As for the sweep: a chance of far below 0.1 % without gravity.
 constexpr double least_evidence = 27;
@@ -26,71 +24,11 @@ constexpr double least_evidence = 27;
 constexpr double widest_share = 0.2;
 constexpr double hardly = 0.05;  // share of a way
 
-struct Run {
-  const Recording* recording;
-  Plateau plateau;
-  double low_rad, high_rad;
-};
-
-/// Mean of a run within a cell of the angle, less the mean of the run.
-struct Row {
-  std::size_t run, cell;
-  double cosine, sine, torque_Nm;
-};
-
-std::vector<Run> plateaus_of(const std::vector<const Recording*>& recordings) {
-  std::vector<Run> runs;
-  for (const Recording* r : recordings) {
-    for (const Plateau& p : find_plateaus(*r).plateaus) {
-      const auto begin = r->q_rad.begin();
-      const auto [low, high] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(p.first),
-                                                   begin + static_cast<std::ptrdiff_t>(p.last));
-      runs.push_back({r, p, *low, *high});
-    }
-  }
-  return runs;
-}
-
-/// The rows of one run. Taking the run's means off all columns is the same as an offset of its own.
-void add_rows(const Run& run, std::size_t number, double lowest, double width, double middle,
-              std::vector<Row>& rows) {
-  std::vector<Row> sums(cells, Row{number, 0, 0, 0, 0});
-  std::vector<double> counts(cells, 0.0);
-  for (std::size_t i = run.plateau.first; i < run.plateau.last; ++i) {
-    const double q = run.recording->q_rad[i];
-    const auto cell = std::min(cells - 1, static_cast<std::size_t>((q - lowest) / width));
-    // 1 - cos q as 2 sin^2(q/2): no cancellation over a short way.
-    const double half = std::sin((q - middle) / 2);
-    sums[cell].cosine += -2 * half * half;
-    sums[cell].sine += std::sin(q - middle);
-    sums[cell].torque_Nm += run.recording->torque_Nm[i];
-    counts[cell] += 1;
-  }
-  Row mean{number, 0, 0, 0, 0};
-  double used = 0;
-  const std::size_t first = rows.size();
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    if (counts[cell] == 0) continue;
-    const Row& s = sums[cell];
-    rows.push_back(
-        {number, cell, s.cosine / counts[cell], s.sine / counts[cell], s.torque_Nm / counts[cell]});
-    mean.cosine += rows.back().cosine;
-    mean.sine += rows.back().sine;
-    mean.torque_Nm += rows.back().torque_Nm;
-    used += 1;
-  }
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    rows[i].cosine -= mean.cosine / used;
-    rows[i].sine -= mean.sine / used;
-    rows[i].torque_Nm -= mean.torque_Nm / used;
-  }
-}
-
 /// Least squares with blocks in the order of the rows; `block` gives a row's block.
 template <class Block>
-BlockRegression fit(std::vector<Row> rows, Block block) {
+BlockRegression fit(std::vector<GravityRow> rows, Block block) {
   std::stable_sort(rows.begin(), rows.end(),
-                   [&](const Row& a, const Row& b) { return block(a) < block(b); });
+                   [&](const GravityRow& a, const GravityRow& b) { return block(a) < block(b); });
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd x(n, 2);
   Eigen::VectorXd y(n);
@@ -104,15 +42,46 @@ BlockRegression fit(std::vector<Row> rows, Block block) {
   return block_regression(x, y, blocks);
 }
 
-/// Half width of a quantity with gradient `g`: the larger of the two ways to form blocks.
-double half_width(const Eigen::Vector2d& g, const BlockRegression& a, const BlockRegression& b) {
-  return std::max(a.half_width_along(g), b.half_width_along(g));
-}
+/// Rows that share their angle share the ripple, rows of a run share its day: the variance for
+/// both together is that of the one plus that of the other less that of what they have in common
+/// (A. C. Cameron, J. B. Gelbach, D. L. Miller, J. Bus. Econ. Stat. 29 (2011) 238-249).
+class TwoWayFit {
+ public:
+  explicit TwoWayFit(const std::vector<GravityRow>& rows, std::size_t runs)
+      : by_angle_(fit(rows, angle_block)),
+        // Too few runs say nothing about how runs differ.
+        by_run_(runs >= fewest_blocks ? fit(rows, run_of) : by_angle_),
+        by_both_(runs >= fewest_blocks ? fit(rows, angle_and_run) : by_angle_) {}
 
-bool lifts_always(const std::vector<Run>& runs, double q_peak) {
+  [[nodiscard]] const BlockRegression& by_angle() const { return by_angle_; }
+  [[nodiscard]] const BlockRegression& by_run() const { return by_run_; }
+  /// Half width of the 95 % interval of a quantity with this gradient.
+  [[nodiscard]] double half_width(const Eigen::Vector2d& gradient) const {
+    const auto variance = [&](const BlockRegression& r) {
+      return std::pow(r.standard_error_along(gradient), 2);
+    };
+    // Runs cannot take away from what the blocks of the angle show.
+    const double added = std::max(0.0, variance(by_run_) - variance(by_both_));
+    const double freedom =
+        std::min(by_angle_.freedom_along(gradient), by_run_.freedom_along(gradient));
+    return student_t_975(freedom) * std::sqrt(variance(by_angle_) + added);
+  }
+
+ private:
+  static std::size_t angle_block(const GravityRow& r) {
+    return r.cell * GravityCells::blocks / GravityCells::count;
+  }
+  static std::size_t run_of(const GravityRow& r) { return r.run; }
+  static std::size_t angle_and_run(const GravityRow& r) {
+    return r.run * GravityCells::blocks + angle_block(r);
+  }
+  BlockRegression by_angle_, by_run_, by_both_;
+};
+
+bool lifts_always(const std::vector<GravityRun>& runs, double q_peak) {
   double lifted = 0;
   double all = 0;
-  for (const Run& run : runs) {
+  for (const GravityRun& run : runs) {
     const double direction = run.plateau.speed_rad_s > 0 ? 1.0 : -1.0;
     for (std::size_t i = run.plateau.first; i < run.plateau.last; ++i) {
       lifted += direction * std::cos(run.recording->q_rad[i] - q_peak) > 0 ? 1 : 0;
@@ -124,20 +93,22 @@ bool lifts_always(const std::vector<Run>& runs, double q_peak) {
 
 }  // namespace
 
-RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings) {
+RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings,
+                                      double gear_ratio) {
   RunGravityResult out;
   if (recordings.empty()) {
     out.reason = "no run at constant speed was recorded";
     return out;
   }
-  std::vector<Run> runs = plateaus_of(recordings);
+  std::vector<GravityRun> runs = gravity_runs_of(recordings);
   const std::size_t all_runs = runs.size();
   double widest = 0;
-  for (const Run& run : runs) widest = std::max(widest, run.high_rad - run.low_rad);
+  for (const GravityRun& run : runs) widest = std::max(widest, run.high_rad - run.low_rad);
   const double least = std::max(least_travel_rad, least_travel_share * widest);
-  runs.erase(std::remove_if(runs.begin(), runs.end(),
-                            [&](const Run& run) { return run.high_rad - run.low_rad < least; }),
-             runs.end());
+  runs.erase(
+      std::remove_if(runs.begin(), runs.end(),
+                     [&](const GravityRun& run) { return run.high_rad - run.low_rad < least; }),
+      runs.end());
   out.runs_used = runs.size();
   out.runs_left_out = all_runs - runs.size();
   if (runs.empty()) {
@@ -149,38 +120,34 @@ RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recor
   }
   out.lowest_rad = runs.front().low_rad;
   out.highest_rad = runs.front().high_rad;
-  for (const Run& run : runs) {
+  for (const GravityRun& run : runs) {
     out.lowest_rad = std::min(out.lowest_rad, run.low_rad);
     out.highest_rad = std::max(out.highest_rad, run.high_rad);
     out.samples_used += run.plateau.size();
   }
-  const double middle = (out.lowest_rad + out.highest_rad) / 2;
-  const double width = (out.highest_rad - out.lowest_rad) / static_cast<double>(cells);
-  std::vector<Row> rows;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    add_rows(runs[k], k, out.lowest_rad, width, middle, rows);
-  }
-  const auto angle_block = [](const Row& r) { return r.cell * angle_blocks / cells; };
-  const auto run_block = [](const Row& r) { return r.run; };
-  const BlockRegression by_angle = fit(rows, angle_block);
-  // Too few runs say nothing about how runs differ.
-  const BlockRegression by_run = runs.size() >= fewest_blocks ? fit(rows, run_block) : by_angle;
-  const double b = by_angle.coefficients(0);
-  const double c = by_angle.coefficients(1);
+  const GravityCells cells{out.lowest_rad, out.highest_rad};
+  const double middle = cells.middle_rad();
+  const TwoWayFit with_ripple(gravity_rows(runs, cells, gear_ratio, {}), runs.size());
+  const Eigen::VectorXd& smooth = with_ripple.by_angle().coefficients;
+  const Ripple ripple = ripple_of_runs(runs, cells, gear_ratio, smooth(0), smooth(1));
+  const TwoWayFit fitted(gravity_rows(runs, cells, gear_ratio, ripple), runs.size());
+  const double b = fitted.by_angle().coefficients(0);
+  const double c = fitted.by_angle().coefficients(1);
   const double g = std::hypot(b, c);
-  out.residual_Nm = by_angle.residual_sd;
+  out.ripple = ripple;
+  out.residual_Nm = fitted.by_angle().residual_sd;
   const char* method = "runs at constant speed, blocks of the angle and of the runs";
-  out.gravity_Nm = symmetric_estimate(
-      g, half_width(Eigen::Vector2d(b, c) / std::max(g, 1e-300), by_angle, by_run), method);
+  out.gravity_Nm =
+      symmetric_estimate(g, fitted.half_width(Eigen::Vector2d(b, c) / std::max(g, 1e-300)), method);
   const Eigen::Vector2d angle_gradient = Eigen::Vector2d(-c, b) / std::max(g * g, 1e-300);
   double q_peak = middle + std::atan2(c, b);
   q_peak -= 2 * std::numbers::pi * std::round((q_peak - middle) / (2 * std::numbers::pi));
-  out.q_peak_rad = symmetric_estimate(q_peak, half_width(angle_gradient, by_angle, by_run), method);
+  out.q_peak_rad = symmetric_estimate(q_peak, fitted.half_width(angle_gradient), method);
   const Eigen::Vector2d bc(b, c);
   const auto evidence = [&](const BlockRegression& r) {
     return bc.dot(Eigen::Matrix2d(r.covariance).ldlt().solve(bc));
   };
-  const double least_shown = std::min(evidence(by_angle), evidence(by_run));
+  const double least_shown = std::min(evidence(fitted.by_angle()), evidence(fitted.by_run()));
   if (least_shown < least_evidence || !(out.gravity_Nm.low > 0) ||
       !(out.gravity_Nm.half_width() <= widest_share * g)) {
     out.reason = fmt::format(

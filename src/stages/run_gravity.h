@@ -6,10 +6,11 @@
 // with one offset for each plateau, which takes up Coulomb and viscous friction and whatever the
 // day adds. Amplitude and angle come from all runs together.
 //
-// What is left is ripple, which repeats with the angle in every run: samples at the same angle are
-// no independent witnesses. The covariance is therefore taken over blocks of the angle, and over
-// whole runs, and the larger of the two counts. Runs that travel less than a quarter of the widest
-// one take no part: a short piece of a ripple looks like a slope of gravity.
+// What is left is ripple, which repeats with the angle in every run: lines of its spectrum are
+// taken out first. Of the rest, samples at the same angle are no independent witnesses, nor are
+// those of one run: the variance is that of blocks of the angle plus that of whole runs, less that
+// of what both have in common. Runs that travel less than a quarter of the widest one take no part:
+// a short piece of a ripple looks like a slope of gravity.
 //
 // It fails where the drive lifts the load in every run: friction that grows with the load then
 // looks like gravity. `always_lifts` says so.
@@ -20,6 +21,7 @@
 
 #include "joint/recording.h"
 #include "stages/estimate.h"
+#include "stages/ripple_spectrum.h"
 
 namespace tribolog {
 
@@ -28,7 +30,8 @@ struct RunGravityResult {
   std::string reason;  ///< Why not found; empty if it is.
   Estimate q_peak_rad;
   Estimate gravity_Nm;   ///< Amplitude G/n at the motor.
-  double residual_Nm{};  ///< Standard deviation of what the fit leaves in cells of the angle.
+  Ripple ripple;         ///< What of it repeats with the motor's angle.
+  double residual_Nm{};  ///< Standard deviation of what fit and ripple leave in cells of the angle.
   std::size_t runs_used{};
   std::size_t runs_left_out{};  ///< Plateaus with too short a way.
   std::size_t samples_used{};
@@ -38,6 +41,8 @@ struct RunGravityResult {
 };
 
 /// @param recordings those of constant speed; may be empty.
-RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings);
+/// @param gear_ratio n, of the motor's angle to the joint's.
+RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings,
+                                      double gear_ratio);
 
 }  // namespace tribolog

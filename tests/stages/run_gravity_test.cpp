@@ -16,6 +16,7 @@ namespace {
 
 constexpr double gravity_Nm = 40.0;
 constexpr double q_peak_rad = 1.5;
+constexpr double gear_ratio = 5.0;
 
 /// A run of 400 samples with offset, gravity, a ripple that repeats with the angle, and noise.
 Recording run(double from, double to, double offset_Nm, double ripple_Nm, double noise_Nm,
@@ -35,7 +36,7 @@ Recording run(double from, double to, double offset_Nm, double ripple_Nm, double
 RunGravityResult identify(const std::vector<Recording>& runs) {
   std::vector<const Recording*> all;
   for (const Recording& r : runs) all.push_back(&r);
-  return identify_run_gravity(all);
+  return identify_run_gravity(all, gear_ratio);
 }
 
 TEST(RunGravity, IsExactWithoutNoise) {
@@ -111,7 +112,8 @@ TEST(RunGravity, ShortWaysAndNoGravityAreRefusedInWords) {
 TEST(RunGravity, SimulatedJointGivesTheSameAsItsSweep) {
   Scenario s = test::paper_joint();
   const Dataset d = test::simulated_dataset(s);
-  const RunGravityResult g = identify_run_gravity(d.with_role(Role::constant_speed));
+  const RunGravityResult g =
+      identify_run_gravity(d.with_role(Role::constant_speed), s.gear_ratio);
   ASSERT_TRUE(g.found) << g.reason;
   EXPECT_NEAR(g.gravity_Nm.value / test::true_gravity_Nm, 1, 1e-3);
   EXPECT_NEAR(g.q_peak_rad.value, test::true_q_peak_rad(), 1e-3);
