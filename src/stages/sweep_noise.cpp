@@ -2,23 +2,21 @@
 
 #include <cmath>
 
+#include "stages/white_noise.h"
+
 namespace tribolog {
 
 double white_torque_variance(const std::vector<const Recording*>& recordings,
                              const SweepSamples& samples) {
-  double squares = 0;
-  double count = 0;
+  std::vector<double> third;
   for (std::size_t i = 3; i < samples.size(); ++i) {
     const bool neighbours = samples.recording[i - 3] == samples.recording[i] &&
                             samples.index[i - 3] + 3 == samples.index[i];
     if (!neighbours) continue;
-    const double* t = &recordings[samples.recording[i]]->torque_Nm[samples.index[i] - 3];
-    const double third = t[3] - 3 * t[2] + 3 * t[1] - t[0];
-    squares += third * third;
-    count += 1;
+    const Recording& r = *recordings[samples.recording[i]];
+    third.push_back(third_difference(&r.torque_Nm[samples.index[i] - 3]));
   }
-  constexpr double gain = 20;  // 1 + 9 + 9 + 1
-  return count > 0 ? squares / (gain * count) : 0.0;
+  return white_variance(third);
 }
 
 double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {

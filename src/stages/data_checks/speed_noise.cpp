@@ -8,6 +8,7 @@
 
 #include "stages/data_checks/check_list.h"
 #include "stages/median.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -26,8 +27,7 @@ double noise_percent(const CheckedRecording& r) {
     deviations.push_back(std::abs(log.dq_rad_s[i] - slope));
   }
   if (speeds.size() < 20) return -1;
-  constexpr double sd_per_median = 1.4826;
-  return 100 * sd_per_median * median(std::move(deviations)) / median(std::move(speeds));
+  return 100 * normal_sd_by_median_size * median(std::move(deviations)) / median(std::move(speeds));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "stages/data_checks/check_list.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// Sums of one role's torque: its own variance and that of its white part.
 struct TorqueScatter {
   double sum{}, squares{}, count{};
-  double thirds{}, third_count{};
+  std::vector<double> third;
 
   void add(const std::vector<double>& t) {
     for (const double torque : t) {
@@ -21,17 +22,14 @@ struct TorqueScatter {
       squares += torque * torque;
       count += 1;
     }
-    for (std::size_t i = 3; i < t.size(); ++i) {
-      thirds += std::pow(t[i] - 3 * t[i - 1] + 3 * t[i - 2] - t[i - 3], 2);
-      third_count += 1;
-    }
+    const std::vector<double> more = third_differences(t);
+    third.insert(third.end(), more.begin(), more.end());
   }
-  /// White noise shows in third differences, 20 times over; a signal of a robot does not.
+  /// White noise shows in third differences; a signal of a robot does not.
   [[nodiscard]] double white_percent() const {
     const double variance = squares / count - std::pow(sum / count, 2);
-    if (!(variance > 0) || third_count == 0) return 0;
-    constexpr double gain = 20;
-    return std::min(100.0, 100 * thirds / third_count / gain / variance);
+    if (!(variance > 0)) return 0;
+    return std::min(100.0, 100 * white_variance(third) / variance);
   }
 };
 
