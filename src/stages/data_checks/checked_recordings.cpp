@@ -90,12 +90,4 @@ CheckedDataset look_at(const Dataset& dataset) {
   return out;
 }
 
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
-  DataCheck check;
-  check.name = name;
-  check.title = title;
-  check.found = std::move(why);
-  return check;
-}
-
 }  // namespace tribolog

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "joint/dataset.h"
-#include "stages/data_check.h"
 #include "stages/plateaus.h"
 
 namespace tribolog {
@@ -55,8 +54,5 @@ CheckedDataset look_at(const Dataset& dataset);
 
 /// Strokes of an angle: a turn counts where the angle runs back by more than `noise_rad`.
 std::vector<Stroke> find_strokes(const std::vector<double>& q_rad, double noise_rad);
-
-/// A check that does not apply, with the reason.
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why);
 
 }  // namespace tribolog

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
 #include "stages/data_checks/data_checks.h"
 #include "stages/data_checks/torque_ripple.h"
@@ -42,9 +43,7 @@ DataCheck check_oscillation_at_peak(const Dataset& dataset,
   check.found =
       fmt::format("centre at {:.3f}°, peak at {:.3f}°: gravity is {:.3g} % smaller there",
                   centre * degrees, q_peak_rad->value * degrees, 100 * (1 - std::cos(off)));
-  check.state = *check.measured <= warning_deg ? CheckState::passed
-                : *check.measured <= most_deg  ? CheckState::warns
-                                               : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_deg, check);
   if (check.state == CheckState::passed) return check;
   check.consequence = fmt::format(
       "the cosine corrects for it, but an error of 0.1° of the peak's angle then costs {:.2g} % of "
@@ -79,9 +78,7 @@ DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
   check.measured = sweep.gravity_Nm.value * largest_cos / largest_torque;
   check.found = fmt::format("{:.4g} N·m fitted, {:.4g} N·m measured, at the motor",
                             sweep.gravity_Nm.value * largest_cos, largest_torque);
-  check.state = *check.measured <= warning_ratio ? CheckState::passed
-                : *check.measured <= most_ratio  ? CheckState::warns
-                                                 : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_ratio, check);
   if (check.state == CheckState::passed) return check;
   check.found += "; a large offset would have to balance it";
   check.consequence =

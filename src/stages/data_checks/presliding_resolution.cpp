@@ -134,10 +134,7 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   const auto worst = has_loop ? of_oscillations(data) : of_reversals(data);
   if (!worst) {
     if (has_loop) {
-      check.state = CheckState::passed;
-      check.recording = "all";
-      check.found = "the angle looks continuous";
-      return check;
+      return passed_by_all(check, "the angle looks continuous");
     }
     return not_applicable(check.name, check.title,
                           "no oscillation, and no reversal of a sweep with a stepped angle");

@@ -43,9 +43,7 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
   for (const CheckedRecording& r : data.recordings) {
     if (!r.travels()) continue;  // no stage reads a speed off a loop or a ramp
     const double noise = noise_percent(r);
-    if (noise < 0 || (check.measured && noise <= *check.measured)) continue;
-    check.measured = noise;
-    check.recording = r.recording->name;
+    if (noise >= 0) take_if_worst(check, noise, r.recording->name);
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title, "no speed is logged in a sweep or a run");

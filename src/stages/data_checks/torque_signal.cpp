@@ -45,31 +45,19 @@ DataCheck check_torque_alive(const CheckedDataset& data) {
   check.measure = "recordings in which the torque changes";
   check.unit = percent_sign;
   check.at_least = 100;
-  std::size_t alive = 0;
-  std::string dead;
+  RecordingsAsWanted alive;
   for (const CheckedRecording& r : data.recordings) {
     const std::vector<double>& t = r.recording->torque_Nm;
     const auto [low, high] = std::minmax_element(t.begin(), t.end());
-    if (!t.empty() && *high > *low) {
-      ++alive;
-    } else if (dead.empty()) {
-      dead = r.recording->name;
-    }
+    alive.add(!t.empty() && *high > *low, r.recording->name);
   }
-  const std::size_t all = data.recordings.size();
-  if (all == 0) return not_applicable(check.name, check.title, "no recording");
-  check.recording = dead.empty() ? "all" : dead;
-  check.measured = 100.0 * static_cast<double>(alive) / static_cast<double>(all);
-  if (alive == all) {
-    check.state = CheckState::passed;
-    check.found = "the torque changes in every recording";
-    return check;
-  }
+  if (alive.all() == 0) return not_applicable(check.name, check.title, "no recording");
+  alive.take_share(check);
+  if (alive.others() == 0) return passed_by_all(check, "the torque changes in every recording");
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "the torque is one constant number in {} of {} recordings: a dead "
-      "sensor?",
-      all - alive, all);
+  check.found =
+      fmt::format("the torque is one constant number in {} of {} recordings: a dead sensor?",
+                  alive.others(), alive.all());
   check.consequence = "a torque that does not change shows neither gravity nor friction";
   check.experiment = "see that the torque's column is alive before the next measurement";
   return check;
@@ -93,18 +81,15 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
     TorqueScatter scatter;
     for (const CheckedRecording* r : recordings) scatter.add(r->recording->torque_Nm);
     const double percent = scatter.white_percent();
-    if (check.measured && percent <= *check.measured) continue;
-    check.measured = percent;
-    check.recording =
-        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all";
+    take_if_worst(
+        check, percent,
+        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all");
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title, "no sweep, oscillation or run");
   }
   check.found = fmt::format("{:.2g} % of the torque's variance is white noise", *check.measured);
-  check.state = *check.measured <= warning_percent ? CheckState::passed
-                : *check.measured <= most_percent  ? CheckState::warns
-                                                   : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "what is left of gravity and friction drowns in it; the intervals are as "
