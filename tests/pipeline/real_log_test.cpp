@@ -8,10 +8,13 @@
 
 #include "ingest/dataset_file.h"
 #include "pipeline.h"
+#include "support/check_findings.h"
 #include "support/real_logs.h"
 
 namespace tribolog {
 namespace {
+
+using test::findings_of;
 
 Calibration identify_manifest(const std::string& name, Dataset& dataset) {
   dataset = read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
@@ -163,17 +166,6 @@ const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
     if (q.key == key) return q;
   }
   throw std::logic_error("no quantity " + key);
-}
-
-/// The checks that do not pass, in order.
-std::vector<std::string> findings_of(const DataChecksResult& checks) {
-  std::vector<std::string> names;
-  for (const DataCheck& check : checks.checks) {
-    if (check.state == CheckState::warns || check.state == CheckState::fails) {
-      names.push_back(check.name);
-    }
-  }
-  return names;
 }
 
 TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
