@@ -30,6 +30,7 @@ struct CheckedRecording {
   double highest_rad{};
   double interval_s{};      ///< Median time from sample to sample.
   double angle_step_rad{};  ///< 0: continuous.
+  bool step_is_of_print{};  ///< See AngleStep.
 
   /// Sweep or run: what moves on its way, neither to and fro nor from rest.
   [[nodiscard]] bool travels() const {

@@ -30,8 +30,7 @@ DataCheck check_torque_step(const CheckedDataset& data) {
     const DirectionDifference d = direction_difference(recordings, true);
     if (d.common_bins == 0 || d.friction_Nm == 0) continue;
     for (const CheckedRecording* r : recordings) {
-      // The search for a common step is the same whatever the numbers are.
-      const double step = encoder_step_rad(r->recording->torque_Nm);
+      const double step = common_step(r->recording->torque_Nm);
       const double percent = 100 * step / std::abs(d.friction_Nm);
       if (!take_if_worst(check, percent, r->recording->name)) continue;
       worst_step = step;
