@@ -31,7 +31,8 @@ Json hysteresis(const HysteresisResult& h) {
                             {"frequency_Hz", number(o.frequency_Hz)},
                             {"cycles", number(o.cycles)},
                             {"steady_cycles", number(o.steady_cycles)},
-                            {"encoder_step_rad", number(o.encoder_step_rad)}});
+                            {"encoder_step_rad", number(o.encoder_step_rad)},
+                            {"step_is_of_print", o.step_is_of_print}});
   }
   return {{"found", h.found},
           {"bristle_source", text_or_null(h.bristle_source)},
@@ -42,7 +43,8 @@ Json hysteresis(const HysteresisResult& h) {
           {"midline_q_rad", h.midline_Nm ? number(h.midline_q_rad) : Json(nullptr)},
           {"loop_height_Nm", h.found ? number(h.loop_height_Nm) : Json(nullptr)},
           {"presliding_travel_rad", number(h.presliding_travel_rad)},
-          {"encoder_step_rad", number(h.encoder_step_rad)}};
+          {"encoder_step_rad", number(h.encoder_step_rad)},
+          {"step_is_of_print", h.encoder_step_rad ? Json(h.step_is_of_print) : Json(nullptr)}};
 }
 
 Json surrogate_masses(const SurrogateMassesResult& result) {

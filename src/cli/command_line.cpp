@@ -38,7 +38,8 @@ The manifest says, for example:
   name = "J3"
   gear_ratio = 100
   [effort]                      # never guessed: it must be stated
-  kind = "motor_current"        # or "motor_torque", "joint_torque", "none"
+  kind = "motor_current"        # or "motor_torque", "joint_torque"; "none": the log has no
+                                # torque, and what its motion shows is checked
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
   [columns]
@@ -51,9 +52,19 @@ The manifest says, for example:
   [[recording]]
   role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
   file = "sweep.csv"
+  [[limit]]                     # optional: what you accept; the report says whether it is kept
+  quantity = "coulomb_joint_Nm" # a wrong name gets the list of them
+  max = 15                      # max, min, half_width, half_width_percent
+  [[known_load]]                # optional: gravity of further axes, subtracted from the logs
+  amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
+  angles = ["q1_rad", "q2_rad"] # columns of the log
+  [known_gravity]               # optional: the joint's own, as by its design, to compare with
+  amplitude_Nm = 38.465
+  q_peak_deg = 90
 
 Each role may occur any number of times, and each is optional: what is absent
-makes the stages that need it say so; the rest still runs.)";
+makes the stages that need it say so; the rest still runs. README.md, "Your own
+joint", describes every key.)";
 
 const std::map<std::string, Verdict> verdicts{{"doubtful", Verdict::doubtful},
                                               {"not-identifiable", Verdict::not_identifiable}};

@@ -1,13 +1,13 @@
 #include "cli/identification.h"
 
 #include <filesystem>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "files/atomic_file.h"
 #include "ingest/dataset_file.h"
 #include "ingest/manifest_file.h"
+#include "joint/degrees.h"
 #include "pipeline.h"
 
 namespace tribolog {
@@ -66,7 +66,6 @@ std::vector<NamedText> interval_configuration(const IntervalsResult& intervals) 
 }
 
 void tell_outcome(const Calibration& c, Console& console) {
-  constexpr double degrees = 180 / std::numbers::pi;
   const auto say = [&](const std::string& name, const Estimate& e, double factor,
                        const char* unit) {
     const Estimate s = scaled(e, factor);
@@ -85,7 +84,7 @@ void tell_outcome(const Calibration& c, Console& console) {
                           600));
   }
   const double n = c.manifest.drive.gear_ratio();
-  if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees, "deg");
+  if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees_per_rad, "deg");
   if (const SurrogateMass* mass = c.masses.find(c.selection.recommended)) {
     say("surrogate mass, " + mass->estimator, mass->mass_kg, 1, "kg");
     say("gravity torque at the joint", mass->gravity_Nm, n, "N·m");

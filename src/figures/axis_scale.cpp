@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "figures/number_text.h"
+#include "joint/degrees.h"
 
 namespace tribolog::figures {
 namespace {
@@ -41,7 +41,7 @@ AxisScale prefixed(const std::string& si_unit, double largest) {
   return {prefixes.back().factor, prefixes.back().name + si_unit};
 }
 
-AxisScale degrees() { return {180.0 / std::numbers::pi, "°"}; }
+AxisScale degrees() { return {degrees_per_rad, "°"}; }
 
 AxisScale levelled(const std::string& si_unit, const Extent& extent) {
   const double span = extent.span();

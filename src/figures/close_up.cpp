@@ -38,8 +38,28 @@ double largest_distance(const std::vector<double>& one, const std::vector<double
   return distances.empty ? std::numeric_limits<double>::infinity() : distances.largest();
 }
 
-bool within(const std::vector<double>& values, double limit) {
-  return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) <= limit; });
+/// Takes off the curve's values on each side of standstill where none lies within the limit.
+/// @return the name of what was left out; empty: nothing.
+std::string leave_out_outside(const ViscousCurvesResult& viscous, double limit,
+                              NamedValues& curve) {
+  const std::size_t size = std::min(viscous.runs.size(), curve.values.size());
+  std::string side;
+  bool any_left = false;
+  for (const bool positive : {true, false}) {
+    Extent distances;
+    for (std::size_t i = 0; i < size; ++i) {
+      if ((viscous.runs[i].speed_rad_s > 0.0) == positive) distances.add(std::abs(curve.values[i]));
+    }
+    if (distances.empty) continue;
+    any_left = any_left || distances.low <= limit;
+    if (distances.low <= limit) continue;
+    side = positive ? " (forward)" : " (backward)";
+    for (std::size_t i = 0; i < size; ++i) {
+      if ((viscous.runs[i].speed_rad_s > 0.0) == positive) curve.values[i] = NAN;
+    }
+  }
+  if (side.empty()) return {};
+  return estimator_words(curve.estimator) + (any_left ? side : "");
 }
 
 }  // namespace
@@ -77,7 +97,7 @@ void share_legend(const render::Panel& upper, render::Panel& lower) {
       });
 }
 
-CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
+double close_up_limit(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
   Extent chosen;
   Extent all;
   for (const NamedValues& curve : curves) {
@@ -86,45 +106,40 @@ CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& 
         curve.estimator == selection.paper_rule || curve.estimator == selection.recommended;
     if (matters) chosen.add(curve.values);
   }
-  CloseUp close;
   const double limit = room * chosen.largest();
-  if (!(limit > 0.0) || all.largest() < worthwhile * limit) return close;
-  close.limit = limit;
-  for (const NamedValues& curve : curves) {
-    if (!within(curve.values, limit)) close.outside.push_back(estimator_words(curve.estimator));
-  }
-  return close;
+  return limit > 0.0 && all.largest() >= worthwhile * limit ? limit : 0.0;
 }
 
-render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
-                             const CloseUp& close, const std::string& quantity,
+render::Panel close_up_panel(const Calibration& calibration, std::vector<NamedValues> curves,
+                             double limit, const std::string& quantity,
                              const std::string& si_unit) {
   Extent all;
   for (const NamedValues& curve : curves) all.add(curve.values);
-  const double largest = close.limit > 0.0 ? close.limit : all.largest();
+  const double largest = limit > 0.0 ? limit : all.largest();
   const AxisScale scale =
       si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, std::max(largest, torque_floor_Nm));
   render::Panel panel;
   const double nothing = si_unit == "%" ? percent_floor : torque_floor_Nm;
-  if (close.limit <= 0.0 && largest < nothing) {
+  if (limit <= 0.0 && largest < nothing) {
     // No difference at all: the axis must not enlarge the computer's rounding.
     panel.y.minimum = -scale(nothing);
     panel.y.maximum = scale(nothing);
   }
   panel.x.title = speed_quantity(calibration.manifest) + " [rad/s]";
   panel.y.title = axis_title(quantity, scale);
-  if (close.limit > 0.0) {
-    panel.y.minimum = -scale(close.limit);
-    panel.y.maximum = scale(close.limit);
+  if (limit > 0.0) {
+    panel.y.minimum = -scale(limit);
+    panel.y.maximum = scale(limit);
     panel.title = "Close-up";
-    if (!close.outside.empty()) panel.title += "; outside: " + listed(close.outside);
+    std::vector<std::string> outside;
+    for (NamedValues& curve : curves) {
+      const std::string name = leave_out_outside(calibration.viscous, limit, curve);
+      if (!name.empty()) outside.push_back(name);
+    }
+    if (!outside.empty()) panel.title += "; outside: " + listed(outside);
   }
-  std::vector<NamedValues> shown_curves;
-  for (const NamedValues& curve : curves) {
-    if (close.limit <= 0.0 || within(curve.values, close.limit)) shown_curves.push_back(curve);
-  }
-  const double span = close.limit > 0.0 ? 2 * close.limit : std::max(all.span(), nothing);
-  for (const NamedValues& curve : in_drawing_order(std::move(shown_curves), span)) {
+  const double span = limit > 0.0 ? 2 * limit : std::max(all.span(), nothing);
+  for (const NamedValues& curve : in_drawing_order(std::move(curves), span)) {
     add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
                   curve.values, scale);
   }

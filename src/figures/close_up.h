@@ -28,20 +28,16 @@ std::string legend_words(const Calibration& calibration, const NamedValues& curv
 /// Shows the lower panel's legend only if it says something that the upper one's does not.
 void share_legend(const render::Panel& upper, render::Panel& lower);
 
-/// The band in which the curves that matter are told apart.
-struct CloseUp {
-  double limit{};                    ///< The panel shows -limit to +limit, SI or %.
-  std::vector<std::string> outside;  ///< Curves with no value in the band.
-};
+/// Half the height of the band in which the curves that matter are told apart, SI or %: it holds
+/// the paper's choice and the recommended estimator with room for their neighbours. 0 if a close-up
+/// would show nothing new.
+double close_up_limit(const std::vector<NamedValues>& curves, const SelectionResult& selection);
 
-/// The band holds the paper's choice and the recommended estimator with room for their neighbours.
-/// `limit` is 0 if a close-up would show nothing new.
-CloseUp close_up(const std::vector<NamedValues>& curves, const SelectionResult& selection);
-
-/// A panel of the curves within the close-up (all of them if its limit is 0), with a zero line.
+/// A panel of the curves within -limit to +limit (all of them if it is 0), with a zero line. A
+/// curve without a value in there is left out and named in the title; if it is so on one side of
+/// standstill only, that side is.
 /// @param si_unit "N·m" or "%"
-render::Panel close_up_panel(const Calibration& calibration, const std::vector<NamedValues>& curves,
-                             const CloseUp& close, const std::string& quantity,
-                             const std::string& si_unit);
+render::Panel close_up_panel(const Calibration& calibration, std::vector<NamedValues> curves,
+                             double limit, const std::string& quantity, const std::string& si_unit);
 
 }  // namespace tribolog::figures

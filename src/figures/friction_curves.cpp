@@ -117,8 +117,8 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   render::Panel curves = all_candidates(calibration, scale, true);
   if (curves.series.empty()) return std::nullopt;
   const auto difference = differences(calibration);
-  const CloseUp close = close_up(difference, calibration.selection);
-  render::Panel below = close_up_panel(calibration, difference, close, "T_{f} − reference", "N·m");
+  const double limit = close_up_limit(difference, calibration.selection);
+  render::Panel below = close_up_panel(calibration, difference, limit, "T_{f} − reference", "N·m");
   share_legend(curves, below);
   out.figure.panels.push_back(std::move(curves));
   if (!below.series.empty()) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "figures/estimator_style.h"
 #include "figures/plot_data.h"
 #include "figures/reading_label.h"
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
@@ -54,7 +54,7 @@ double scatter_percent(const ErrorStatistics& e) { return 100 * e.scatter / std:
 double coverage_percent(const ErrorStatistics& e) {
   return e.all_alike() ? std::nan("") : 100 * e.coverage.value;
 }
-double bias_millidegree(const ErrorStatistics& e) { return 1e3 * e.bias * 180 / std::numbers::pi; }
+double bias_millidegree(const ErrorStatistics& e) { return 1e3 * e.bias * degrees_per_rad; }
 
 render::Panel panel_of(const StudyResult& study, const StudyFactor& factor,
                        const std::vector<std::string>& readings, const std::string& y_title,

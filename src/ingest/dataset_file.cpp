@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -14,6 +13,7 @@
 #include "ingest/manifest_file.h"
 #include "ingest/recording_rows.h"
 #include "ingest/robot_file.h"
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
@@ -59,13 +59,12 @@ void compare_angles(Dataset& dataset) {
   const double beyond_rad =
       std::max(joint.lowest_rad - lowest_rad, highest_rad - joint.highest_rad);
   if (beyond_rad <= noticeable_rad) return;
-  constexpr double degrees = 180 / std::numbers::pi;
   dataset.notes.push_back(fmt::format(
       "the logs reach {:.4g}°, outside the range of motion of joint {} in {}, {:.4g}° to {:.4g}°: "
       "do both count the angle from the same zero and with the same sign?",
-      degrees * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad), in_quotes(joint.name),
-      printable(dataset.manifest.robot_description), degrees * joint.lowest_rad,
-      degrees * joint.highest_rad));
+      degrees_per_rad * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad),
+      in_quotes(joint.name), printable(dataset.manifest.robot_description),
+      degrees_per_rad * joint.lowest_rad, degrees_per_rad * joint.highest_rad));
 }
 
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,

@@ -1,17 +1,16 @@
 #include "ingest/experiment_tables.h"
 
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "ingest/key_guard.h"
+#include "joint/degrees.h"
 #include "simulate/motion.h"
 
 namespace tribolog {
 namespace {
 
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr std::uint64_t most_positions = 99;  // file names have two digits
 constexpr std::uint64_t most_repeats = 49;    // in each of two directions
 
@@ -23,7 +22,7 @@ std::pair<std::string, double> angle_key(const TomlTable& table, const std::stri
   const bool has_rad = table.has(in_rad);
   const bool has_deg = table.has(in_deg);
   if (has_rad && has_deg) table.refuse(in_deg, {"is given as " + in_rad + " too", "", "one", ""});
-  return has_deg ? std::pair(in_deg, rad_per_deg) : std::pair(in_rad, 1.0);
+  return has_deg ? std::pair(in_deg, rad_per_degree) : std::pair(in_rad, 1.0);
 }
 
 double read_in_rad(const TomlTable& table, const std::string& name, const std::string& after,

@@ -1,18 +1,17 @@
 #include "ingest/known_load_tables.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "ingest/closest_match.h"
 #include "ingest/key_guard.h"
 #include "ingest/units.h"
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
 
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr Role all_roles[] = {Role::rough_sweep, Role::precise_sweep, Role::oscillation,
                               Role::constant_speed, Role::break_away};
 
@@ -54,7 +53,7 @@ KnownLoad read_known_load(const TomlTable& table) {
   }
   load.radian_per_unit =
       si_factor(Quantity::angle, table.text_or("unit", "rad"), table.where("unit"));
-  load.phase_rad = table.number_or("phase_deg", 0.0) * rad_per_deg;
+  load.phase_rad = table.number_or("phase_deg", 0.0) * rad_per_degree;
   load.roles = read_roles(table);
   load.note = table.text_or("note", "");
   load.stated_at = fmt::format("{}:{}", table.where().file, table.where().line);
@@ -78,7 +77,7 @@ std::optional<StatedGravity> read_known_gravity(const TomlTable& top) {
   const double amplitude_Nm = table->number("amplitude_Nm", Sign::positive);
   const double q_peak_rad =
       table->number("q_peak_deg", Sign::any, "the joint angle at which gravity torque is largest") *
-      rad_per_deg;
+      rad_per_degree;
   table->refuse_unknown_keys();
   return guarded(*table, "amplitude_Nm", [&] { return StatedGravity(amplitude_Nm, q_peak_rad); });
 }

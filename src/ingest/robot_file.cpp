@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "ingest/closest_match.h"
 #include "ingest/experiment_tables.h"
 #include "ingest/key_guard.h"
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
@@ -21,8 +21,6 @@ namespace {
 constexpr std::size_t most_joints = 64;
 constexpr double farthest_m = 100;        // of an arm's parts: more are millimetres
 constexpr double angle_slack_rad = 1e-9;  // degrees in a file, turned into radians
-
-double degrees(double rad) { return rad * 180 / std::numbers::pi; }
 
 std::vector<Eigen::Vector3d> read_points(const TomlTable& table, const std::string& key) {
   const std::vector<double> numbers = table.numbers(key);
@@ -127,11 +125,11 @@ std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& join
   const AngleRange range{read_angle(test, "lowest"), read_angle(test, "highest")};
   const auto refuse = [&](const char* end, double angle_rad, const std::string& expected) {
     test.refuse(angle_key(test, end),
-                {"not usable", fmt::format("{:.6g}°", degrees(angle_rad)), expected, ""});
+                {"not usable", fmt::format("{:.6g}°", angle_rad * degrees_per_rad), expected, ""});
   };
-  const std::string inside =
-      fmt::format("an angle inside the range of motion of joint {}, {:.6g}° to {:.6g}°",
-                  in_quotes(joint.name), degrees(joint.lowest_rad), degrees(joint.highest_rad));
+  const std::string inside = fmt::format(
+      "an angle inside the range of motion of joint {}, {:.6g}° to {:.6g}°", in_quotes(joint.name),
+      joint.lowest_rad * degrees_per_rad, joint.highest_rad * degrees_per_rad);
   const auto is_inside = [&](double angle_rad) {
     return angle_rad >= joint.lowest_rad - angle_slack_rad &&
            angle_rad <= joint.highest_rad + angle_slack_rad;
@@ -140,7 +138,7 @@ std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& join
   if (!is_inside(range.highest_rad)) refuse("highest", range.highest_rad, inside);
   if (!(range.lowest_rad < range.highest_rad)) {
     refuse("highest", range.highest_rad,
-           fmt::format("more than the lowest, {:.6g}°", degrees(range.lowest_rad)));
+           fmt::format("more than the lowest, {:.6g}°", range.lowest_rad * degrees_per_rad));
   }
   return range;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ingest/closest_match.h"
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
@@ -25,11 +26,14 @@ constexpr std::array times = {Unit{"s", 1},
                               Unit{"µs", 1e-6, false} /* micro sign */,
                               Unit{"μs", 1e-6, false} /* Greek mu */,
                               Unit{"sec", 1, false}};
-constexpr std::array angles = {Unit{"rad", 1}, Unit{"mrad", 1e-3}, Unit{"deg", pi / 180},
-                               Unit{"°", pi / 180, false}};
-constexpr std::array angular_speeds = {
-    Unit{"rad/s", 1},         Unit{"mrad/s", 1e-3},         Unit{"deg/s", pi / 180},
-    Unit{"rpm", 2 * pi / 60}, Unit{"°/s", pi / 180, false}, Unit{"1/min", 2 * pi / 60, false}};
+constexpr std::array angles = {Unit{"rad", 1}, Unit{"mrad", 1e-3}, Unit{"deg", rad_per_degree},
+                               Unit{"°", rad_per_degree, false}};
+constexpr std::array angular_speeds = {Unit{"rad/s", 1},
+                                       Unit{"mrad/s", 1e-3},
+                                       Unit{"deg/s", rad_per_degree},
+                                       Unit{"rpm", 2 * pi / 60},
+                                       Unit{"°/s", rad_per_degree, false},
+                                       Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
 constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
 constexpr std::array temperatures = {Unit{"degC", 1}, Unit{"°C", 1, false}};

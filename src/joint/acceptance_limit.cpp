@@ -1,14 +1,14 @@
 #include "joint/acceptance_limit.h"
 
 #include <algorithm>
-#include <numbers>
+
+#include "joint/degrees.h"
 
 namespace tribolog {
 
 const std::vector<LimitedQuantity>& limited_quantities() {
-  constexpr double degrees = 180 / std::numbers::pi;
   static const std::vector<LimitedQuantity> all{
-      {"q_peak_deg", "cog_angle", "°", degrees, 0},
+      {"q_peak_deg", "cog_angle", "°", degrees_per_rad, 0},
       {"q_peak_rad", "cog_angle", "rad", 1, 0},
       {"gravity_motor_Nm", "gravity_torque", "N·m", 1, 0},
       {"gravity_joint_Nm", "gravity_torque", "N·m", 1, 1},

@@ -1,6 +1,7 @@
 // Break-away ramps: beyond the paper's eight stages.
 
 #include <algorithm>
+#include <filesystem>
 
 #include "report/units.h"
 #include "report/view_parts.h"
@@ -37,9 +38,8 @@ std::string outcome_words(const BreakAwayRamp& ramp, const Scale& travel) {
 }
 
 /// A log's name without its directories: they are in the provenance.
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
+std::string log_name(const std::string& recording) {
+  return std::filesystem::path(recording).filename().string();
 }
 
 Table ramps_table(const BreakAwayResult& r, const Section& section) {
@@ -57,7 +57,7 @@ Table ramps_table(const BreakAwayResult& r, const Section& section) {
                    {"Outcome", "", false, true}};
   for (const BreakAwayRamp& ramp : r.ramps) {
     table.rows.push_back(
-        {{file_name(ramp.recording), significant(ramp.rate_Nm_s, 3), significant(ramp.torque_Nm, 4),
+        {{log_name(ramp.recording), significant(ramp.rate_Nm_s, 3), significant(ramp.torque_Nm, 4),
           (ramp.broke_away ? "" : "> ") + significant(ramp.friction_Nm, 4),
           significant(ramp.travel_rad * travel.factor, 3), outcome_words(ramp, travel)},
          false});
@@ -104,7 +104,7 @@ Table loop_shapes_table(const std::vector<LoopShape>& shapes, double n, const Se
     RoundedEstimate k;
     if (s.stiffness_Nm_rad) k = round_by_interval(scaled(*s.stiffness_Nm_rad, n), stiffness);
     table.rows.push_back(
-        {{file_name(s.recording), significant(s.width_rad * angle.factor, 3),
+        {{log_name(s.recording), significant(s.width_rad * angle.factor, 3),
           significant(s.height_Nm, 3), significant(100 * s.closing_gap, 2), s.closes ? "yes" : "no",
           significant(1e3 * s.dissipated_J, 3), s.stiffness_Nm_rad ? k.plus_minus() : "–",
           s.stiffness_Nm_rad ? or_dash(k.range()) : "–"},

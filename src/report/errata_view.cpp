@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "friction/catalogue.h"
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
+#include "joint/degrees.h"
 #include "joint/gravity_load.h"
 #include "paper/printed_paper.h"
 #include "report/units.h"
@@ -16,8 +16,6 @@ namespace tribolog::report {
 namespace {
 
 namespace printed = paper::printed;
-
-constexpr double to_rad = std::numbers::pi / 180.0;
 
 std::string cut(double value, int decimals) {
   const double unit = std::pow(10.0, decimals);
@@ -45,7 +43,7 @@ void add_equation_12(ErrataNumbers& e) {
       3);
   e.mass_A_with_n_below = fixed(mass_A / (n * n), 4);
   e.mass_A_arm_torque_with_n_below = fixed(mass_A / n, 3);
-  const double cosine = std::cos(printed::precise_angle_deg * to_rad);
+  const double cosine = std::cos(printed::precise_angle_deg * rad_per_degree);
   e.cos_q_c = fixed(cosine, 4);
   e.mass_A_with_cos_q_c = fixed(mass_A / cosine, 2);
 }
@@ -70,8 +68,8 @@ void add_table_2(ErrataNumbers& e) {
 }
 
 void add_angles(ErrataNumbers& e) {
-  const double rough = printed::rough_angle_deg * to_rad;
-  const double precise = printed::precise_angle_deg * to_rad;
+  const double rough = printed::rough_angle_deg * rad_per_degree;
+  const double precise = printed::precise_angle_deg * rad_per_degree;
   e.rad_of_22 = fixed(rough, 5);
   e.rad_of_precise = fixed(precise, 6);
   const auto how = [](bool is_cut) { return is_cut ? "cut" : "misprinted"; };
@@ -116,10 +114,10 @@ void add_static_laws(ErrataNumbers& e) {
 void add_angles_in_laws(ErrataNumbers& e) {
   constexpr double lowest_deg = -80;
   constexpr double stribeck_power = 0.7;
-  const double printed_term = std::pow(lowest_deg * to_rad, stribeck_power);
+  const double printed_term = std::pow(lowest_deg * rad_per_degree, stribeck_power);
   e.equation_6_printed = std::isnan(printed_term) ? "no real number" : significant(printed_term, 3);
   constexpr double gravity_Nm = 3.88318571;  // at the motor, of the joint that gives table 2
-  const double lost = gravity_Nm * (1 - std::cos(printed::precise_angle_deg * to_rad));
+  const double lost = gravity_Nm * (1 - std::cos(printed::precise_angle_deg * rad_per_degree));
   e.equation_10_gravity = with_unit(fixed(gravity_Nm, 3), "N·m");
   e.equation_10_error = with_unit(fixed(lost, 3), "N·m");
 }

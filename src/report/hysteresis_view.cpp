@@ -10,6 +10,12 @@
 namespace tribolog::report {
 namespace {
 
+/// The step of the angle; of one that the print sets, only a bound is known.
+std::string step_text(const Oscillation& o, const Scale& angle) {
+  if (!(o.encoder_step_rad > 0.0)) return "continuous";
+  return (o.step_is_of_print ? "≥ " : "") + significant(o.encoder_step_rad * angle.factor, 3);
+}
+
 Table oscillations_table(const HysteresisResult& r, const Section& section) {
   Table table;
   table.id = section.id + "-oscillations";
@@ -29,12 +35,16 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
     table.rows.push_back(
         {{std::to_string(i + 1), fixed(o.centre_rad * degree_scale().factor, 4),
           significant(o.amplitude_rad * angle.factor, 4), significant(o.frequency_Hz, 4),
-          significant(o.cycles, 3), significant(o.steady_cycles, 3),
-          o.encoder_step_rad > 0.0 ? significant(o.encoder_step_rad * angle.factor, 3)
-                                   : "continuous"},
+          significant(o.cycles, 3), significant(o.steady_cycles, 3), step_text(o, angle)},
          false});
   }
   table.note = "Angles are of the joint. Steady cycles are those behind the start-up stroke.";
+  if (std::any_of(r.oscillations.begin(), r.oscillations.end(),
+                  [](const Oscillation& o) { return o.step_is_of_print; })) {
+    table.note +=
+        " Encoder step with ≥: that of the decimals in the log, which hide anything finer; the "
+        "encoder's own may be larger.";
+  }
   return table;
 }
 
@@ -100,9 +110,10 @@ void add_results(const HysteresisResult& r, Section& section) {
         radian_scale(*r.presliding_travel_rad), "reversals of the recordings"));
   }
   if (r.encoder_step_rad) {
-    table.rows.push_back(number_row("Encoder step", *r.encoder_step_rad,
-                                    radian_scale(*r.encoder_step_rad),
-                                    "smallest step of the angle"));
+    table.rows.push_back(
+        number_row("Encoder step", *r.encoder_step_rad, radian_scale(*r.encoder_step_rad),
+                   r.step_is_of_print ? "decimals of the log; the encoder's may be larger"
+                                      : "smallest step of the angle"));
   }
   if (!table.rows.empty()) section.tables.push_back(table);
 }

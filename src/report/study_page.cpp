@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
@@ -16,8 +16,6 @@ namespace {
 
 using namespace report;
 
-constexpr double degree = std::numbers::pi / 180;
-
 /// Errors of a quantity as its tables show them: in % of the truth, angles in thousandths of a
 /// degree.
 struct ErrorScale {
@@ -26,7 +24,7 @@ struct ErrorScale {
 };
 
 ErrorScale error_scale(const StudiedReading& r) {
-  if (r.quantity == Quantity::peak_angle) return {1e3 / degree, "10⁻³ °"};
+  if (r.quantity == Quantity::peak_angle) return {1e3 * degrees_per_rad, "10⁻³ °"};
   return {100 / std::abs(r.errors.truth), "%"};
 }
 

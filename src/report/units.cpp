@@ -1,8 +1,9 @@
 #include "report/units.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "joint/degrees.h"
 
 namespace tribolog::report {
 namespace {
@@ -26,8 +27,8 @@ Scale stiffness_scale(double size_Nm_rad) {
   return absolute >= 1e4 ? Scale{1e-3, "kN·m/rad"} : Scale{1.0, "N·m/rad"};
 }
 
-Scale degree_scale() { return {180.0 / std::numbers::pi, "°"}; }
-Scale degree_per_second_scale() { return {180.0 / std::numbers::pi, "°/s"}; }
+Scale degree_scale() { return {degrees_per_rad, "°"}; }
+Scale degree_per_second_scale() { return {degrees_per_rad, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
 
 }  // namespace tribolog::report

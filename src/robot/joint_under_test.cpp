@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "joint/degrees.h"
 
 namespace tribolog {
 namespace {
@@ -53,7 +54,7 @@ JointUnderTest::JointUnderTest(SerialArm arm, Setting setting)
     throw std::invalid_argument(
         fmt::format("the axis of joint '{}' is tilted by {:.3g}° in this "
                     "pose; it must be horizontal",
-                    joint().name, tilt * 180 / std::numbers::pi));
+                    joint().name, tilt * degrees_per_rad));
   }
   const Eigen::Vector3d line =
       pose(0).frames[setting_.joint].linear() * line_in_frame(arm_, setting_.joint);

@@ -1,18 +1,17 @@
 #include "robot/serial_arm.h"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
+
 namespace tribolog {
 namespace {
 
 constexpr double angle_slack_rad = 1e-9;  // degrees in a file, turned into radians and back
-
-double degrees(double rad) { return rad * 180 / std::numbers::pi; }
 
 [[noreturn]] void refuse(const ArmJoint& joint, const std::string& what) {
   throw std::invalid_argument(fmt::format("joint '{}': {}", joint.name, what));
@@ -44,8 +43,9 @@ void check(const ArmJoint& joint) {
   }
   if (!std::isfinite(joint.lowest_rad) || !std::isfinite(joint.highest_rad) ||
       !(joint.lowest_rad < joint.highest_rad)) {
-    refuse(joint, fmt::format("the range of motion from {:.6g}° to {:.6g}° is empty",
-                              degrees(joint.lowest_rad), degrees(joint.highest_rad)));
+    refuse(joint,
+           fmt::format("the range of motion from {:.6g}° to {:.6g}° is empty",
+                       joint.lowest_rad * degrees_per_rad, joint.highest_rad * degrees_per_rad));
   }
   check_shape(joint);
 }
@@ -96,10 +96,10 @@ ArmPose SerialArm::pose(const std::vector<double>& angles_rad) const {
     const double angle = angles_rad[i];
     if (!(angle >= joint.lowest_rad - angle_slack_rad &&
           angle <= joint.highest_rad + angle_slack_rad)) {
-      refuse(joint,
-             fmt::format("the angle {:.6g}° lies outside the range of motion, {:.6g}° to "
-                         "{:.6g}°",
-                         degrees(angle), degrees(joint.lowest_rad), degrees(joint.highest_rad)));
+      refuse(joint, fmt::format("the angle {:.6g}° lies outside the range of motion, {:.6g}° to "
+                                "{:.6g}°",
+                                angle * degrees_per_rad, joint.lowest_rad * degrees_per_rad,
+                                joint.highest_rad * degrees_per_rad));
     }
     frame = frame * Eigen::Translation3d(joint.offset_m) * Eigen::AngleAxisd(angle, joint.axis);
     out.frames.push_back(frame);

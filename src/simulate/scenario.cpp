@@ -13,7 +13,8 @@ std::vector<OscillationExperiment> spread_over_motor_turn(const OscillationExper
   std::vector<OscillationExperiment> all(positions, oscillation);
   // The first at the centre, the others to its right and left in turn.
   for (std::size_t k = 1; k < positions; ++k) {
-    const double places = static_cast<double>((k + 1) / 2) * (k % 2 == 1 ? 1 : -1);
+    const std::size_t away = (k + 1) / 2;
+    const double places = static_cast<double>(away) * (k % 2 == 1 ? 1 : -1);
     all[k].centre_rad += places * apart_rad;
   }
   return all;

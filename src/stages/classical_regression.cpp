@@ -7,8 +7,8 @@
 #include <Eigen/Dense>
 
 #include "stages/block_regression.h"
-#include "stages/median.h"
 #include "stages/student_t.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -68,17 +68,6 @@ void add_rows(const Recording& r, std::size_t number, std::size_t group, double 
   }
 }
 
-/// White noise of averaged rows from third differences; the median passes over the jumps between
-/// strokes and recordings.
-double row_noise(const std::vector<double>& torque) {
-  std::vector<double> third;
-  for (std::size_t i = 3; i < torque.size(); ++i) {
-    third.push_back(std::abs(torque[i] - 3 * torque[i - 1] + 3 * torque[i - 2] - torque[i - 3]));
-  }
-  constexpr double normal_mad = 1.4826;
-  return third.empty() ? 0.0 : normal_mad * median(std::move(third)) / std::sqrt(20.0);
-}
-
 }  // namespace
 
 std::optional<ClassicalFit> classical_regression(const std::vector<const Recording*>& recordings,
@@ -131,7 +120,7 @@ std::optional<ClassicalFit> classical_regression(const std::vector<const Recordi
   c.inertia_kgm2 = estimate(inertia);
   c.offset_Nm = fit.coefficients(offset);
   c.residual_Nm = fit.residual_sd;
-  c.row_noise_Nm = row_noise(rows.torque);
+  c.row_noise_Nm = white_sd_beside_jumps(third_differences(rows.torque));
   return out;
 }
 

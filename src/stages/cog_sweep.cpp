@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "stages/block_regression.h"
 #include "stages/student_t.h"
 #include "stages/sweep_curves.h"
@@ -18,7 +19,6 @@
 namespace tribolog {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t fewest_samples = 20;
 
 /// The representative of an angle that is nearest to `middle`.
@@ -257,7 +257,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     out.stage.reason = fmt::format(
         "gravity does not show: amplitude {:.3g} N·m with a 95 % interval from {:.3g} to {:.3g} "
         "N·m over {:.1f}° of travel; sweep further, or load the joint",
-        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high, range * degrees);
+        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high, range * degrees_per_rad);
     return out;
   }
   find_torque_maximum(recordings, samples, out);
@@ -274,7 +274,8 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     out.stage.reason = fmt::format(
         "the sweep from {:.1f}° to {:.1f}° does not cross the gravity peak, which is "
         "extrapolated to {:.1f}°; the arg-max of the paper is not valid there",
-        out.lowest_rad * degrees, out.highest_rad * degrees, out.q_peak_rad.value * degrees);
+        out.lowest_rad * degrees_per_rad, out.highest_rad * degrees_per_rad,
+        out.q_peak_rad.value * degrees_per_rad);
   }
   add_fit_curves(recordings, samples, fit.regression.residuals, out);
   return out;

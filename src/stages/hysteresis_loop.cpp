@@ -23,10 +23,11 @@ void explain_without_oscillation(const CogSweepResult& rough, double gear_ratio,
       "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
       "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
   if (!rough.found || rough.recordings.empty()) return;
-  const double step = encoder_step_rad(rough.recordings.front()->q_rad);
+  const auto [step, is_of_print] = angle_step(rough.recordings.front()->q_rad, gear_ratio);
   const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
   if (step <= 0 || !travel) return;
   out.encoder_step_rad = step;
+  out.step_is_of_print = is_of_print;
   out.presliding_travel_rad = travel;
   const double steps = *travel / step;
   if (steps < fewest_steps_in_presliding) {
@@ -173,9 +174,9 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     }
     LoopResult loop;
     loop.trace = make_trace(recording);
-    const double step = encoder_step_rad(recording.q_rad);
-    loop.oscillation = {
-        motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step};
+    const auto [step, is_of_print] = angle_step(recording.q_rad, gear_ratio);
+    loop.oscillation = {motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step,
+                        is_of_print};
     if (step > 0 && 2 * motion->amplitude_rad < fewest_steps_in_presliding * step) {
       reasons.push_back(
           fmt::format("{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
@@ -184,6 +185,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
                       recording.name, step, 2 * motion->amplitude_rad / step,
                       2 * motion->amplitude_rad, fewest_steps_in_presliding));
       out.encoder_step_rad = step;
+      out.step_is_of_print = is_of_print;
       continue;
     }
     const double q_peak = q_peak_rad ? q_peak_rad->value : motion->centre_rad;

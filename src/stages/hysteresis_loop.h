@@ -54,6 +54,7 @@ struct Oscillation {
   double cycles{};            ///< Whole cycles in the recording.
   double steady_cycles{};     ///< Those behind the start-up stroke, used for the mid-line.
   double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
+  bool step_is_of_print{};    ///< It is that of the log's decimals; see AngleStep.
 };
 
 struct HysteresisResult {
@@ -88,6 +89,7 @@ struct HysteresisResult {
   /// within which torque turns over, and the encoder's step.
   std::optional<double> presliding_travel_rad;
   std::optional<double> encoder_step_rad;
+  bool step_is_of_print{};  ///< That step is the one of the log's decimals; see AngleStep.
 };
 
 /// @param oscillations recordings of that role; may be empty.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stages/median.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -44,7 +45,7 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
     differences.push_back(std::abs(v[i + window] - 2 * v[i] + v[i - window]));
   }
   if (differences.empty()) return 0;
-  return 1.4826 * median(std::move(differences)) / std::sqrt(6.0);
+  return normal_sd_by_median_size * median(std::move(differences)) / std::sqrt(6.0);
 }
 
 /// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the

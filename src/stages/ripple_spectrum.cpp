@@ -16,8 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double bins_per_turn = 64;
-constexpr double most_periods_per_turn = 24;
 constexpr double fewest_periods = 3;
 constexpr std::size_t most_lines = 6;
 constexpr std::size_t most_bins = 1U << 16;
@@ -33,7 +31,8 @@ struct BinnedResidual {
   }
 };
 
-BinnedResidual bin_residual(const std::vector<double>& angle, const std::vector<double>& residual) {
+BinnedResidual bin_residual(const std::vector<double>& angle, const std::vector<double>& residual,
+                            double bins_per_turn) {
   const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
   BinnedResidual out;
   out.start_rad = *low;
@@ -76,7 +75,7 @@ RippleLine line_at(const BinnedResidual& r, double periods_per_turn) {
 }
 
 /// The strongest line of the spectrum, refined between its neighbours.
-std::optional<RippleLine> strongest_line(const BinnedResidual& r, double slowest_per_turn) {
+std::optional<RippleLine> strongest_line(const BinnedResidual& r, const RippleSearch& search) {
   constexpr std::size_t padding = 4;
   std::size_t size = 1;
   while (size < padding * r.mean.size()) size *= 2;
@@ -86,13 +85,13 @@ std::optional<RippleLine> strongest_line(const BinnedResidual& r, double slowest
   std::vector<std::complex<double>> spectrum;
   Eigen::FFT<double> fft;
   fft.fwd(spectrum, padded);
-  const double per_index = bins_per_turn / static_cast<double>(size);
-  const double turns = static_cast<double>(r.mean.size()) / bins_per_turn;
-  const double slowest = std::max(fewest_periods / turns, slowest_per_turn);
+  const double per_index = search.bins_per_turn / static_cast<double>(size);
+  const double turns = static_cast<double>(r.mean.size()) / search.bins_per_turn;
+  const double slowest = std::max(fewest_periods / turns, search.least_periods_per_turn);
   const auto first = static_cast<std::size_t>(std::ceil(slowest / per_index));
   std::size_t best = 0;
   // Bins resolve periods up to a few of them; towards half their number sines look alike.
-  const auto last = static_cast<std::size_t>(most_periods_per_turn / per_index);
+  const auto last = static_cast<std::size_t>(search.most_periods_per_turn / per_index);
   for (std::size_t k = first; k <= last; ++k) {
     if (best == 0 || std::norm(spectrum[k]) > std::norm(spectrum[best])) best = k;
   }
@@ -133,17 +132,17 @@ double Ripple::half_width_Nm() const {
 
 Ripple find_ripple(const std::vector<double>& motor_angle_rad,
                    const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
-                   double slowest_per_turn) {
+                   const RippleSearch& search) {
   Ripple out;
   out.rest_Nm = ripple_Nm;
   if (!(ripple_Nm > 0) || motor_angle_rad.empty()) return out;
   // A line of this many times its standard error is a chance of 1e-6 at one period.
   constexpr double least_evidence = 14;  // exp(-14)
   constexpr double least_share = 0.02;   // of the ripple's variance
-  BinnedResidual binned = bin_residual(motor_angle_rad, residual_Nm);
+  BinnedResidual binned = bin_residual(motor_angle_rad, residual_Nm, search.bins_per_turn);
   double left = ripple_Nm * ripple_Nm;
   while (out.lines.size() < most_lines) {
-    const std::optional<RippleLine> found = strongest_line(binned, slowest_per_turn);
+    const std::optional<RippleLine> found = strongest_line(binned, search);
     if (!found) break;
     const double power = found->amplitude_Nm * found->amplitude_Nm / 2;
     const double noise = 2 * std::max(white_variance, 1e-300) / binned.samples;

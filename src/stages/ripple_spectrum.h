@@ -32,14 +32,20 @@ struct Ripple {
   [[nodiscard]] double half_width_Nm() const;
 };
 
+/// How finely the motor's angle is searched. A sine is told from its neighbours where bins are a
+/// few times narrower than its period.
+struct RippleSearch {
+  double bins_per_turn{64};          ///< > 0
+  double most_periods_per_turn{24};  ///< At most 3/8 of the bins.
+  double least_periods_per_turn{0};  ///< And no less than three over all angles.
+};
+
 /// @param motor_angle_rad, residual_Nm one per sample.
 /// @param ripple_Nm standard deviation of the residual beyond white noise; 0: no lines.
 /// @param white_variance of the torque.
-/// @param slowest_per_turn periods of a line a motor turn, at least; and no less than three over
-/// all angles.
 Ripple find_ripple(const std::vector<double>& motor_angle_rad,
                    const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
-                   double slowest_per_turn = 0);
+                   const RippleSearch& search = {});
 
 /// A torque read at one position, with the ripple laid on its interval: over a micro-oscillation
 /// ripple is a constant, which no repetition averages out.

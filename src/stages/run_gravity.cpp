@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "stages/block_regression.h"
 #include "stages/run_gravity_rows.h"
 #include "stages/student_t.h"
@@ -14,7 +15,6 @@
 namespace tribolog {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr double least_travel_share = 0.25;
 constexpr double least_travel_rad = 3 / degrees;
 constexpr std::size_t fewest_blocks = 6;

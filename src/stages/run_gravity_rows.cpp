@@ -6,6 +6,7 @@
 
 #include "stages/median.h"
 #include "stages/sweep_noise.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -43,6 +44,14 @@ void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cel
     rows[i].sine -= mean.sine / used;
     rows[i].torque_Nm -= mean.torque_Nm / used;
   }
+}
+
+double white_variance_of(const GravityRun& run) {
+  std::vector<double> third;
+  for (std::size_t i = run.plateau.first + 3; i < run.plateau.last; ++i) {
+    third.push_back(third_difference(&run.recording->torque_Nm[i - 3]));
+  }
+  return white_variance(third);
 }
 
 }  // namespace
@@ -94,7 +103,7 @@ Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& c
       residual[i] -= mean;
       squares += residual[i] * residual[i];
     }
-    white.push_back(white_torque_variance(*run.recording, run.plateau.first, run.plateau.last));
+    white.push_back(white_variance_of(run));
   }
   // A fast run passes ripple so quickly that it looks like noise: not the mean.
   const double noise = median(white);
@@ -103,8 +112,9 @@ Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& c
   constexpr double fewest_periods = GravityCells::blocks / 2.0;
   constexpr double least_per_turn = 0.9;
   const double turns = gear_ratio * (cells.highest_rad - cells.lowest_rad) / (2 * std::numbers::pi);
-  const double slowest_per_turn = std::max(least_per_turn, fewest_periods / turns);
-  return find_ripple(angle, residual, torque_ripple_Nm(sd, noise), noise, slowest_per_turn);
+  RippleSearch search;
+  search.least_periods_per_turn = std::max(least_per_turn, fewest_periods / turns);
+  return find_ripple(angle, residual, torque_ripple_Nm(sd, noise), noise, search);
 }
 
 }  // namespace tribolog

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "joint/gravity_load.h"
 
 namespace tribolog {
@@ -146,7 +146,7 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         "the oscillation lies {:.0f}° from the gravity peak, where {:.0f} % of the gravity torque "
         "show: the paper's six masses and the mid-line are not to be had there; oscillate at the "
         "peak",
-        180 / std::numbers::pi * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
+        degrees_per_rad * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
   } else if (!hysteresis.found) {
     out.stage.state = StageState::partial;
     out.stage.reason = fmt::format(

@@ -1,7 +1,6 @@
 #pragma once
 // Internal to the sweep stage: what of a residual is white noise, and what is not.
 
-#include <cstddef>
 #include <vector>
 
 #include "joint/recording.h"
@@ -13,9 +12,6 @@ namespace tribolog {
 /// samples, in which everything slower than a few samples drops out. 0 without neighbours.
 double white_torque_variance(const std::vector<const Recording*>& recordings,
                              const SweepSamples& samples);
-
-/// The same of the samples first..last-1 of one recording.
-double white_torque_variance(const Recording& recording, std::size_t first, std::size_t last);
 
 /// Standard deviation of what the residual holds beyond white noise [N·m]: torque ripple, friction
 /// that changes with the angle. 0 below what sampling of the two variances explains.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "stages/paired_sweep.h"
 #include "stages/plateaus.h"
 #include "stages/student_t.h"
@@ -222,15 +222,14 @@ bool DirectionAngles::share_angles() const {
 }
 
 std::string DirectionAngles::in_words() const {
-  constexpr double degrees = 180 / std::numbers::pi;
   if (!has_rising && !has_falling) return "the angles of the runs are not known";
   if (!has_rising || !has_falling) {
     return has_rising ? "the joint angle rises in all of them"
                       : "the joint angle falls in all of them";
   }
   return fmt::format("rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
-                     degrees * rising_low_rad, degrees * rising_high_rad, degrees * falling_low_rad,
-                     degrees * falling_high_rad,
+                     degrees_per_rad * rising_low_rad, degrees_per_rad * rising_high_rad,
+                     degrees_per_rad * falling_low_rad, degrees_per_rad * falling_high_rad,
                      share_angles() ? "" : ": the directions share no angle");
 }
 

@@ -251,7 +251,7 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
           fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
       continue;
     }
-    const double step = encoder_step_rad(r.torque_Nm);
+    const double step = common_step(r.torque_Nm);
     // A rounded number is uniform within its step: that part comes back with the rounding.
     const double rounding = step / std::sqrt(12.0);
     const double white = white_torque_Nm(r.torque_Nm);

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "joint/degrees.h"
+
 namespace tribolog {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::size_t base_level(const StudyFactor& factor) {
   const auto it = std::find_if(factor.levels.begin(), factor.levels.end(),
@@ -107,7 +106,7 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
 }  // namespace
 
 PracticalBounds practical_bounds(Quantity quantity, double truth) {
-  if (quantity == Quantity::peak_angle) return {0.02 * degree, 0.1 * degree};
+  if (quantity == Quantity::peak_angle) return {0.02 * rad_per_degree, 0.1 * rad_per_degree};
   if (quantity == Quantity::gravity) return {1e-3 * std::abs(truth), 3e-3 * std::abs(truth)};
   return {0.01 * std::abs(truth), 0.05 * std::abs(truth)};
 }

@@ -1,7 +1,7 @@
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"
 
 namespace tribolog {
@@ -16,8 +16,8 @@ std::string why_no_angle(const Calibration& c) {
 }
 
 QuantityVerdict angle(const Calibration& c) {
-  constexpr double widest_usable_rad = 5 * std::numbers::pi / 180;
-  constexpr double widest_known_rad = 30 * std::numbers::pi / 180;
+  constexpr double widest_usable_rad = 5 * rad_per_degree;
+  constexpr double widest_known_rad = 30 * rad_per_degree;
   QuantityVerdict q;
   q.key = "cog_angle";
   q.words = "Angle of the centre of gravity";
@@ -30,8 +30,7 @@ QuantityVerdict angle(const Calibration& c) {
   const double half_width = c.q_peak_rad->half_width();
   if (half_width > widest_usable_rad) {
     lower(q, half_width > widest_known_rad ? Verdict::not_identifiable : Verdict::doubtful,
-          fmt::format("known to ± {:.0f}° only", half_width * 180 / std::numbers::pi),
-          record_a_sweep);
+          fmt::format("known to ± {:.0f}° only", half_width * degrees_per_rad), record_a_sweep);
   }
   const StageReport& source = c.q_peak_source == "cog_precise" ? c.precise.stage : c.rough.stage;
   if (source.state == StageState::partial) {

@@ -22,9 +22,14 @@ TEST(Commands, HelpTeaches) {
   for (const char* part : {"simulate", "identify", "figures", "report", "Exit status"}) {
     EXPECT_NE(all.out.find(part), std::string::npos) << part;
   }
-  const ProgramRun report = run_shell(program + "report --help");
-  EXPECT_EQ(report.status, 0);
-  EXPECT_NE(report.out.find("gear_ratio = 100"), std::string::npos);
+  for (const char* command : {"report", "identify"}) {
+    const ProgramRun help = run_shell(program + command + " --help");
+    EXPECT_EQ(help.status, 0);
+    for (const char* key : {"gear_ratio = 100", "[intervals]", "[[limit]]", "[[known_load]]",
+                            "[known_gravity]", "\"none\"", "README.md"}) {
+      EXPECT_NE(help.out.find(key), std::string::npos) << command << " --help: " << key;
+    }
+  }
 }
 
 TEST(Commands, ModelsAreListedAsScenariosNameThem) {

@@ -66,6 +66,48 @@ TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
   }
 }
 
+TEST_F(RunFigures, CloseUpDrawsNoSeriesOutsideItsAxes) {
+  // A is far off forward only: its other side stays.
+  const auto& runs = calibration_.viscous.runs;
+  for (QualityError& error : calibration_.quality.errors) {
+    if (error.estimator != "A") continue;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      error.percent[i] = runs[i].speed_rad_s > 0.0 ? 40.0 : 0.1;
+    }
+  }
+  const auto figure = quality_error_figure(calibration_);
+  ASSERT_TRUE(figure);
+  const render::Panel& near = figure->figure.panels.at(1);
+  for (const render::Series& series : near.series) {
+    EXPECT_TRUE(std::any_of(series.y.begin(), series.y.end(), [&](double y) {
+      return y >= *near.y.minimum && y <= *near.y.maximum;
+    })) << series.label;
+  }
+  EXPECT_TRUE(has_label_beginning(near, "A ("));
+  EXPECT_NE(near.title.find("A (forward)"), std::string::npos) << near.title;
+}
+
+TEST_F(RunFigures, ErrorsAreDrawnWithTheIntervalOfTheirReference) {
+  EXPECT_TRUE(quality_error_figure(calibration_)->figure.panels.front().error_bars.empty());
+  QualityErrorsResult& quality = calibration_.quality;
+  const auto& runs = calibration_.viscous.runs;
+  quality.reference_half_width_Nm.assign(runs.size(), 0.02);
+  quality.reference_rms_percent = 0.5;
+  quality.errors.front().percent.back() = NAN;  // a run without a reference
+  const auto figure = quality_error_figure(calibration_);
+  for (const render::Panel& panel : figure->figure.panels) {
+    ASSERT_EQ(panel.error_bars.size(), runs.size() - 1);
+    for (std::size_t i = 0; i < panel.error_bars.size(); ++i) {
+      EXPECT_EQ(panel.error_bars[i].x, runs[i].speed_rad_s);
+      EXPECT_EQ(panel.error_bars[i].low, -panel.error_bars[i].high);
+      // Half a per cent of 4 N·m is 0.02 N·m; friction adds to gravity or takes from it.
+      EXPECT_NEAR(panel.error_bars[i].high, 0.5, 0.2);
+    }
+  }
+  EXPECT_NE(figure->caption.find("95 % interval of the reference"), std::string::npos)
+      << figure->caption;
+}
+
 TEST_F(RunFigures, DifferenceToTheReferenceIsTheErrorOfGravity) {
   const auto figure = friction_against_reference_figure(calibration_);
   ASSERT_TRUE(figure);

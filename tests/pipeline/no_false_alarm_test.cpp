@@ -9,20 +9,13 @@
 #include "pipeline.h"
 #include "simulate/simulated_dataset.h"
 #include "stages/data_checks/data_checks.h"
+#include "support/check_findings.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {
 namespace {
 
-std::vector<std::string> findings_of(const DataChecksResult& checks) {
-  std::vector<std::string> names;
-  for (const DataCheck& check : checks.checks) {
-    if (check.state == CheckState::warns || check.state == CheckState::fails) {
-      names.push_back(check.name);
-    }
-  }
-  return names;
-}
+using test::findings_of;
 
 std::vector<std::string> findings_in_example(const std::string& name) {
   const Dataset dataset = simulated_dataset(

@@ -2,23 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "ingest/dataset_file.h"
+#include "joint/degrees.h"
 #include "pipeline.h"
+#include "support/check_findings.h"
 #include "support/real_logs.h"
 
 namespace tribolog {
 namespace {
 
+using test::findings_of;
+
 Calibration identify_manifest(const std::string& name, Dataset& dataset) {
   dataset = read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
   return identify(dataset);
 }
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 /// Some 6 % of the gravity torque: the joint's friction at angles held out is described more than
 /// twice as well with it, and no curve of the speed alone does that.
@@ -51,6 +52,7 @@ TEST(RealLog, Ur10eJoint2) {
   EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
   ASSERT_TRUE(c.hysteresis.encoder_step_rad && c.hysteresis.presliding_travel_rad);
   EXPECT_NEAR(*c.hysteresis.encoder_step_rad, 1e-4, 1e-8);
+  EXPECT_TRUE(c.hysteresis.step_is_of_print);
   // "Six steps of the encoder."
   EXPECT_NEAR(*c.hysteresis.presliding_travel_rad / *c.hysteresis.encoder_step_rad, 6, 4);
   EXPECT_NE(c.judgement.verdict, Verdict::usable);
@@ -60,7 +62,7 @@ TEST(RealLog, Ur10eJoint2) {
   EXPECT_NEAR(c.rough.coulomb_Nm->value / 13.27, 1, 0.2);
   EXPECT_NEAR(c.rough.viscous_Nms_rad->value / 20.22, 1, 0.2);
   // The load is nothing where the arm stands upright: the peak lies level.
-  EXPECT_NEAR(c.q_peak_rad->value * degrees, -180, 1.5);
+  EXPECT_NEAR(c.q_peak_rad->value * degrees_per_rad, -180, 1.5);
 }
 
 TEST(RealLog, Ur10eJoint3) {
@@ -73,7 +75,7 @@ TEST(RealLog, Ur10eJoint3) {
   expect_load_dependence(c);
   ASSERT_TRUE(c.rough.unloaded_coulomb_Nm);
   EXPECT_NEAR(c.rough.unloaded_coulomb_Nm->value / 4.99, 1, 0.2);
-  EXPECT_NEAR(c.q_peak_rad->value * degrees, -90, 1.0);
+  EXPECT_NEAR(c.q_peak_rad->value * degrees_per_rad, -90, 1.0);
 }
 
 bool has_finding(const Calibration& c, const std::string& words) {
@@ -95,8 +97,8 @@ TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
   EXPECT_NEAR(lines->rising->viscous_Nms_rad.value / 3.4419, 1, three_percent);
   EXPECT_NEAR(lines->falling->viscous_Nms_rad.value / 2.8016, 1, three_percent);
   // Theirs are the runs of 10 to 90 °/s, of which the slowest travels 45°.
-  EXPECT_NEAR(lines->rising->slowest_rad_s * degrees, 10, 0.1);
-  EXPECT_NEAR(lines->falling->fastest_rad_s * degrees, 90, 0.3);
+  EXPECT_NEAR(lines->rising->slowest_rad_s * degrees_per_rad, 10, 0.1);
+  EXPECT_NEAR(lines->falling->fastest_rad_s * degrees_per_rad, 90, 0.3);
   EXPECT_FALSE(c.curve_model.carries_five);
 }
 
@@ -108,7 +110,7 @@ TEST(RealLog, CiceseGravityComesFromTheRuns) {
   EXPECT_NEAR(c.run_gravity.gravity_Nm.value / 38.465, 1, 0.03);
   EXPECT_LE(c.run_gravity.gravity_Nm.low, 38.465);
   EXPECT_GE(c.run_gravity.gravity_Nm.high, 38.465);
-  EXPECT_NEAR(c.run_gravity.q_peak_rad.value * degrees, 90, 2);
+  EXPECT_NEAR(c.run_gravity.q_peak_rad.value * degrees_per_rad, 90, 2);
   EXPECT_EQ(c.q_peak_source, "runs");
   EXPECT_EQ(c.selection.recommended, "runs");
   // The oscillations hang 90° below the peak: a mass from them would be friction over nothing.
@@ -165,17 +167,6 @@ const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
   throw std::logic_error("no quantity " + key);
 }
 
-/// The checks that do not pass, in order.
-std::vector<std::string> findings_of(const DataChecksResult& checks) {
-  std::vector<std::string> names;
-  for (const DataCheck& check : checks.checks) {
-    if (check.state == CheckState::warns || check.state == CheckState::fails) {
-      names.push_back(check.name);
-    }
-  }
-  return names;
-}
-
 TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
@@ -201,6 +192,20 @@ TEST(RealLog, CiceseRaisesItsSpeedColumnAndTheLackOfCommonAngles) {
   EXPECT_EQ(findings_of(c.data_checks),
             (std::vector<std::string>{"speed_noise", "run_common_angles", "oscillation_at_peak"}));
   EXPECT_NE(quantity(c, "coulomb_torque").verdict, Verdict::usable);
+}
+
+TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  ASSERT_EQ(c.hysteresis.oscillations.size(), 3U);
+  for (const Oscillation& o : c.hysteresis.oscillations) {
+    EXPECT_NEAR(o.encoder_step_rad, 1e-4 * rad_per_degree, 1e-12);
+    EXPECT_TRUE(o.step_is_of_print);
+  }
+  const DataCheck* check = c.data_checks.find("encoder_step");
+  EXPECT_EQ(check->state, CheckState::passed);
+  EXPECT_NE(check->found.find("decimals in the log"), std::string::npos) << check->found;
 }
 
 TEST(RealLog, PendulumIsRefusedForWantOfTorque) {

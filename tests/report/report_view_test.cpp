@@ -184,6 +184,24 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   EXPECT_EQ(intervals.rows[0].cells.back(), "bootstrap");
 }
 
+TEST(ReportView, OfAPrintedAngleTheStepIsABound) {
+  Calibration c = complete_calibration();
+  const auto oscillations = [&] {
+    Section section;
+    section.id = "hysteresis";
+    describe_hysteresis(c.hysteresis, section);
+    return *std::find_if(section.tables.begin(), section.tables.end(),
+                         [](const Table& table) { return table.id == "hysteresis-oscillations"; });
+  };
+  EXPECT_EQ(oscillations().rows.front().cells.back(), "0.000480");
+  EXPECT_EQ(oscillations().note.find("decimals"), std::string::npos);
+  c.hysteresis.oscillations.front().step_is_of_print = true;
+  EXPECT_EQ(oscillations().rows.front().cells.back(), "≥ 0.000480");
+  EXPECT_NE(oscillations().note.find("decimals in the log"), std::string::npos);
+  c.hysteresis.oscillations.front().encoder_step_rad = 0;
+  EXPECT_EQ(oscillations().rows.front().cells.back(), "continuous");
+}
+
 TEST(ReportView, AFigureOfNoStageIsNotLost) {
   auto figures = sample_figures(complete_calibration());
   figures[0].stage = "models";

@@ -1,8 +1,8 @@
 // Figures 9, 10 and 12: the arm in space.
 
 #include <algorithm>
-#include <numbers>
 
+#include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
@@ -10,7 +10,6 @@
 namespace tribolog::paper {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double rounding_m = 1e-12;
 
 }  // namespace
@@ -47,16 +46,17 @@ Checks check_motion_range(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
   const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
   const AngleRange range = drawn.range.value();
-  const double at = -printed::precise_angle_deg * degree;
+  const double at = -printed::precise_angle_deg * rad_per_degree;
   const SweepExperiment& sweep = joint.scenario.rough_sweep.value();
   return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
                     drawn.mass.value().distance_m *
                         arm.towards_mass(at, drawn.q_peak_rad.value().value).z(),
                     1e-9, "m", "the printed angle's rounding"),
-          law_value("The drawn range begins where the rough sweep does", sweep.from_rad / degree,
-                    range.lowest_rad / degree, 1e-9, "°", "rounding"),
-          law_value("and ends where it ends", sweep.to_rad / degree, range.highest_rad / degree,
-                    1e-9, "°", "rounding"),
+          law_value("The drawn range begins where the rough sweep does",
+                    sweep.from_rad * degrees_per_rad, range.lowest_rad * degrees_per_rad, 1e-9, "°",
+                    "rounding"),
+          law_value("and ends where it ends", sweep.to_rad * degrees_per_rad,
+                    range.highest_rad * degrees_per_rad, 1e-9, "°", "rounding"),
           in_words("The gravity peak lies within it", Origin::printed, "within",
                    at > range.lowest_rad && at < range.highest_rad ? "within" : "outside")};
 }

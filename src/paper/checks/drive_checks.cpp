@@ -1,8 +1,8 @@
 // Equations (8) to (11) and (13): what the motor's torque is made of.
 
 #include <algorithm>
-#include <numbers>
 
+#include "joint/degrees.h"
 #include "paper/checks/equation_checks.h"
 #include "paper/drive_diagram.h"
 #include "paper/printed_paper.h"
@@ -10,7 +10,6 @@
 namespace tribolog::paper {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
 constexpr double log_rounding_Nm = 1e-9;
 
@@ -62,10 +61,10 @@ Checks check_equation_8(const PapersJoint& joint) {
 Checks check_equation_9(const PapersJoint& joint) {
   const GravityLoad& load = joint.scenario.load;
   const JointUnderTest& arm = joint.robot.under_test;
-  const double q_c = printed::precise_angle_deg * degree;
+  const double q_c = printed::precise_angle_deg * rad_per_degree;
   double apart = 0;
   const AngleRange range = joint.robot.range.value();
-  for (double q = range.lowest_rad; q <= range.highest_rad; q += degree / 4) {
+  for (double q = range.lowest_rad; q <= range.highest_rad; q += rad_per_degree / 4) {
     const double printed =
         load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
     apart = std::max(apart, std::abs(arm.holding_torque_Nm(q, joint.robot.load.value()) - printed));

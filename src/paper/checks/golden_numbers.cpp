@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "paper/checks/plain_loop.h"
 #include "paper/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
@@ -144,10 +145,9 @@ void add_pairs(const PapersJoint& joint, Checks& out) {
 }
 
 void add_angles(const PapersJoint& joint, Checks& out) {
-  constexpr double degree = std::numbers::pi / 180;
   out.push_back(printed_value("q_peak", -printed::precise_angle_deg, 5,
-                              joint.calibration.q_peak_rad.value().value / degree, 1e-5, "°",
-                              "the last printed place"));
+                              joint.calibration.q_peak_rad.value().value * degrees_per_rad, 1e-5,
+                              "°", "the last printed place"));
   out.push_back(reconstructed_value("q_c = −q_peak", 0.388019, 6,
                                     joint.calibration.selection.q_c_rad.value().value, 1e-6, "rad",
                                     "the last digit"));

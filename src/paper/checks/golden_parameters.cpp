@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "joint/degrees.h"
 #include "paper/checks/golden_numbers.h"
 #include "paper/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 class Given {
  public:
@@ -50,9 +48,9 @@ void add_sliding(const Scenario& s, Given& given) {
 
 void add_experiments(const Scenario& s, Given& given) {
   const SweepExperiment& sweep = s.rough_sweep.value();
-  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad / degree, "°");
-  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad / degree, "°");
-  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s / degree, "°/s");
+  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * degrees_per_rad, "°");
+  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * degrees_per_rad, "°");
+  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * degrees_per_rad, "°/s");
   const auto& speeds = s.constant_speed.value().motor_speeds_rad_s;
   const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
   given.add("Scenario: number of constant speeds, in both directions", 20, 0,

@@ -1,17 +1,13 @@
 // Figures 11, 13 and 14: the sweeps that find the angle of the mass centre.
 
 #include <algorithm>
-#include <numbers>
 
+#include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
 
 namespace tribolog::paper {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-}  // namespace
+namespace {}  // namespace
 
 Checks check_sweep_motion(const PapersJoint& joint) {
   const Scenario& s = joint.scenario;
@@ -42,21 +38,25 @@ Checks check_sweep_motion(const PapersJoint& joint) {
 
 Checks check_rough_peak(const PapersJoint& joint) {
   const CogSweepResult& rough = joint.calibration.rough;
-  return {printed_value("Angle of the largest torque", -printed::rough_angle_deg, 0,
-                        rough.argmax_rad / degree, 1, "°", "print gives whole degrees, cut"),
-          printed_value("The same against the precise angle", -printed::precise_angle_deg, 5,
-                        rough.argmax_rad / degree, 0.001, "°", "half a sample at 2°/s and 1 kHz"),
-          printed_value("By least squares over the whole sweep", -printed::precise_angle_deg, 5,
-                        rough.q_peak_rad.value / degree, 0.006, "°",
-                        "10⁻⁴ rad, what the program promises of a rough sweep")};
+  return {
+      printed_value("Angle of the largest torque", -printed::rough_angle_deg, 0,
+                    rough.argmax_rad * degrees_per_rad, 1, "°", "print gives whole degrees, cut"),
+      printed_value("The same against the precise angle", -printed::precise_angle_deg, 5,
+                    rough.argmax_rad * degrees_per_rad, 0.001, "°",
+                    "half a sample at 2°/s and 1 kHz"),
+      printed_value("By least squares over the whole sweep", -printed::precise_angle_deg, 5,
+                    rough.q_peak_rad.value * degrees_per_rad, 0.006, "°",
+                    "10⁻⁴ rad, what the program promises of a rough sweep")};
 }
 
 Checks check_precise_peak(const PapersJoint& joint) {
   const CogSweepResult& precise = joint.calibration.precise;
   return {printed_value("Angle of the largest torque", -printed::precise_angle_deg, 5,
-                        precise.argmax_rad / degree, 1e-4, "°", "a sample at 0.1°/s and 1 kHz"),
+                        precise.argmax_rad * degrees_per_rad, 1e-4, "°",
+                        "a sample at 0.1°/s and 1 kHz"),
           printed_value("By least squares", -printed::precise_angle_deg, 5,
-                        precise.q_peak_rad.value / degree, 1e-5, "°", "the last printed place"),
+                        precise.q_peak_rad.value * degrees_per_rad, 1e-5, "°",
+                        "the last printed place"),
           printed_value("q_c = −q_peak", printed::precise_angle_rad, 5, -precise.q_peak_rad.value,
                         1e-5, "rad", "print cuts after five decimals")};
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
@@ -14,7 +14,7 @@ namespace {
 using namespace scenes;
 
 constexpr render::Colour surrogate_colour{180, 50, 0};
-constexpr double shown_above_level_rad = 20 * std::numbers::pi / 180;
+constexpr double shown_above_level_rad = 20 * rad_per_degree;
 
 /// What the parts of the picture are drawn from.
 struct Model {

@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "error.h"
+#include "joint/degrees.h"
 
 namespace tribolog::scenes {
 
 std::string degrees_text(double rad, int places) {
-  const double degrees = rad * 180 / std::numbers::pi;
+  const double degrees = rad * degrees_per_rad;
   const std::string size = fmt::format("{:.{}f}°", std::abs(degrees), places);
   const bool zero = size.find_first_of("123456789") == std::string::npos;
   return (degrees < 0 && !zero ? "−" : "") + size;
 }
 
 int places_for(const AngleRange& range) {
-  const double span_deg = (range.highest_rad - range.lowest_rad) * 180 / std::numbers::pi;
+  const double span_deg = (range.highest_rad - range.lowest_rad) * degrees_per_rad;
   return span_deg >= 10 ? 0 : span_deg >= 1 ? 1 : 3;
 }
 

@@ -2,6 +2,7 @@
 // Internal to the checks: each of them, in the order of the report. A source file each, or one for
 // a close family.
 
+#include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
 
 namespace tribolog {

@@ -14,7 +14,7 @@ namespace {
 constexpr double share_of_a_turn = 0.05;
 constexpr double steps_of_a_turn = 4;
 
-CheckedRecording look_at(const Recording& r) {
+CheckedRecording look_at(const Recording& r, double gear_ratio) {
   CheckedRecording out;
   out.recording = &r;
   out.motion = find_plateaus(r);
@@ -25,7 +25,9 @@ CheckedRecording look_at(const Recording& r) {
   std::vector<double> intervals(r.size() - 1);
   for (std::size_t i = 1; i < r.size(); ++i) intervals[i - 1] = r.t_s[i] - r.t_s[i - 1];
   out.interval_s = median(std::move(intervals));
-  out.angle_step_rad = encoder_step_rad(r.q_rad);
+  const AngleStep step = angle_step(r.q_rad, gear_ratio);
+  out.angle_step_rad = step.step_rad;
+  out.step_is_of_print = step.is_of_the_print;
   const double noise =
       std::max(share_of_a_turn * out.range_rad(), steps_of_a_turn * out.angle_step_rad);
   if (out.range_rad() > noise) out.strokes = find_strokes(r.q_rad, noise);
@@ -86,16 +88,9 @@ CheckedDataset look_at(const Dataset& dataset) {
   CheckedDataset out;
   out.manifest = &dataset.manifest;
   out.has_torque = dataset.manifest.drive.kind() != EffortKind::none;
-  for (const Recording& r : dataset.recordings) out.recordings.push_back(look_at(r));
+  const double n = dataset.manifest.drive.gear_ratio();
+  for (const Recording& r : dataset.recordings) out.recordings.push_back(look_at(r, n));
   return out;
-}
-
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
-  DataCheck check;
-  check.name = name;
-  check.title = title;
-  check.found = std::move(why);
-  return check;
 }
 
 }  // namespace tribolog

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "joint/dataset.h"
-#include "stages/data_check.h"
 #include "stages/plateaus.h"
 
 namespace tribolog {
@@ -31,6 +30,7 @@ struct CheckedRecording {
   double highest_rad{};
   double interval_s{};      ///< Median time from sample to sample.
   double angle_step_rad{};  ///< 0: continuous.
+  bool step_is_of_print{};  ///< See AngleStep.
 
   /// Sweep or run: what moves on its way, neither to and fro nor from rest.
   [[nodiscard]] bool travels() const {
@@ -55,8 +55,5 @@ CheckedDataset look_at(const Dataset& dataset);
 
 /// Strokes of an angle: a turn counts where the angle runs back by more than `noise_rad`.
 std::vector<Stroke> find_strokes(const std::vector<double>& q_rad, double noise_rad);
-
-/// A check that does not apply, with the reason.
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why);
 
 }  // namespace tribolog

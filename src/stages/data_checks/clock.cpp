@@ -61,15 +61,13 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
   double interval = 0;
   for (const CheckedRecording& r : data.recordings) {
     const double jitter = clock_of(r).jitter_percent;
-    if (check.measured && jitter <= *check.measured) continue;
-    check.measured = jitter;
-    check.recording = r.recording->name;
+    if (!take_if_worst(check, jitter, r.recording->name)) continue;
     interval = r.interval_s;
   }
   if (!check.measured) return not_applicable(check.name, check.title, "no recording");
   check.found = fmt::format("the interval of {:.4g} ms scatters by {:.1f} % of itself",
                             1e3 * interval, *check.measured);
-  check.state = *check.measured <= most_percent ? CheckState::passed : CheckState::fails;
+  check.state = passed_or_fails(check);
   if (check.state == CheckState::passed) return check;
   check.consequence = words_of_consequence;
   check.experiment =
@@ -89,17 +87,13 @@ DataCheck check_clock_gaps(const CheckedDataset& data) {
   Clock worst;
   for (const CheckedRecording& r : data.recordings) {
     const Clock clock = clock_of(r);
-    if (check.measured && clock.missing_percent <= *check.measured) continue;
-    check.measured = clock.missing_percent;
-    check.recording = r.recording->name;
+    if (!take_if_worst(check, clock.missing_percent, r.recording->name)) continue;
     worst = clock;
   }
   if (!check.measured) return not_applicable(check.name, check.title, "no recording");
   if (worst.gaps == 0) {
-    check.recording = "all";
-    check.state = CheckState::passed;
-    check.found = fmt::format("no interval is longer than {} sampling intervals", gap_intervals);
-    return check;
+    return passed_by_all(
+        check, fmt::format("no interval is longer than {} sampling intervals", gap_intervals));
   }
   check.found = fmt::format("{} gap{}, the longest {:.3g} s", worst.gaps,
                             worst.gaps == 1 ? "" : "s", worst.longest_gap_s);

@@ -147,9 +147,7 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
   }
   check.found = fmt::format("{:.3g} to {:.3g} N·m at the motor in {:.3g} s ({} pairs of strokes)",
                             worst->first_Nm, worst->last_Nm, worst->duration_s, worst->pairs);
-  check.state = *check.measured <= warning_percent ? CheckState::passed
-                : *check.measured <= most_percent  ? CheckState::warns
-                                                   : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "friction is that of no one temperature: what is measured first and what is "

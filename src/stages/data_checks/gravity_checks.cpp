@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
+#include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
 #include "stages/data_checks/data_checks.h"
 #include "stages/data_checks/torque_ripple.h"
 
 namespace tribolog {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 DataCheck check_oscillation_at_peak(const Dataset& dataset,
                                     const std::optional<Estimate>& q_peak_rad) {
@@ -38,20 +38,18 @@ DataCheck check_oscillation_at_peak(const Dataset& dataset,
   check.measure = "distance of the oscillation's centre from the gravity peak";
   check.unit = "deg";
   check.at_most = warning_deg;
-  check.measured = std::abs(off) * degrees;
-  check.found =
-      fmt::format("centre at {:.3f}°, peak at {:.3f}°: gravity is {:.3g} % smaller there",
-                  centre * degrees, q_peak_rad->value * degrees, 100 * (1 - std::cos(off)));
-  check.state = *check.measured <= warning_deg ? CheckState::passed
-                : *check.measured <= most_deg  ? CheckState::warns
-                                               : CheckState::fails;
+  check.measured = std::abs(off) * degrees_per_rad;
+  check.found = fmt::format("centre at {:.3f}°, peak at {:.3f}°: gravity is {:.3g} % smaller there",
+                            centre * degrees_per_rad, q_peak_rad->value * degrees_per_rad,
+                            100 * (1 - std::cos(off)));
+  check.state = passed_or_warns_up_to(most_deg, check);
   if (check.state == CheckState::passed) return check;
   check.consequence = fmt::format(
       "the cosine corrects for it, but an error of 0.1° of the peak's angle then costs {:.2g} % of "
       "gravity torque and mass, at the peak nothing",
-      100 * std::abs(std::tan(off)) * 0.1 / degrees);
+      100 * std::abs(std::tan(off)) * 0.1 / degrees_per_rad);
   check.experiment =
-      fmt::format("repeat the oscillation about {:.2f}°", q_peak_rad->value * degrees);
+      fmt::format("repeat the oscillation about {:.2f}°", q_peak_rad->value * degrees_per_rad);
   return check;
 }
 
@@ -79,9 +77,7 @@ DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
   check.measured = sweep.gravity_Nm.value * largest_cos / largest_torque;
   check.found = fmt::format("{:.4g} N·m fitted, {:.4g} N·m measured, at the motor",
                             sweep.gravity_Nm.value * largest_cos, largest_torque);
-  check.state = *check.measured <= warning_ratio ? CheckState::passed
-                : *check.measured <= most_ratio  ? CheckState::warns
-                                                 : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_ratio, check);
   if (check.state == CheckState::passed) return check;
   check.found += "; a large offset would have to balance it";
   check.consequence =

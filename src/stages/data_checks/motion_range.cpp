@@ -17,29 +17,19 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
   check.measure = "recordings in which the joint moves";
   check.unit = percent_sign;
   check.at_least = 100;
-  std::size_t moving = 0;
-  std::size_t all = 0;
-  std::string still;
+  RecordingsAsWanted moving;
   for (const CheckedRecording& r : data.recordings) {
     if (r.recording->role == Role::break_away) continue;  // it may stand from end to end
-    ++all;
-    if (!r.strokes.empty()) {
-      ++moving;
-    } else if (still.empty()) {
-      still = r.recording->name;
-    }
+    moving.add(!r.strokes.empty(), r.recording->name);
   }
-  if (all == 0)
+  if (moving.all() == 0) {
     return not_applicable(check.name, check.title, "no recording in which it has to move");
-  check.recording = still.empty() ? "all" : still;
-  check.measured = 100.0 * static_cast<double>(moving) / static_cast<double>(all);
-  if (moving == all) {
-    check.state = CheckState::passed;
-    check.found = "the joint moves in every recording";
-    return check;
   }
+  moving.take_share(check);
+  if (moving.others() == 0) return passed_by_all(check, "the joint moves in every recording");
   check.state = CheckState::fails;
-  check.found = fmt::format("the angle stands still in {} of {} recordings", all - moving, all);
+  check.found =
+      fmt::format("the angle stands still in {} of {} recordings", moving.others(), moving.all());
   check.consequence = "a joint that stands shows neither gravity's angle nor friction";
   check.experiment = "see that the joint was driven and that the angle's column is alive";
   return check;
@@ -63,10 +53,7 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   }
   check.measured = largest;
   if (largest <= largest_likely_rad) {
-    check.recording = "all";
-    check.state = CheckState::passed;
-    check.found = "the angles are those of a joint";
-    return check;
+    return passed_by_all(check, "the angles are those of a joint");
   }
   check.state = CheckState::fails;
   check.found = fmt::format(

@@ -106,9 +106,7 @@ DataCheck check_oscillation_slides(const CheckedDataset& data) {
   }
   check.found =
       fmt::format("{:.2g} % of the stiffness is left at the end of a stroke", *check.measured);
-  check.state = *check.measured <= warning_percent ? CheckState::passed
-                : *check.measured <= most_percent  ? CheckState::warns
-                                                   : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "the stroke is too small: friction does not reach its level, so that the "

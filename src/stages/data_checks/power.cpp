@@ -75,13 +75,11 @@ DataCheck check_power(const CheckedDataset& data) {
       power =
           std::max(power, std::abs(r.recording->torque_Nm[i] * n * r.motion.speed_rad_s[i]) / 1000);
     }
-    if (check.measured && power <= *check.measured) continue;
-    check.measured = power;
-    check.recording = r.recording->name;
+    take_if_worst(check, power, r.recording->name);
   }
   if (!check.measured) return not_applicable(check.name, check.title, "no recording");
   check.found = fmt::format("at most {:.3g} kW", *check.measured);
-  check.state = *check.measured <= largest_likely_kW ? CheckState::passed : CheckState::fails;
+  check.state = passed_or_fails(check);
   if (check.state == CheckState::passed) return check;
   check.found = fmt::format(
       "torque times speed reaches {:.3g} kW, which no robot's joint has: a torque in mN·m taken "

@@ -90,6 +90,7 @@ struct Resolution {
   double steps{};
   double travel_rad{};
   double step_rad{};
+  bool step_is_of_print{};
   std::string recording;
 };
 
@@ -99,7 +100,7 @@ std::optional<Resolution> of_oscillations(const CheckedDataset& data) {
     if (r->angle_step_rad <= 0) continue;
     const double steps = r->range_rad() / r->angle_step_rad;
     if (worst && steps >= worst->steps) continue;
-    worst = {steps, r->range_rad(), r->angle_step_rad, r->recording->name};
+    worst = {steps, r->range_rad(), r->angle_step_rad, r->step_is_of_print, r->recording->name};
   }
   return worst;
 }
@@ -113,7 +114,7 @@ std::optional<Resolution> of_reversals(const CheckedDataset& data) {
       const auto travel = travel_of_turn(*r, r->strokes[k], r->strokes[k + 1]);
       if (!travel) continue;
       travels.push_back(*travel);
-      found = {0, 0, r->angle_step_rad, r->recording->name};
+      found = {0, 0, r->angle_step_rad, r->step_is_of_print, r->recording->name};
     }
   }
   if (!found) return std::nullopt;
@@ -134,21 +135,20 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   const auto worst = has_loop ? of_oscillations(data) : of_reversals(data);
   if (!worst) {
     if (has_loop) {
-      check.state = CheckState::passed;
-      check.recording = "all";
-      check.found = "the angle looks continuous";
-      return check;
+      return passed_by_all(check, "the angle looks continuous");
     }
     return not_applicable(check.name, check.title,
                           "no oscillation, and no reversal of a sweep with a stepped angle");
   }
   check.recording = worst->recording;
-  check.measure = has_loop
-                      ? "steps of the encoder across the loop"
-                      : "steps of the encoder within which friction turns over after a reversal";
+  check.measure = has_loop ? "steps of the angle across the loop"
+                           : "steps of the angle within which friction turns over after a reversal";
   check.measured = worst->steps;
   check.found = fmt::format("{:.3g} steps of {:.3g} rad in {:.2g} rad", worst->steps,
                             worst->step_rad, worst->travel_rad);
+  if (worst->step_is_of_print) {
+    check.found += ", the step of the decimals in the log; its encoder's may be larger";
+  }
   check.state = worst->steps >= fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
   if (check.state == CheckState::passed) return check;
   check.consequence =

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "joint/degrees.h"
+
 namespace tribolog {
 namespace {
 
@@ -25,8 +27,8 @@ std::vector<Cause> usual_causes(double n) {
       {0.5, "a difference over one sample divided by the time of two"},
       {5.0 / 3, "divided by a sampling time of 3/5 of the real one, such as 6 ms for 10 ms"},
       {3.0 / 5, "divided by a sampling time of 5/3 of the real one, such as 10 ms for 6 ms"},
-      {180 / pi, "degrees per second taken for radians per second"},
-      {pi / 180, "radians per second taken for degrees per second"},
+      {degrees_per_rad, "degrees per second taken for radians per second"},
+      {rad_per_degree, "radians per second taken for degrees per second"},
       {2 * pi / 60, "radians per second taken for revolutions per minute"},
       {60 / (2 * pi), "revolutions per minute taken for radians per second"},
       {2 * pi, "radians per second where the angle is in turns"},

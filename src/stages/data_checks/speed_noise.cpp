@@ -8,6 +8,7 @@
 
 #include "stages/data_checks/check_list.h"
 #include "stages/median.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -26,8 +27,7 @@ double noise_percent(const CheckedRecording& r) {
     deviations.push_back(std::abs(log.dq_rad_s[i] - slope));
   }
   if (speeds.size() < 20) return -1;
-  constexpr double sd_per_median = 1.4826;
-  return 100 * sd_per_median * median(std::move(deviations)) / median(std::move(speeds));
+  return 100 * normal_sd_by_median_size * median(std::move(deviations)) / median(std::move(speeds));
 }
 
 }  // namespace
@@ -43,9 +43,7 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
   for (const CheckedRecording& r : data.recordings) {
     if (!r.travels()) continue;  // no stage reads a speed off a loop or a ramp
     const double noise = noise_percent(r);
-    if (noise < 0 || (check.measured && noise <= *check.measured)) continue;
-    check.measured = noise;
-    check.recording = r.recording->name;
+    if (noise >= 0) take_if_worst(check, noise, r.recording->name);
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title, "no speed is logged in a sweep or a run");

@@ -59,22 +59,16 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
     for (const Stroke& stroke : r.strokes) stops = std::max(stops, stops_within(r, stroke));
     const auto count = static_cast<double>(stops);
     if (count > most_stops) ++affected;
-    if (check.measured && count <= *check.measured) continue;
-    check.measured = count;
-    check.recording = r.recording->name;
+    take_if_worst(check, count, r.recording->name);
   }
   if (!check.measured) return not_applicable(check.name, check.title, "no sweep or run");
   if (affected == 0) {
-    check.state = CheckState::passed;
-    check.recording = "all";
-    check.found = "the joint moves on without stopping";
-    return check;
+    return passed_by_all(check, "the joint moves on without stopping");
   }
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "the joint stops and springs on {:.0f} times in one stroke; {} "
-      "recording{} affected",
-      *check.measured, affected, affected == 1 ? "" : "s");
+  check.found =
+      fmt::format("the joint stops and springs on {:.0f} times in one stroke; {} affected",
+                  *check.measured, recordings_in_words(affected));
   check.consequence =
       "the torque is that of sticking and of sliding in turn, at no one speed: "
       "friction at this speed is not what the mean of it says";

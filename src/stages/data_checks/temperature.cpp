@@ -31,9 +31,7 @@ DataCheck check_temperature(const CheckedDataset& data) {
   check.unit = kelvin;
   check.at_most = warning_K;
   check.found = fmt::format("{:.3g} to {:.3g} °C", low, high);
-  check.state = *check.measured <= warning_K ? CheckState::passed
-                : *check.measured <= most_K  ? CheckState::warns
-                                             : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_K, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "friction changes by some per cent for each kelvin, so recordings of "

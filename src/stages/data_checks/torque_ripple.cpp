@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
 #include "stages/position_mean.h"
 
@@ -66,7 +67,7 @@ DataCheck check_torque_ripple(const Dataset& dataset, const CogSweepResult& swee
   check.measured = 100 * left_Nm / sweep.gravity_Nm.value;
   check.found = lines.empty() ? "no ripple stands out of the noise of the sweep"
                               : "ripple of " + in_words(lines);
-  check.state = *check.measured <= most_percent ? CheckState::passed : CheckState::fails;
+  check.state = passed_or_fails(check);
   if (check.state == CheckState::passed) return check;
   check.found += fmt::format("; {} oscillation{} cannot average it out", motor_angles.size(),
                              motor_angles.size() == 1 ? " at one position" : "s");

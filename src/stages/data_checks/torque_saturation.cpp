@@ -112,23 +112,17 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
     if (r.recording->role == Role::break_away) continue;  // a ramp may well end at the limit
     const Saturation s = saturation_of(torque_of(r));
     if (s.percent > most_percent) ++clipped;
-    if (check.measured && s.percent <= *check.measured) continue;
-    check.measured = s.percent;
-    check.recording = r.recording->name;
+    if (!take_if_worst(check, s.percent, r.recording->name)) continue;
     value_Nm = s.value_Nm;
   }
   if (!check.measured) return not_applicable(check.name, check.title, "no recording");
   if (clipped == 0) {
-    check.state = CheckState::passed;
-    check.recording = "all";
-    check.found = "the torque does not lie flat on its extremes";
-    return check;
+    return passed_by_all(check, "the torque does not lie flat on its extremes");
   }
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "{:.1f} % of the samples lie flat at {:.4g} N·m at the motor; {} "
-      "recording{} clipped",
-      *check.measured, value_Nm, clipped, clipped == 1 ? "" : "s");
+  check.found =
+      fmt::format("{:.1f} % of the samples lie flat at {:.4g} N·m at the motor; {} clipped",
+                  *check.measured, value_Nm, recordings_in_words(clipped));
   check.consequence =
       "the largest torques are cut off: gravity and friction come out too small, "
       "and the peak's angle is that of the cut";

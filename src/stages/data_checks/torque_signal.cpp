@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "stages/data_checks/check_list.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// Sums of one role's torque: its own variance and that of its white part.
 struct TorqueScatter {
   double sum{}, squares{}, count{};
-  double thirds{}, third_count{};
+  std::vector<double> third;
 
   void add(const std::vector<double>& t) {
     for (const double torque : t) {
@@ -21,17 +22,14 @@ struct TorqueScatter {
       squares += torque * torque;
       count += 1;
     }
-    for (std::size_t i = 3; i < t.size(); ++i) {
-      thirds += std::pow(t[i] - 3 * t[i - 1] + 3 * t[i - 2] - t[i - 3], 2);
-      third_count += 1;
-    }
+    const std::vector<double> more = third_differences(t);
+    third.insert(third.end(), more.begin(), more.end());
   }
-  /// White noise shows in third differences, 20 times over; a signal of a robot does not.
+  /// White noise shows in third differences; a signal of a robot does not.
   [[nodiscard]] double white_percent() const {
     const double variance = squares / count - std::pow(sum / count, 2);
-    if (!(variance > 0) || third_count == 0) return 0;
-    constexpr double gain = 20;
-    return std::min(100.0, 100 * thirds / third_count / gain / variance);
+    if (!(variance > 0)) return 0;
+    return std::min(100.0, 100 * white_variance(third) / variance);
   }
 };
 
@@ -47,31 +45,19 @@ DataCheck check_torque_alive(const CheckedDataset& data) {
   check.measure = "recordings in which the torque changes";
   check.unit = percent_sign;
   check.at_least = 100;
-  std::size_t alive = 0;
-  std::string dead;
+  RecordingsAsWanted alive;
   for (const CheckedRecording& r : data.recordings) {
     const std::vector<double>& t = r.recording->torque_Nm;
     const auto [low, high] = std::minmax_element(t.begin(), t.end());
-    if (!t.empty() && *high > *low) {
-      ++alive;
-    } else if (dead.empty()) {
-      dead = r.recording->name;
-    }
+    alive.add(!t.empty() && *high > *low, r.recording->name);
   }
-  const std::size_t all = data.recordings.size();
-  if (all == 0) return not_applicable(check.name, check.title, "no recording");
-  check.recording = dead.empty() ? "all" : dead;
-  check.measured = 100.0 * static_cast<double>(alive) / static_cast<double>(all);
-  if (alive == all) {
-    check.state = CheckState::passed;
-    check.found = "the torque changes in every recording";
-    return check;
-  }
+  if (alive.all() == 0) return not_applicable(check.name, check.title, "no recording");
+  alive.take_share(check);
+  if (alive.others() == 0) return passed_by_all(check, "the torque changes in every recording");
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "the torque is one constant number in {} of {} recordings: a dead "
-      "sensor?",
-      all - alive, all);
+  check.found =
+      fmt::format("the torque is one constant number in {} of {} recordings: a dead sensor?",
+                  alive.others(), alive.all());
   check.consequence = "a torque that does not change shows neither gravity nor friction";
   check.experiment = "see that the torque's column is alive before the next measurement";
   return check;
@@ -95,18 +81,15 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
     TorqueScatter scatter;
     for (const CheckedRecording* r : recordings) scatter.add(r->recording->torque_Nm);
     const double percent = scatter.white_percent();
-    if (check.measured && percent <= *check.measured) continue;
-    check.measured = percent;
-    check.recording =
-        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all";
+    take_if_worst(
+        check, percent,
+        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all");
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title, "no sweep, oscillation or run");
   }
   check.found = fmt::format("{:.2g} % of the torque's variance is white noise", *check.measured);
-  check.state = *check.measured <= warning_percent ? CheckState::passed
-                : *check.measured <= most_percent  ? CheckState::warns
-                                                   : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "what is left of gravity and friction drowns in it; the intervals are as "

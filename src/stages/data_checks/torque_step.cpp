@@ -30,12 +30,9 @@ DataCheck check_torque_step(const CheckedDataset& data) {
     const DirectionDifference d = direction_difference(recordings, true);
     if (d.common_bins == 0 || d.friction_Nm == 0) continue;
     for (const CheckedRecording* r : recordings) {
-      // The search for a common step is the same whatever the numbers are.
-      const double step = encoder_step_rad(r->recording->torque_Nm);
+      const double step = common_step(r->recording->torque_Nm);
       const double percent = 100 * step / std::abs(d.friction_Nm);
-      if (check.measured && percent <= *check.measured) continue;
-      check.measured = percent;
-      check.recording = r->recording->name;
+      if (!take_if_worst(check, percent, r->recording->name)) continue;
       worst_step = step;
       its_friction = std::abs(d.friction_Nm);
     }
@@ -45,16 +42,11 @@ DataCheck check_torque_step(const CheckedDataset& data) {
                           "no recording has both directions over the same angles");
   }
   if (worst_step == 0) {
-    check.recording = "all";
-    check.found = "the torque looks continuous";
-    check.state = CheckState::passed;
-    return check;
+    return passed_by_all(check, "the torque looks continuous");
   }
   check.found =
       fmt::format("steps of {:.3g} N·m against {:.3g} N·m, at the motor", worst_step, its_friction);
-  check.state = *check.measured <= warning_percent ? CheckState::passed
-                : *check.measured <= most_percent  ? CheckState::warns
-                                                   : CheckState::fails;
+  check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "friction is read in few steps, and where noise does not spread the samples "
