@@ -6,20 +6,10 @@
 
 #include <Eigen/Dense>
 
-#include "stages/median.h"
+#include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
-
-/// White noise of a smooth signal from its third differences (a parabola leaves none).
-double noise_of(const std::vector<double>& y) {
-  std::vector<double> third;
-  for (std::size_t i = 3; i < y.size(); ++i) {
-    third.push_back(std::abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3]));
-  }
-  if (third.empty()) return 0;
-  return 1.4826 * median(std::move(third)) / std::sqrt(20.0);
-}
 
 /// Time in [i, i+1] at which a signal crosses zero, by the chord.
 double chord_crossing(const std::vector<double>& t, const std::vector<double>& y, std::size_t i) {
@@ -58,7 +48,7 @@ double extremum_time(const std::vector<double>& t, const std::vector<double>& y,
 }  // namespace
 
 TraceReader::TraceReader(const LoopTrace& trace, double period_s)
-    : trace_(trace), window_s_(0.01 * period_s), noise_Nm_(noise_of(trace.torque_Nm)) {}
+    : trace_(trace), window_s_(0.01 * period_s), noise_Nm_(white_noise_of(trace.torque_Nm)) {}
 
 std::size_t TraceReader::interval_of(double t_s) const {
   const auto& t = trace_.t_s;

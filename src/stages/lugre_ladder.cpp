@@ -28,6 +28,11 @@ std::vector<Shared::Index> with(std::vector<Shared::Index> some,
   return some;
 }
 
+std::vector<Shared::Index> without(std::vector<Shared::Index> some, Shared::Index one) {
+  some.erase(std::remove(some.begin(), some.end(), one), some.end());
+  return some;
+}
+
 class Climber {
  public:
   Climber(const LuGreProblem& problem, const LuGreProblem& thinned,
@@ -41,23 +46,23 @@ class Climber {
   }
 
   LuGreClimb climb() {
-    LuGreClimb level = from_level({at_level, true});
+    LuGreClimb level = possible(from_level({at_level, true}));
     const auto bends = [](const LuGreClimb& c) {
       return c.converged && c.stands(Shared::log_stiffness, widest_shown) &&
              c.stands(Shared::log_static, widest_shown);
     };
     if (!bends(level)) {
-      LuGreClimb fewer = from_level({friction_only, true});
+      LuGreClimb fewer = possible(from_level({friction_only, true}));
       if (bends(fewer) || !level.converged) level = std::move(fewer);
     }
     if (!level.converged) return elastic();
     if (!fall_shows_at(level)) return bends(level) ? counted(level) : elastic();
-    LuGreClimb whole = with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole);
+    LuGreClimb whole = possible(with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole));
     if (whole.stands(Shared::log_share, widest_climbed) &&
         whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole)) {
       return counted(whole);
     }
-    LuGreClimb curved = with_fall(level, {Shared::fall}, LuGreRung::curvature);
+    LuGreClimb curved = possible(with_fall(level, {Shared::fall}, LuGreRung::curvature));
     if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved)) {
       return counted(curved);
     }
@@ -141,7 +146,7 @@ class Climber {
   /// would let it fall, with its interval.
   bool fall_shows_at(const LuGreClimb& level) {
     LuGreClimb probe;
-    probe.free = {with(at_level, {Shared::fall}), true};
+    probe.free = {with(level.free.shared, {Shared::fall}), true};
     probe.point = level.point;
     probe.height_Nm = height_;
     probe.linear = problem_.linearise(probe.free, probe.point, blocks_);
@@ -154,7 +159,7 @@ class Climber {
 
   LuGreClimb with_fall(const LuGreClimb& level, std::initializer_list<Shared::Index> more,
                        LuGreRung rung) {
-    const LuGreFreedom free{with(at_level, more), true};
+    const LuGreFreedom free{with(level.free.shared, more), true};
     std::vector<LuGrePoint> guesses;
     // Stribeck velocities from well within the loops' speeds to beyond them.
     for (const double share_of_peak : {0.15, 0.4, 1.0, 3.0}) {
@@ -164,7 +169,23 @@ class Climber {
     }
     const LuGreProblem::Solution s = best_thinned(free, guesses);
     if (!s.converged) return {};
-    return polished(rung, free, s.point);
+    LuGreClimb out = polished(rung, free, s.point);
+    out.negative = level.negative;
+    return out;
+  }
+
+  /// Fitted again without what is negative beyond doubt, one after the other.
+  LuGreClimb possible(LuGreClimb climb) {
+    for (const Shared::Index one : {Shared::inertia, Shared::viscous, Shared::damping}) {
+      if (!climb.stands(one, widest_shown) || climb.point.shared(one) >= 0) continue;
+      std::vector<NegativeOutcome> negative = climb.negative;
+      negative.push_back({one, climb.point.shared(one)});
+      LuGrePoint guess = climb.point;
+      guess.shared(one) = 0;
+      climb = polished(climb.rung, {without(climb.free.shared, one), climb.free.starts}, guess);
+      climb.negative = std::move(negative);
+    }
+    return climb;
   }
 
   LuGreClimb elastic() {

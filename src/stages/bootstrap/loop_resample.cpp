@@ -63,7 +63,8 @@ void LoopResampler::prepare_fit() {
   if (!lugre || !lugre->converged || !lugre->linearised) return;
   const LinearisedFit& fit = *lugre->linearised;
   const LoopTrace& trace = hysteresis_.traces.front();
-  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 &&
+  // A loop that a torque drove has strokes, not cycles: its fit keeps its own blocks.
+  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->loops.front().traced &&
                    fit.residuals.size() == static_cast<Eigen::Index>(trace.t_s.size());
   const BlockRegression around = block_regression(
       fit.jacobian, -fit.residuals,
