@@ -97,8 +97,8 @@ void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
 struct LoopResult {
   Recording recording;
   std::optional<OscillationMotion> motion;  ///< Where the angle swings with a period.
-  std::optional<TracedMotion> traced;       ///< Where harmonics do not follow it, or there are none.
-  std::string why_not_followed;             ///< Where no model can be driven by the angle.
+  std::optional<TracedMotion> traced;  ///< Where harmonics do not follow it, or there are none.
+  std::string why_not_followed;        ///< Where no model can be driven by the angle.
   Oscillation oscillation;
   LoopTrace trace;
   std::optional<LoopMidline> midline;  ///< Of a loop with a period.
@@ -130,9 +130,10 @@ std::string follow_the_angle(double encoder_step, LoopResult& loop) {
   loop.traced = std::move(trace.motion);
   if (loop.traced) return "";
   const std::string no_period =
-      loop.motion ? fmt::format("the angle is no periodic motion: a harmonic series leaves {:.2g} "
-                                "rad of an amplitude of {:.2g} rad",
-                                loop.motion->residual_rad, loop.motion->amplitude_rad)
+      loop.motion ? fmt::format(
+                        "the angle is no periodic motion: a harmonic series leaves {:.2g} "
+                        "rad of an amplitude of {:.2g} rad",
+                        loop.motion->residual_rad, loop.motion->amplitude_rad)
                   : "the angle does not swing through one whole cycle";
   return fmt::format("{}: {}; and {}", loop.recording.name, no_period, trace.refusal);
 }
@@ -140,9 +141,12 @@ std::string follow_the_angle(double encoder_step, LoopResult& loop) {
 /// Without cycles and noise of the torque.
 Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
   if (loop.motion) {
-    return {loop.motion->centre_rad,   loop.motion->amplitude_rad,
-            loop.motion->frequency_Hz, 0,
-            0,                         encoder_step};
+    return {loop.motion->centre_rad,
+            loop.motion->amplitude_rad,
+            loop.motion->frequency_Hz,
+            0,
+            0,
+            encoder_step};
   }
   return {loop.traced->centre_rad,
           loop.traced->amplitude_rad,
@@ -222,8 +226,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     if (loop.motion) {
       const double q_peak = q_peak_rad ? q_peak_rad->value : loop.motion->centre_rad;
       const TraceReader reader(loop.trace, 1 / loop.motion->frequency_Hz);
-      loop.midline =
-          find_loop_midline(recording, *loop.motion, q_peak, reader.torque_noise_Nm());
+      loop.midline = find_loop_midline(recording, *loop.motion, q_peak, reader.torque_noise_Nm());
       if (!loop.midline) continue;
       loop.oscillation.cycles = loop.midline->cycles;
       loop.oscillation.steady_cycles = loop.midline->steady_cycles;

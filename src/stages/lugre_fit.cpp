@@ -12,6 +12,7 @@
 #include "stages/lugre_experiments.h"
 #include "stages/lugre_identifiability.h"
 #include "stages/lugre_ladder.h"
+#include "stages/motion_noise.h"
 
 namespace tribolog {
 namespace {
@@ -192,7 +193,7 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
     return fit;
   }
   const LuGreProblem thinned = problem_of(loops, gear_ratio, q_peak_rad, true);
-  const LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_loop_blocks(loops));
+  LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_loop_blocks(loops));
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
@@ -200,6 +201,9 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
     return fit;
   }
   fit.converged = true;
+  Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
+  by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
+  climb.around.covariance += by_motion * by_motion.transpose();
   const auto freedom = static_cast<double>(problem.samples() - climb.linear.r_factor.cols());
   fit.residual_Nm = std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;

@@ -5,12 +5,14 @@
 // All recordings together, of any amplitude, frequency and position: friction and inertia are
 // shared, gravity torque and the deflection at the start are each recording's own (torque ripple is
 // a constant over a micro-oscillation). The motion is what was fitted to q(t): harmonics, or a
-// spline where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a loop,
-// and the first reversal makes it forget where. Which parameters the loops carry is decided by the data (lugre_ladder.h); one that they do not show is held, is given
-// no number, and comes with the experiment that would show it.
+// spline where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a
+// loop, and the first reversal makes it forget where. Which parameters the loops carry is decided
+// by the data (lugre_ladder.h); one that they do not show is held, is given no number, and comes
+// with the experiment that would show it.
 //
 // Intervals: block regression over half cycles, right for residuals that hang together within a
-// stroke; wrong where the model is, which the residual's scatter against the noise tells.
+// stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
+// spline the noise of the angle is added (motion_noise.h).
 
 #include <memory>
 #include <optional>
@@ -77,8 +79,8 @@ struct LuGreLoop {
   std::vector<double> dz_rad_s;
   std::vector<double> torque_Nm;  ///< The model's torque there.
   LoopMisfit misfit;
-  std::string motion;            ///< What drove the model: "harmonics" or "spline".
-  double motion_residual_rad{};  ///< Standard deviation of the recorded angle less that motion.
+  std::string motion;                ///< What drove the model: "harmonics" or "spline".
+  double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
   std::optional<TracedLoop> traced;  ///< Of a spline.
 };
 

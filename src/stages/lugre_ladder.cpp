@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -46,27 +48,29 @@ class Climber {
   }
 
   LuGreClimb climb() {
-    LuGreClimb level = possible(from_level({at_level, true}));
+    LuGreClimb level = from_level({at_level, true});
     const auto bends = [](const LuGreClimb& c) {
       return c.converged && c.stands(Shared::log_stiffness, widest_shown) &&
              c.stands(Shared::log_static, widest_shown);
     };
     if (!bends(level)) {
-      LuGreClimb fewer = possible(from_level({friction_only, true}));
+      LuGreClimb fewer = from_level({friction_only, true});
       if (bends(fewer) || !level.converged) level = std::move(fewer);
     }
     if (!level.converged) return elastic();
-    if (!fall_shows_at(level)) return bends(level) ? counted(level) : elastic();
-    LuGreClimb whole = possible(with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole));
+    if (!fall_shows_at(level)) return bends(level) ? counted(possible(level)) : elastic();
+    LuGreClimb whole = with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole);
     if (whole.stands(Shared::log_share, widest_climbed) &&
-        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole)) {
+        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole) &&
+        !first_negative(whole)) {
       return counted(whole);
     }
-    LuGreClimb curved = possible(with_fall(level, {Shared::fall}, LuGreRung::curvature));
-    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved)) {
+    LuGreClimb curved = with_fall(level, {Shared::fall}, LuGreRung::curvature);
+    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved) &&
+        !first_negative(curved)) {
       return counted(curved);
     }
-    return bends(level) ? counted(level) : elastic();
+    return bends(level) ? counted(possible(level)) : elastic();
   }
 
  private:
@@ -169,20 +173,25 @@ class Climber {
     }
     const LuGreProblem::Solution s = best_thinned(free, guesses);
     if (!s.converged) return {};
-    LuGreClimb out = polished(rung, free, s.point);
-    out.negative = level.negative;
-    return out;
+    return polished(rung, free, s.point);
+  }
+
+  /// The first parameter that is negative beyond doubt.
+  static std::optional<Shared::Index> first_negative(const LuGreClimb& c) {
+    for (const Shared::Index one : {Shared::inertia, Shared::viscous, Shared::damping}) {
+      if (c.stands(one, widest_shown) && c.point.shared(one) < 0) return one;
+    }
+    return std::nullopt;
   }
 
   /// Fitted again without what is negative beyond doubt, one after the other.
   LuGreClimb possible(LuGreClimb climb) {
-    for (const Shared::Index one : {Shared::inertia, Shared::viscous, Shared::damping}) {
-      if (!climb.stands(one, widest_shown) || climb.point.shared(one) >= 0) continue;
+    while (const auto one = first_negative(climb)) {
       std::vector<NegativeOutcome> negative = climb.negative;
-      negative.push_back({one, climb.point.shared(one)});
+      negative.push_back({*one, climb.point.shared(*one)});
       LuGrePoint guess = climb.point;
-      guess.shared(one) = 0;
-      climb = polished(climb.rung, {without(climb.free.shared, one), climb.free.starts}, guess);
+      guess.shared(*one) = 0;
+      climb = polished(climb.rung, {without(climb.free.shared, *one), climb.free.starts}, guess);
       climb.negative = std::move(negative);
     }
     return climb;

@@ -7,8 +7,9 @@
 //   curvature  + (Ts - Tc)/ws^2               friction falls with speed, only the start of it
 //   whole      + Tc and ws apart              the speed passes the Stribeck velocity
 //
-// Damping, viscous coefficient or inertia below zero is what no joint has: a rung on which one of
-// them is sure to be negative is fitted again with that one held at zero.
+// Damping, viscous coefficient or inertia below zero is what no joint has: where one of them is
+// sure to be negative, the fall is not climbed for, and the level is fitted again with that one at
+// zero.
 //
 // G and the deflection at the start are each recording's own on all rungs (on the first the start
 // cannot be told from G, and neither is found).

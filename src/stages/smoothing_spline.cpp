@@ -223,9 +223,8 @@ SmoothingSpline::Point SmoothingSpline::at(double t) const {
   Point out;
   out.curvature = curvature_[i] + jerk * inside;
   out.slope = slope + inside * (curvature_[i] + jerk * inside / 2);
-  out.value =
-      value_[i] + inside * (slope + inside * (curvature_[i] / 2 + jerk * inside / 6)) +
-      (t - t_[i] - inside) * out.slope;
+  out.value = value_[i] + inside * (slope + inside * (curvature_[i] / 2 + jerk * inside / 6)) +
+              (t - t_[i] - inside) * out.slope;
   return out;
 }
 

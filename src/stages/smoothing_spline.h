@@ -27,8 +27,8 @@ class SmoothingSpline {
     double curvature{};  ///< s''
   };
 
-  /// @throw std::invalid_argument if there are fewer than four points, vectors of other sizes, times
-  /// that do not increase or errors that are not > 0.
+  /// @throw std::invalid_argument if there are fewer than four points, vectors of other sizes,
+  /// times that do not increase or errors that are not > 0.
   explicit SmoothingSpline(const CurvePoints& points);
 
   /// Beyond the points: the straight line that leaves the end.

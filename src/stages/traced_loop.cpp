@@ -45,10 +45,9 @@ TracedLoop describe_traced_loop(const Recording& recording, const TracedMotion& 
   out.strokes = motion.strokes();
   double squares = 0;
   for (const double slope : slope_Nm_rad) squares += slope * slope;
-  out.explained_Nm =
-      std::hypot(gear_ratio * motion.noise_rad *
-                     std::sqrt(squares / static_cast<double>(slope_Nm_rad.size())),
-                 white_noise_of(recording.torque_Nm));
+  out.explained_Nm = std::hypot(
+      gear_ratio * motion.noise_rad * std::sqrt(squares / static_cast<double>(slope_Nm_rad.size())),
+      white_noise_of(recording.torque_Nm));
   const auto [low, high] =
       std::minmax_element(recording.torque_Nm.begin(), recording.torque_Nm.end());
   out.explained_Nm = std::max(out.explained_Nm, smallest_misfit_share * (*high - *low));

@@ -65,9 +65,8 @@ MotionTrace refused(std::string why) { return {std::nullopt, std::move(why)}; }
 }  // namespace
 
 std::string TracedMotion::noise_in_words() const {
-  return encoder_step_rad > 0 && noise_rad < encoder_step_rad
-             ? fmt::format("a step of the encoder of {:.2g} rad", encoder_step_rad)
-             : fmt::format("a scatter of the samples of {:.2g} rad", noise_rad);
+  return is_stepped() ? fmt::format("a step of the encoder of {:.2g} rad", encoder_step_rad)
+                      : fmt::format("a scatter of the samples of {:.2g} rad", noise_rad);
 }
 
 std::unique_ptr<Motion> TracedMotion::motor_motion(double gear_ratio) const {
@@ -100,9 +99,8 @@ MotionTrace trace_motion(const Recording& r) {
     t.push_back(r.t_s[i] - r.t_s.front());
     q.push_back(r.q_rad[i] - out.origin_rad);
   }
-  const bool is_stepped = out.noise_rad < out.encoder_step_rad;
   out.spline = std::make_shared<SmoothingSpline>(
-      angle_points(t, q, is_stepped ? out.encoder_step_rad : 0.0));
+      angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0));
   std::vector<double> smooth;
   double squares = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -116,8 +114,9 @@ MotionTrace trace_motion(const Recording& r) {
     return refused(fmt::format(
         "the angle makes {} stroke{}, with {} reversal{} between them; a loop needs at least {} "
         "strokes",
-        strokes.size(), strokes.size() == 1 ? "" : "s", std::max<std::size_t>(1, strokes.size()) - 1,
-        strokes.size() == 2 ? "" : "s", fewest_strokes));
+        strokes.size(), strokes.size() == 1 ? "" : "s",
+        std::max<std::size_t>(1, strokes.size()) - 1, strokes.size() == 2 ? "" : "s",
+        fewest_strokes));
   }
   const double in_stroke = static_cast<double>(r.size()) / static_cast<double>(strokes.size());
   if (in_stroke < fewest_samples_in_stroke) {
@@ -130,10 +129,11 @@ MotionTrace trace_motion(const Recording& r) {
   for (const Stroke& stroke : strokes) travel += stroke.travel_rad;
   const double excess = way_of(smooth) / travel - 1;
   if (excess > largest_excess_way) {
-    return refused(fmt::format(
-        "the angle is too rough to give a speed: smoothed, with noise of {:.2g} rad, it still goes to "
-        "and fro by {:.0f} % of the way of its strokes; at most {:.0f} % are allowed",
-        out.noise_rad, 100 * excess, 100 * largest_excess_way));
+    return refused(
+        fmt::format("the angle is too rough to give a speed: smoothed, with noise of {:.2g} rad, "
+                    "it still goes to "
+                    "and fro by {:.0f} % of the way of its strokes; at most {:.0f} % are allowed",
+                    out.noise_rad, 100 * excess, 100 * largest_excess_way));
   }
   for (std::size_t k = 1; k < strokes.size(); ++k) out.turns_s.push_back(t[strokes[k].first]);
   out.frequency_Hz = static_cast<double>(strokes.size()) / 2 / t.back();

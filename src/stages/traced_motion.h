@@ -1,7 +1,7 @@
 #pragma once
 // The motion of a joint that swings as its torque drives it: no sine, often not periodic, its loops
-// of any size. A smoothing spline through the recorded angle (smoothing_spline.h), through the edges of
-// its steps where it comes in steps (angle_points.h).
+// of any size. A smoothing spline through the recorded angle (smoothing_spline.h), through the
+// edges of its steps where it comes in steps (angle_points.h).
 //
 // The noise is found from the angle: a step of the encoder, which rounds by step/sqrt(12), or the
 // white noise of its third differences where that is larger than a step.
@@ -18,15 +18,17 @@
 namespace tribolog {
 
 struct TracedMotion {
-  double noise_rad{};         ///< Standard deviation, joint side.
-  double encoder_step_rad{};  ///< 0: the angle looks continuous.
-  double residual_rad{};      ///< Standard deviation of q less the spline.
-  double centre_rad{};        ///< Halfway between the extremes.
-  double amplitude_rad{};     ///< Half of the way between them.
-  double frequency_Hz{};      ///< Half the number of strokes per second.
+  double noise_rad{};           ///< Standard deviation, joint side.
+  double encoder_step_rad{};    ///< 0: the angle looks continuous.
+  double residual_rad{};        ///< Standard deviation of q less the spline.
+  double centre_rad{};          ///< Halfway between the extremes.
+  double amplitude_rad{};       ///< Half of the way between them.
+  double frequency_Hz{};        ///< Half the number of strokes per second.
   std::vector<double> turns_s;  ///< Times of the turns between strokes, since the first sample.
 
   [[nodiscard]] std::size_t strokes() const { return turns_s.size() + 1; }
+  /// Whether the steps of the encoder are the noise.
+  [[nodiscard]] bool is_stepped() const { return noise_rad < encoder_step_rad; }
   /// "a step of the encoder of 5.2e-06 rad", or what else tells the noise.
   [[nodiscard]] std::string noise_in_words() const;
   /// Motor-side motion as a function of the time since the first sample.
