@@ -173,6 +173,19 @@ std::string what_is_not_shown(const LuGreFit& fit) {
   }
 }
 
+/// Of the loop that noise explains worst, in words; empty where it explains all of them.
+std::string worst_misfit(const LuGreFit& fit) {
+  const LuGreLoop* worst = nullptr;
+  const auto share = [](const LuGreLoop& loop) {
+    return loop.residual_Nm / loop.traced->explained_Nm;
+  };
+  for (const LuGreLoop& loop : fit.loops) {
+    if (loop.traced && (worst == nullptr || share(loop) > share(*worst))) worst = &loop;
+  }
+  return worst == nullptr ? ""
+                          : misfit_in_words(worst->recording, *worst->traced, worst->residual_Nm);
+}
+
 }  // namespace
 
 std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
@@ -226,11 +239,8 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
         "extrapolated: a larger amplitude would show it",
         100 * fit.motor_amplitude_rad * stiffness->value / level->value);
   }
-  for (const LuGreLoop& loop : fit.loops) {
-    const std::string misfit =
-        loop.traced ? misfit_in_words(loop.recording, *loop.traced, loop.residual_Nm) : "";
-    if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
-  }
+  const std::string misfit = worst_misfit(fit);
+  if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
   fit.linearised =
       std::make_shared<LinearisedFit>(linearised(climb, std::move(readings.shown), loops.size()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);
