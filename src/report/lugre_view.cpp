@@ -122,7 +122,10 @@ Table traced_table(const LuGreFit& f, double n, const Section& section) {
                    {"Stiffness after a reversal, at the joint: measured", stiffness.unit, true},
                    {"of the model", stiffness.unit, true}};
   const auto stated = [&](const std::optional<Estimate>& e) {
-    return e ? round_by_interval(scaled(*e, n), stiffness).plus_minus() : std::string("–");
+    if (!e) return std::string("–");
+    const RoundedEstimate rounded = round_by_interval(scaled(*e, n), stiffness);
+    const std::string range = rounded.range();
+    return range.empty() ? rounded.plus_minus() : rounded.plus_minus() + " (" + range + ")";
   };
   for (const LuGreLoop& loop : f.loops) {
     if (!loop.traced) continue;
@@ -137,7 +140,8 @@ Table traced_table(const LuGreFit& f, double n, const Section& section) {
   }
   table.note =
       "Stiffness after a reversal: slope of torque over angle in the first third of each stroke's "
-      "height, from the turn of the spline. It is up to 1.64 times the bristle stiffness σ₀ in a "
+      "height, from the turn of the spline (95 % interval). It is up to 1.64 times the bristle "
+      "stiffness σ₀ in a "
       "LuGre contact that turns from sliding, and σ₀ in one that turns long before.";
   return table;
 }
