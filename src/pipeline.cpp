@@ -5,6 +5,7 @@
 #include "stages/bootstrap/stated_intervals.h"
 #include "stages/data_checks/data_checks.h"
 #include "stages/gravity_by_other_ways.h"
+#include "stages/level_against_ramps.h"
 #include "stages/lugre_experiments.h"
 #include "study/truth_check.h"
 #include "verdict/judge.h"
@@ -118,6 +119,9 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
   begin("break-away ramps and loop shapes");
   c.loop_shapes = describe_loops(dataset.with_role(Role::oscillation), n);
   c.break_away = identify_break_away(dataset.with_role(Role::break_away), known_gravity(c));
+  if (c.hysteresis.lugre) {
+    c.hysteresis.lugre = against_ramps(std::move(*c.hysteresis.lugre), c.break_away);
+  }
 
   begin("gravity by other ways");
   const OtherWays other_ways = gravity_by_other_ways(dataset.with_role(Role::rough_sweep),

@@ -41,11 +41,24 @@ Json identifiability(const LuGreIdentifiability& i) {
           {"correlation", std::move(correlation)}};
 }
 
+Json traced(const std::optional<TracedLoop>& loop) {
+  if (!loop) return nullptr;
+  return {{"noise_rad", number(loop->noise_rad)},
+          {"noise_from", loop->noise_in_words},
+          {"strokes", loop->strokes},
+          {"explained_Nm", number(loop->explained_Nm)},
+          {"turn_stiffness_Nm_rad", interval(loop->turn_stiffness_Nm_rad)},
+          {"model_turn_stiffness_Nm_rad", interval(loop->model_turn_stiffness_Nm_rad)}};
+}
+
 Json recording(const LuGreLoop& loop) {
   return {{"recording", loop.recording},
           {"gravity_Nm", interval(loop.gravity_Nm)},
           {"start_deflection_rad", number(loop.start_deflection_rad)},
-          {"residual_Nm", number(loop.residual_Nm)}};
+          {"residual_Nm", number(loop.residual_Nm)},
+          {"motion", loop.motion},
+          {"motion_residual_rad", number(loop.motion_residual_rad)},
+          {"traced", traced(loop.traced)}};
 }
 
 }  // namespace

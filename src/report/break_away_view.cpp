@@ -37,11 +37,6 @@ std::string outcome_words(const BreakAwayRamp& ramp, const Scale& travel) {
          with_unit(significant(*ramp.first_slip_rad * travel.factor, 3), travel.unit);
 }
 
-/// A log's name without its directories: they are in the provenance.
-std::string log_name(const std::string& recording) {
-  return std::filesystem::path(recording).filename().string();
-}
-
 Table ramps_table(const BreakAwayResult& r, const Section& section) {
   Table table;
   table.id = section.id + "-ramps";
@@ -79,6 +74,10 @@ void describe_break_away(const Calibration& c, Section& section) {
   Table results = results_table(r, c.manifest.drive.gear_ratio(), section);
   if (!results.rows.empty()) section.tables.push_back(std::move(results));
   section.tables.push_back(ramps_table(r, section));
+}
+
+std::string log_name(const std::string& recording) {
+  return std::filesystem::path(recording).filename().string();
 }
 
 Table loop_shapes_table(const std::vector<LoopShape>& shapes, double n, const Section& section) {

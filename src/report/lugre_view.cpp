@@ -1,5 +1,6 @@
 // Stage 8: what the hysteresis loops alone show of LuGre.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -78,6 +79,73 @@ Table not_shown_table(const LuGreFit& f, const Section& section) {
   return table;
 }
 
+Fact motion_fact(const LuGreFit& f) {
+  double left = 0;
+  std::size_t traced = 0;
+  for (const LuGreLoop& loop : f.loops) {
+    left = std::max(left, loop.motion_residual_rad);
+    traced += loop.traced ? 1 : 0;
+  }
+  const Scale angle = radian_scale(left);
+  const std::string leaves = ", which leaves up to " +
+                             with_unit(significant(left * angle.factor, few_digits), angle.unit) +
+                             " of the recorded angle (standard deviation)";
+  if (traced == 0) return {"Motion that drives the model", "harmonics of the angle" + leaves};
+  const std::string all = traced == f.loops.size()
+                              ? "a smoothing spline through the angle, as it is not periodic"
+                              : "harmonics of the angle, and a smoothing spline through it where "
+                                "it is not periodic";
+  return {"Motion that drives the model", all + leaves};
+}
+
+Table traced_table(const LuGreFit& f, double n, const Section& section) {
+  Table table;
+  table.id = section.id + "-lugre-traced";
+  table.caption = "Loops along a spline: what is known of the motion, and how LuGre fits";
+  double largest = 0;
+  double stiffest = 0;
+  for (const LuGreLoop& loop : f.loops) {
+    if (!loop.traced) continue;
+    largest = std::max({largest, loop.motion_residual_rad, loop.traced->noise_rad});
+    if (loop.traced->turn_stiffness_Nm_rad) {
+      stiffest = std::max(stiffest, n * loop.traced->turn_stiffness_Nm_rad->value);
+    }
+  }
+  const Scale angle = radian_scale(largest);
+  const Scale stiffness = stiffness_scale(stiffest);
+  table.columns = {{"Recording", "", false, true},
+                   {"Strokes", "", true},
+                   {"Noise of the angle", angle.unit, true},
+                   {"Left of it by the spline", angle.unit, true},
+                   {"Scatter left by the fit", "N·m", true},
+                   {"Explained by noise", "N·m", true},
+                   {"Stiffness after a reversal, at the joint: measured", stiffness.unit, true},
+                   {"of the model", stiffness.unit, true}};
+  const auto stated = [&](const std::optional<Estimate>& e) {
+    if (!e) return std::string("–");
+    const RoundedEstimate rounded = round_by_interval(scaled(*e, n), stiffness);
+    const std::string range = rounded.range();
+    return range.empty() ? rounded.plus_minus() : rounded.plus_minus() + " (" + range + ")";
+  };
+  for (const LuGreLoop& loop : f.loops) {
+    if (!loop.traced) continue;
+    table.rows.push_back({{log_name(loop.recording), std::to_string(loop.traced->strokes),
+                           significant(loop.traced->noise_rad * angle.factor, few_digits),
+                           significant(loop.motion_residual_rad * angle.factor, few_digits),
+                           significant(loop.residual_Nm, few_digits),
+                           significant(loop.traced->explained_Nm, few_digits),
+                           stated(loop.traced->turn_stiffness_Nm_rad),
+                           stated(loop.traced->model_turn_stiffness_Nm_rad)},
+                          false});
+  }
+  table.note =
+      "Stiffness after a reversal: slope of torque over angle in the first third of each stroke's "
+      "height, from the turn of the spline (95 % interval). It is up to 1.64 times the bristle "
+      "stiffness σ₀ in a "
+      "LuGre contact that turns from sliding, and σ₀ in one that turns long before.";
+  return table;
+}
+
 Fact identifiability_fact(const LuGreIdentifiability& i) {
   std::string values;
   for (const double v : i.singular_values_Nm) {
@@ -102,11 +170,15 @@ void describe_lugre(const LuGreFit& f, double n, Section& section) {
                         (f.loops.size() == 1 ? " loop" : " loops together") +
                         ", motor speed up to " +
                         with_unit(significant(f.peak_speed_rad_s, few_digits), "rad/s")});
+  section.facts.push_back(motion_fact(f));
   if (!f.identifiability.names.empty()) {
     section.facts.push_back(identifiability_fact(f.identifiability));
   }
   section.tables.push_back(shown_table(f, n, section));
   section.tables.push_back(not_shown_table(f, section));
+  const bool traced = std::any_of(f.loops.begin(), f.loops.end(),
+                                  [](const LuGreLoop& loop) { return loop.traced.has_value(); });
+  if (traced) section.tables.push_back(traced_table(f, n, section));
 }
 
 }  // namespace tribolog::report

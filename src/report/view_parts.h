@@ -50,6 +50,8 @@ Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,
 /// Behind the stages: gravity by every way, ripple, positions, intervals.
 Section cross_checks_section(const Calibration& calibration);
 void add_interval_tables(const Calibration& calibration, Section& section);
+/// A recording's path without its folders.
+std::string log_name(const std::string& recording);
 void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
 /// The known-truth check as the section "known-truth"; only where the check was made.
 Section truth_check_section(const TruthCheckResult& check, int number);

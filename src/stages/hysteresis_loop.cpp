@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,25 +97,64 @@ void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
 
 struct LoopResult {
   Recording recording;
-  OscillationMotion motion;
+  std::optional<OscillationMotion> motion;  ///< Where the angle swings with a period.
+  std::optional<TracedMotion> traced;  ///< Where harmonics do not follow it, or there are none.
+  std::string why_not_followed;        ///< Where no model can be driven by the angle.
   Oscillation oscillation;
   LoopTrace trace;
-  LoopMidline midline;
+  std::optional<LoopMidline> midline;  ///< Of a loop with a period.
 };
 
-/// The mid-lines of all recordings as one estimate of the gravity torque.
+/// The mid-lines of all recordings that have one as one estimate of the gravity torque.
 void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple, double gear_ratio,
                       HysteresisResult& out) {
-  out.midline_Nm = loops.front().midline.torque_Nm;
-  if (loops.size() == 1) return;
   std::vector<Estimate> at_peak;
   std::vector<double> angle;
   for (const LoopResult& loop : loops) {
-    at_peak.push_back(scaled(loop.midline.torque_Nm, 1 / loop.midline.mean_cos));
+    if (!loop.midline) continue;
+    at_peak.push_back(scaled(loop.midline->torque_Nm, 1 / loop.midline->mean_cos));
     angle.push_back(gear_ratio * loop.oscillation.centre_rad);
   }
-  out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
-  out.midline_Nm = out.positions->gravity_Nm;
+  if (loops.size() == 1) {
+    if (loops.front().midline) out.midline_Nm = loops.front().midline->torque_Nm;
+  } else if (!at_peak.empty()) {
+    out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
+    out.midline_Nm = out.positions->gravity_Nm;
+  }
+}
+
+/// The motion of a recording, by harmonics or else by a spline; why not, if neither.
+std::string follow_the_angle(double encoder_step, LoopResult& loop) {
+  loop.motion = fit_oscillation_motion(loop.recording);
+  if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return "";
+  MotionTrace trace = trace_motion(loop.recording);
+  loop.traced = std::move(trace.motion);
+  if (loop.traced) return "";
+  const std::string no_period =
+      loop.motion ? fmt::format(
+                        "the angle is no periodic motion: a harmonic series leaves {:.2g} "
+                        "rad of an amplitude of {:.2g} rad",
+                        loop.motion->residual_rad, loop.motion->amplitude_rad)
+                  : "the angle does not swing through one whole cycle";
+  return fmt::format("{}: {}; and {}", loop.recording.name, no_period, trace.refusal);
+}
+
+/// Without cycles and noise of the torque.
+Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
+  if (loop.motion) {
+    return {loop.motion->centre_rad,
+            loop.motion->amplitude_rad,
+            loop.motion->frequency_Hz,
+            0,
+            0,
+            encoder_step};
+  }
+  return {loop.traced->centre_rad,
+          loop.traced->amplitude_rad,
+          loop.traced->frequency_Hz,
+          std::floor(static_cast<double>(loop.traced->strokes()) / 2),
+          0,
+          encoder_step};
 }
 
 /// LuGre fitted to all loops together; it observes the bristle of those that hold none.
@@ -124,15 +164,13 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
   std::vector<LoopTrace*> traces;
   std::string not_followed;
   for (LoopResult& loop : loops) {
-    if (loop.motion.follows_the_angle(loop.oscillation.encoder_step_rad)) {
-      inputs.push_back({&loop.recording, &loop.motion});
-      traces.push_back(&loop.trace);
-    } else if (not_followed.empty()) {
-      not_followed = fmt::format(
-          "{}: the angle is no periodic motion: a harmonic series leaves {:.2g} rad of an "
-          "amplitude of {:.2g} rad, so that the LuGre model cannot be driven by it",
-          loop.recording.name, loop.motion.residual_rad, loop.motion.amplitude_rad);
+    if (!loop.why_not_followed.empty()) {
+      if (not_followed.empty()) not_followed = loop.why_not_followed;
+      continue;
     }
+    inputs.push_back({&loop.recording, loop.motion ? &*loop.motion : nullptr,
+                      loop.traced ? &*loop.traced : nullptr});
+    traces.push_back(&loop.trace);
   }
   LuGreFit fit;
   if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple);
@@ -164,46 +202,46 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   std::vector<LoopResult> loops;
   std::vector<std::string> reasons;
   for (const Recording* whole : oscillations) {
-    const Recording recording = moving_part(*whole);
+    LoopResult loop;
+    loop.recording = moving_part(*whole);
+    const Recording& recording = loop.recording;
     out.samples_at_rest += whole->size() - recording.size();
-    const auto motion = fit_oscillation_motion(recording);
-    if (!motion) {
-      reasons.push_back(
-          fmt::format("{}: the angle does not swing through one whole cycle", recording.name));
+    const auto [step, is_of_print] = angle_step(recording.q_rad, gear_ratio);
+    // Rounding by the print lies on top of a step that is not known.
+    loop.why_not_followed = follow_the_angle(is_of_print ? 0.0 : step, loop);
+    if (!loop.motion && !loop.traced) {
+      reasons.push_back(loop.why_not_followed);
       continue;
     }
-    LoopResult loop;
     loop.trace = make_trace(recording);
-    const auto [step, is_of_print] = angle_step(recording.q_rad, gear_ratio);
-    loop.oscillation = {motion->centre_rad, motion->amplitude_rad, motion->frequency_Hz, 0, 0, step,
-                        is_of_print};
-    if (step > 0 && 2 * motion->amplitude_rad < fewest_steps_in_presliding * step) {
+    loop.oscillation = oscillation_of(loop, step);
+    loop.oscillation.step_is_of_print = is_of_print;
+    const double width = 2 * loop.oscillation.amplitude_rad;
+    if (step > 0 && width < fewest_steps_in_presliding * step) {
       reasons.push_back(
           fmt::format("{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
                       "of {:.3g} rad; "
                       "at least {:.0f} are needed",
-                      recording.name, step, 2 * motion->amplitude_rad / step,
-                      2 * motion->amplitude_rad, fewest_steps_in_presliding));
+                      recording.name, step, width / step, width, fewest_steps_in_presliding));
       out.encoder_step_rad = step;
       out.step_is_of_print = is_of_print;
       continue;
     }
-    const double q_peak = q_peak_rad ? q_peak_rad->value : motion->centre_rad;
-    const TraceReader reader(loop.trace, 1 / motion->frequency_Hz);
-    const auto midline = find_loop_midline(recording, *motion, q_peak, reader.torque_noise_Nm());
-    if (!midline) continue;
-    loop.midline = *midline;
-    loop.oscillation.cycles = midline->cycles;
-    loop.oscillation.steady_cycles = midline->steady_cycles;
-    loop.trace.midline_q_rad = midline->q_rad;
-    loop.trace.midline_Nm = midline->midline_Nm;
-    if (midline->start_up_included) {
-      reasons.push_back(fmt::format(
-          "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
-          recording.name));
+    if (loop.motion) {
+      const double q_peak = q_peak_rad ? q_peak_rad->value : loop.motion->centre_rad;
+      const TraceReader reader(loop.trace, 1 / loop.motion->frequency_Hz);
+      loop.midline = find_loop_midline(recording, *loop.motion, q_peak, reader.torque_noise_Nm());
+      if (!loop.midline) continue;
+      loop.oscillation.cycles = loop.midline->cycles;
+      loop.oscillation.steady_cycles = loop.midline->steady_cycles;
+      loop.trace.midline_q_rad = loop.midline->q_rad;
+      loop.trace.midline_Nm = loop.midline->midline_Nm;
+      if (loop.midline->start_up_included) {
+        reasons.push_back(fmt::format(
+            "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
+            recording.name));
+      }
     }
-    loop.recording = recording;
-    loop.motion = *motion;
     loops.push_back(std::move(loop));
   }
   for (const std::string& reason : reasons) {
@@ -214,16 +252,19 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     return out;
   }
 
-  const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().motion.centre_rad;
+  const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().oscillation.centre_rad;
   observe_bristle(loops, gear_ratio, q_peak, rough.ripple, out);
 
   out.found = true;
   out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
   const LoopResult& first = loops.front();
   combine_midlines(loops, rough.ripple, gear_ratio, out);
-  out.cycle_means_Nm = first.midline.cycle_means_Nm;
-  out.midline_q_rad = first.midline.mean_q_rad;
-  out.midline_mean_cos = loops.size() == 1 ? first.midline.mean_cos : 1.0;
+  out.midline_q_rad = first.oscillation.centre_rad;
+  if (first.midline) {
+    out.cycle_means_Nm = first.midline->cycle_means_Nm;
+    out.midline_q_rad = first.midline->mean_q_rad;
+    if (loops.size() == 1) out.midline_mean_cos = first.midline->mean_cos;
+  }
   const auto [low, high] =
       std::minmax_element(first.trace.torque_Nm.begin(), first.trace.torque_Nm.end());
   out.loop_height_Nm = *high - *low;

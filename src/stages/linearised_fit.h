@@ -27,6 +27,9 @@ struct LinearisedFit {
   Eigen::VectorXd residuals;   ///< r0 = model - measured.
   /// Block of each row, counted from 0, never falling: residuals of one block hang together.
   std::vector<std::size_t> block_of_row;
+  /// Errors that residuals do not show: each column, times a normal number of its own, moves the
+  /// parameters; may have no columns.
+  Eigen::MatrixXd further_shifts;
   std::vector<LinearisedReading> readings;  ///< Of every number that is given, not of the held.
   /// Columns of the gravity torque, one of each recording; empty where none is found.
   std::vector<Eigen::Index> gravity_columns;

@@ -5,13 +5,11 @@
 
 #include "stages/moving_part.h"
 #include "stages/oscillation_motion.h"
-#include "stages/student_t.h"
+#include "stages/turn_stiffness.h"
 
 namespace tribolog {
 namespace {
 
-constexpr double first_part = 1.0 / 3;     // of the loop's height, behind a reversal
-constexpr std::size_t fewest_samples = 4;  // of a stroke's first part
 constexpr std::size_t fewest_strokes = 2;
 
 double interpolate(const std::vector<double>& t, const std::vector<double>& y, double at) {
@@ -52,24 +50,6 @@ double dissipated_per_cycle(const SteadyPart& s, double gear_ratio, double cycle
   return whole > 0 ? work / whole : 0;
 }
 
-/// Compliance dq/dT over samples [first, last).
-double compliance(const Recording& r, std::size_t first, std::size_t last) {
-  const auto n = static_cast<double>(last - first);
-  double mean_t = 0;
-  double mean_q = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    mean_t += r.torque_Nm[i] / n;
-    mean_q += r.q_rad[i] / n;
-  }
-  double by_t = 0;
-  double by_q = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    by_t += std::pow(r.torque_Nm[i] - mean_t, 2);
-    by_q += (r.torque_Nm[i] - mean_t) * (r.q_rad[i] - mean_q);
-  }
-  return by_t > 0 ? by_q / by_t : 0;
-}
-
 /// Compliances behind each reversal of the steady cycles. A reversal is the last sample at the
 /// extreme angle of a half cycle about the fitted motion's own.
 std::vector<double> compliances(const SteadyPart& s, const HarmonicMotion& motion, double start_s,
@@ -90,27 +70,16 @@ std::vector<double> compliances(const SteadyPart& s, const HarmonicMotion& motio
     }
     std::size_t last = turn;
     while (last < r.size() &&
-           direction * (r.torque_Nm[turn] - r.torque_Nm[last]) < first_part * height_Nm) {
+           direction * (r.torque_Nm[turn] - r.torque_Nm[last]) < part_behind_turn * height_Nm) {
       ++last;
     }
-    if (last < r.size() && last - turn >= fewest_samples) {
-      const double c = compliance(r, turn, last);
+    if (last < r.size() && last - turn >= fewest_samples_behind_turn) {
+      const double c = compliance(r.torque_Nm, r.q_rad, turn, last);
       if (c > 0) out.push_back(c);
     }
     i = end;
   }
   return out;
-}
-
-Estimate inverse_of_mean(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double mean = 0;
-  for (const double v : values) mean += v / n;
-  double squares = 0;
-  for (const double v : values) squares += std::pow(v - mean, 2);
-  const double half = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  const double share = std::min(half / mean, 0.99);
-  return {1 / mean, 1 / (mean * (1 + share)), 1 / (mean * (1 - share)), "scatter of the strokes"};
 }
 
 }  // namespace
@@ -143,7 +112,7 @@ std::vector<LoopShape> describe_loops(const std::vector<const Recording*>& oscil
     const std::vector<double> all =
         compliances(steady, motion->motor_motion(1.0), motion->start_s, shape.height_Nm);
     shape.strokes = all.size();
-    if (all.size() >= fewest_strokes) shape.stiffness_Nm_rad = inverse_of_mean(all);
+    if (all.size() >= fewest_strokes) shape.stiffness_Nm_rad = stiffness_of(all);
     shapes.push_back(std::move(shape));
   }
   return shapes;

@@ -12,6 +12,7 @@
 #include "stages/lugre_experiments.h"
 #include "stages/lugre_identifiability.h"
 #include "stages/lugre_ladder.h"
+#include "stages/motion_noise.h"
 
 namespace tribolog {
 namespace {
@@ -29,24 +30,19 @@ LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio,
                         bool thinned) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    const auto motion = std::make_shared<HarmonicMotion>(loop.motion->motor_motion(gear_ratio));
-    const std::size_t stride = thinned ? stride_of(*loop.recording, loop.motion->frequency_Hz) : 1;
-    models.emplace_back(*loop.recording, motion, gear_ratio, q_peak_rad, stride);
+    const std::size_t stride = thinned ? stride_of(*loop.recording, loop.frequency_Hz()) : 1;
+    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
+                        stride);
   }
   return LuGreProblem(std::move(models));
 }
 
-/// Blocks of half a cycle, in which residuals of a misfitted loop hang together.
-std::vector<std::size_t> half_cycle_blocks(const std::vector<LuGreInput>& loops) {
+/// Half loops of all recordings, counted on, in which residuals of a misfitted loop hang together.
+std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops) {
   std::vector<std::size_t> blocks;
-  std::size_t first = 0;
   for (const LuGreInput& loop : loops) {
-    const auto& t = loop.recording->t_s;
-    for (const double time : t) {
-      blocks.push_back(
-          first + static_cast<std::size_t>((time - t.front()) * 2 * loop.motion->frequency_Hz));
-    }
-    first = blocks.back() + 1;
+    const std::size_t first = blocks.empty() ? 0 : blocks.back() + 1;
+    for (const std::size_t half : loop.half_loops()) blocks.push_back(first + half);
   }
   return blocks;
 }
@@ -59,14 +55,31 @@ void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProble
     fit.peak_speed_rad_s = std::max(fit.peak_speed_rad_s, model.peak_speed_rad_s());
     if (model.motor_amplitude_rad() > fit.motor_amplitude_rad) {
       fit.motor_amplitude_rad = model.motor_amplitude_rad();
-      fit.frequency_Hz = loops[r].motion->frequency_Hz;
+      fit.frequency_Hz = loops[r].frequency_Hz();
     }
   }
 }
 
+/// How the model's motion was made, and what that says of the loop.
+void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const LuGreClimb& climb,
+                     double gear_ratio, LuGreLoop& loop) {
+  loop.motion = input.traced != nullptr ? "spline" : "harmonics";
+  loop.motion_residual_rad =
+      input.traced != nullptr ? input.traced->residual_rad : input.motion->residual_rad;
+  if (input.traced == nullptr) return;
+  const double stiffness = std::exp(climb.point.shared(LuGreShared::log_stiffness));
+  std::vector<double> slope(model.speed_rad_s().size(), stiffness);
+  for (std::size_t i = 0; i < loop.dz_rad_s.size(); ++i) {
+    const double w = model.speed_rad_s()[i];
+    if (w != 0) slope[i] *= loop.dz_rad_s[i] / w;
+  }
+  loop.traced =
+      describe_traced_loop(*input.recording, *input.traced, loop.torque_Nm, slope, gear_ratio);
+}
+
 /// Gravity of each recording, and the fit's bristle in it.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
-                    const LuGreClimb& climb, LuGreFit& fit) {
+                    const LuGreClimb& climb, double gear_ratio, LuGreFit& fit) {
   const Eigen::VectorXd& residuals = climb.linear.fit.residuals;
   Eigen::Index top = 0;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
@@ -94,6 +107,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
                                : loop.start_deflection_rad;
       problem.models()[r].bristle(climb.point.shared, start, loop.z_rad, loop.dz_rad_s);
     }
+    describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, loop);
     top += rows;
     fit.loops.push_back(std::move(loop));
   }
@@ -105,7 +119,7 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
   std::vector<double> angle;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
     each.push_back(*fit.loops[r].gravity_Nm);
-    angle.push_back(gear_ratio * inputs[r].motion->centre_rad);
+    angle.push_back(gear_ratio * inputs[r].centre_rad());
   }
   return mean_over_positions(each, angle, ripple, "half cycles");
 }
@@ -159,6 +173,19 @@ std::string what_is_not_shown(const LuGreFit& fit) {
   }
 }
 
+/// Of the loop that noise explains worst, in words; empty where it explains all of them.
+std::string worst_misfit(const LuGreFit& fit) {
+  const LuGreLoop* worst = nullptr;
+  const auto share = [](const LuGreLoop& loop) {
+    return loop.residual_Nm / loop.traced->explained_Nm;
+  };
+  for (const LuGreLoop& loop : fit.loops) {
+    if (loop.traced && (worst == nullptr || share(loop) > share(*worst))) worst = &loop;
+  }
+  return worst == nullptr ? ""
+                          : misfit_in_words(worst->recording, *worst->traced, worst->residual_Nm);
+}
+
 }  // namespace
 
 std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
@@ -179,7 +206,7 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
     return fit;
   }
   const LuGreProblem thinned = problem_of(loops, gear_ratio, q_peak_rad, true);
-  const LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_cycle_blocks(loops));
+  LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_loop_blocks(loops));
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
@@ -187,6 +214,9 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
     return fit;
   }
   fit.converged = true;
+  Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
+  by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
+  climb.around.covariance += by_motion * by_motion.transpose();
   const auto freedom = static_cast<double>(problem.samples() - climb.linear.r_factor.cols());
   fit.residual_Nm = std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
@@ -194,7 +224,7 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   fit.parameters = std::move(readings.parameters);
   fit.identifiability =
       lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
-  describe_loops(loops, problem, climb, fit);
+  describe_loops(loops, problem, climb, gear_ratio, fit);
   if (climb.free.starts) {
     fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
     fit.gravity_Nm = fit.positions->freedom > 0 ? fit.positions->gravity_Nm
@@ -209,6 +239,8 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
         "extrapolated: a larger amplitude would show it",
         100 * fit.motor_amplitude_rad * stiffness->value / level->value);
   }
+  const std::string misfit = worst_misfit(fit);
+  if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
   fit.linearised =
       std::make_shared<LinearisedFit>(linearised(climb, std::move(readings.shown), loops.size()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);

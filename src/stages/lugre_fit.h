@@ -4,12 +4,15 @@
 //
 // All recordings together, of any amplitude, frequency and position: friction and inertia are
 // shared, gravity torque and the deflection at the start are each recording's own (torque ripple is
-// a constant over a micro-oscillation). The motion is what was fitted to q(t). Which parameters the
-// loops carry is decided by the data (lugre_ladder.h); one that they do not show is held, is given
-// no number, and comes with the experiment that would show it.
+// a constant over a micro-oscillation). The motion is what was fitted to q(t): harmonics, or a
+// spline where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a
+// loop, and the first reversal makes it forget where. Which parameters the loops carry is decided
+// by the data (lugre_ladder.h); one that they do not show is held, is given no number, and comes
+// with the experiment that would show it.
 //
 // Intervals: block regression over half cycles, right for residuals that hang together within a
-// stroke; wrong where the model is, which the residual's scatter against the noise tells.
+// stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
+// spline the noise of the angle is added (motion_noise.h).
 
 #include <memory>
 #include <optional>
@@ -19,8 +22,9 @@
 #include "joint/recording.h"
 #include "stages/estimate.h"
 #include "stages/loop_misfit.h"
-#include "stages/oscillation_motion.h"
+#include "stages/lugre_input.h"
 #include "stages/position_mean.h"
+#include "stages/traced_loop.h"
 
 namespace tribolog {
 
@@ -75,6 +79,9 @@ struct LuGreLoop {
   std::vector<double> dz_rad_s;
   std::vector<double> torque_Nm;  ///< The model's torque there.
   LoopMisfit misfit;
+  std::string motion;                ///< What drove the model: "harmonics" or "spline".
+  double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
+  std::optional<TracedLoop> traced;  ///< Of a spline.
 };
 
 struct LuGreFit {
@@ -99,11 +106,6 @@ struct LuGreFit {
 
   /// Present only where the parameter is shown.
   [[nodiscard]] std::optional<Estimate> shown(const std::string& name) const;
-};
-
-struct LuGreInput {
-  const Recording* recording{};
-  const OscillationMotion* motion{};  ///< Fitted to it.
 };
 
 /// @param loops at least one.

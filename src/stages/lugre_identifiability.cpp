@@ -145,19 +145,37 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
   const double share = std::exp(p(Shared::log_share));
   const double fall = p(Shared::fall);
   LuGreReadings out;
+  /// Why a parameter that could have been fitted was not: `otherwise`, or what came of it.
+  const auto why_held = [&](Shared::Index parameter, const char* unit, const char* otherwise) {
+    for (const NegativeOutcome& n : climb.negative) {
+      if (n.parameter != parameter) continue;
+      return fmt::format(
+          "fitted freely it comes out at {:.3g} {}, which no joint has: the loops depart from the "
+          "model where it would act",
+          n.value, unit);
+    }
+    return std::string(otherwise);
+  };
   const auto judge = [&](const char* name, const char* unit, Reading r) {
     r.name = name;
     out.parameters.push_back(judged(unit, r, reader, climb));
     if (out.parameters.back().estimate) out.shown.push_back(std::move(r));
   };
   judge("bristle_stiffness_Nm_rad", "N·m/rad", reader.product(s0, {{Shared::log_stiffness, 1}}));
-  judge("bristle_damping_Nms_rad", "N·m·s/rad", reader.plain(Shared::damping));
+  if (climb.column(Shared::damping) >= 0) {
+    judge("bristle_damping_Nms_rad", "N·m·s/rad", reader.plain(Shared::damping));
+  } else {
+    out.parameters.push_back(
+        held("bristle_damping_Nms_rad", 0.0, why_held(Shared::damping, "N·m·s/rad", "")));
+  }
   if (climb.column(Shared::viscous) >= 0) {
     judge("viscous_Nms_rad", "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
     out.parameters.push_back(
         held("viscous_Nms_rad", 0.0,
-             "bristle damping has the same effect on these loops: the two show as a sum"));
+             why_held(Shared::viscous, "N·m·s/rad",
+                      "bristle damping has the same effect on these loops: the two show as a "
+                      "sum")));
   }
   if (climb.column(Shared::log_static) >= 0) {
     judge("static_Nm", "N·m", reader.product(ts, {{Shared::log_static, 1}}));
@@ -196,7 +214,8 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
   } else {
     out.parameters.push_back(
         held("inertia_kgm2", 0.0,
-             "at one frequency its torque has the shape of the bristles' elastic one"));
+             why_held(Shared::inertia, "kg·m²",
+                      "at one frequency its torque has the shape of the bristles' elastic one")));
   }
   return out;
 }

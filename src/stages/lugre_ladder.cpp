@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -25,6 +27,11 @@ std::vector<Shared::Index> with(std::vector<Shared::Index> some,
                                 std::initializer_list<Shared::Index> more) {
   some.insert(some.end(), more);
   std::sort(some.begin(), some.end());
+  return some;
+}
+
+std::vector<Shared::Index> without(std::vector<Shared::Index> some, Shared::Index one) {
+  some.erase(std::remove(some.begin(), some.end(), one), some.end());
   return some;
 }
 
@@ -51,17 +58,19 @@ class Climber {
       if (bends(fewer) || !level.converged) level = std::move(fewer);
     }
     if (!level.converged) return elastic();
-    if (!fall_shows_at(level)) return bends(level) ? counted(level) : elastic();
+    if (!fall_shows_at(level)) return bends(level) ? counted(possible(level)) : elastic();
     LuGreClimb whole = with_fall(level, {Shared::log_share, Shared::fall}, LuGreRung::whole);
     if (whole.stands(Shared::log_share, widest_climbed) &&
-        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole)) {
+        whole.stands(Shared::fall, widest_climbed) && falls(whole) && pays(level, whole) &&
+        !first_negative(whole)) {
       return counted(whole);
     }
     LuGreClimb curved = with_fall(level, {Shared::fall}, LuGreRung::curvature);
-    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved)) {
+    if (curved.stands(Shared::fall, widest_climbed) && falls(curved) && pays(level, curved) &&
+        !first_negative(curved)) {
       return counted(curved);
     }
-    return bends(level) ? counted(level) : elastic();
+    return bends(level) ? counted(possible(level)) : elastic();
   }
 
  private:
@@ -141,7 +150,7 @@ class Climber {
   /// would let it fall, with its interval.
   bool fall_shows_at(const LuGreClimb& level) {
     LuGreClimb probe;
-    probe.free = {with(at_level, {Shared::fall}), true};
+    probe.free = {with(level.free.shared, {Shared::fall}), true};
     probe.point = level.point;
     probe.height_Nm = height_;
     probe.linear = problem_.linearise(probe.free, probe.point, blocks_);
@@ -154,7 +163,7 @@ class Climber {
 
   LuGreClimb with_fall(const LuGreClimb& level, std::initializer_list<Shared::Index> more,
                        LuGreRung rung) {
-    const LuGreFreedom free{with(at_level, more), true};
+    const LuGreFreedom free{with(level.free.shared, more), true};
     std::vector<LuGrePoint> guesses;
     // Stribeck velocities from well within the loops' speeds to beyond them.
     for (const double share_of_peak : {0.15, 0.4, 1.0, 3.0}) {
@@ -165,6 +174,27 @@ class Climber {
     const LuGreProblem::Solution s = best_thinned(free, guesses);
     if (!s.converged) return {};
     return polished(rung, free, s.point);
+  }
+
+  /// The first parameter that is negative beyond doubt.
+  static std::optional<Shared::Index> first_negative(const LuGreClimb& c) {
+    for (const Shared::Index one : {Shared::inertia, Shared::viscous, Shared::damping}) {
+      if (c.stands(one, widest_shown) && c.point.shared(one) < 0) return one;
+    }
+    return std::nullopt;
+  }
+
+  /// Fitted again without what is negative beyond doubt, one after the other.
+  LuGreClimb possible(LuGreClimb climb) {
+    while (const auto one = first_negative(climb)) {
+      std::vector<NegativeOutcome> negative = climb.negative;
+      negative.push_back({*one, climb.point.shared(*one)});
+      LuGrePoint guess = climb.point;
+      guess.shared(*one) = 0;
+      climb = polished(climb.rung, {without(climb.free.shared, *one), climb.free.starts}, guess);
+      climb.negative = std::move(negative);
+    }
+    return climb;
   }
 
   LuGreClimb elastic() {

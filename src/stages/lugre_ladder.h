@@ -7,6 +7,10 @@
 //   curvature  + (Ts - Tc)/ws^2               friction falls with speed, only the start of it
 //   whole      + Tc and ws apart              the speed passes the Stribeck velocity
 //
+// Damping, viscous coefficient or inertia below zero is what no joint has: where one of them is
+// sure to be negative, the fall is not climbed for, and the level is fitted again with that one at
+// zero.
+//
 // G and the deflection at the start are each recording's own on all rungs (on the first the start
 // cannot be told from G, and neither is found).
 
@@ -16,6 +20,12 @@
 #include "stages/lugre_problem.h"
 
 namespace tribolog {
+
+/// A parameter that came out negative beyond doubt, and was held at zero instead.
+struct NegativeOutcome {
+  LuGreShared::Index parameter{};
+  double value{};
+};
 
 enum class LuGreRung { elastic, level, curvature, whole };
 
@@ -42,6 +52,7 @@ struct LuGreClimb {
   BlockRegression around;  ///< The next step of the fit, which is none, and its covariance.
   double height_Nm{};      ///< Largest height of a loop.
   int evaluations{};
+  std::vector<NegativeOutcome> negative;
 
   /// Column of a shared parameter, or -1 where it is held.
   [[nodiscard]] Eigen::Index column(LuGreShared::Index parameter) const;

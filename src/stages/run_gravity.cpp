@@ -16,7 +16,7 @@ namespace tribolog {
 namespace {
 
 constexpr double least_travel_share = 0.25;
-constexpr double least_travel_rad = 3 / degrees;
+constexpr double least_travel_rad = 3 / degrees_per_rad;
 constexpr std::size_t fewest_blocks = 6;
 // As for the sweep: a chance of far below 0.1 % without gravity.
 constexpr double least_evidence = 27;
@@ -115,7 +115,7 @@ RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recor
     out.reason = fmt::format(
         "no run at constant speed travels far enough for gravity: the widest {:.2g}°, at least "
         "{:.2g}° are needed",
-        widest * degrees, least_travel_rad * degrees);
+        widest * degrees_per_rad, least_travel_rad * degrees_per_rad);
     return out;
   }
   out.lowest_rad = runs.front().low_rad;

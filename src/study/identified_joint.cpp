@@ -11,8 +11,8 @@
 #include "friction/waiboer.h"
 #include "simulate/bristle_integrator.h"
 #include "stages/encoder_resolution.h"
+#include "stages/lugre_input.h"
 #include "stages/moving_part.h"
-#include "stages/oscillation_motion.h"
 #include "stages/plateaus.h"
 #include "stages/waiboer_fit.h"
 #include "study/found_noise.h"
@@ -134,8 +134,10 @@ class Maker {
       return {};
     }
     const auto motion = fit_oscillation_motion(r);
-    if (!motion) {
-      why_not = "the angle does not swing through one whole cycle";
+    const bool is_harmonic = motion && motion->follows_the_angle(common_step(r.q_rad));
+    const MotionTrace trace = is_harmonic ? MotionTrace{} : trace_motion(r);
+    if (!motion && !trace.motion) {
+      why_not = "the angle does not swing through one whole cycle; and " + trace.refusal;
       return {};
     }
     const LuGreFit& fit = *c_.hysteresis.lugre;
@@ -157,7 +159,10 @@ class Maker {
         {stiffness->value, size_of("bristle_damping_Nms_rad"), size_of("viscous_Nms_rad"),
          weakens ? coulomb->value : level->value, level->value, weakens ? stribeck->value : 1.0});
     const double inertia = size_of("inertia_kgm2");
-    const HarmonicMotion motor = motion->motor_motion(n_);
+    const LuGreInput input{&r, motion ? &*motion : nullptr,
+                           trace.motion ? &*trace.motion : nullptr};
+    const std::shared_ptr<const Motion> along = input.motor_motion(n_);
+    const Motion& motor = *along;
     const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);
     std::vector<double> z(r.size());
     std::vector<double> dz(r.size());
@@ -170,7 +175,7 @@ class Maker {
       const double x = t / dt - static_cast<double>(k);
       const double z_t = z[k] + x * (z[k + 1] - z[k]);
       const double dz_t = dz[k] + x * (dz[k + 1] - dz[k]);
-      torque[i] = gravity(r.q_rad[i], motion->centre_rad) +
+      torque[i] = gravity(r.q_rad[i], input.centre_rad()) +
                   friction.torque_Nm(z_t, dz_t, motor.speed(t)) + inertia * motor.acceleration(t);
     }
     return torque;

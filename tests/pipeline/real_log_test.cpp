@@ -160,6 +160,50 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   }
 }
 
+bool overlap(const Estimate& a, const Estimate& b) { return a.low <= b.high && b.low <= a.high; }
+
+TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
+  const LuGreFit& f = *c.hysteresis.lugre;
+  const auto stiffness = f.shown("bristle_stiffness_Nm_rad");
+  ASSERT_TRUE(stiffness);
+  ASSERT_EQ(f.loops.size(), 3U);
+  ASSERT_EQ(c.loop_shapes.size(), 3U);
+  std::size_t k = 0;
+  for (const Recording* whole : dataset.with_role(Role::oscillation)) {
+    const LuGreLoop& loop = f.loops[k];
+    EXPECT_EQ(loop.motion, "spline");
+    ASSERT_TRUE(loop.traced && loop.traced->model_turn_stiffness_Nm_rad);
+    EXPECT_TRUE(
+        overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
+    // The same by the other way: the shape of the loop that the model's torque makes.
+    Recording model = *whole;
+    const auto offset = static_cast<std::ptrdiff_t>(
+        std::find(whole->t_s.begin(), whole->t_s.end(), loop.t_s.front()) - whole->t_s.begin());
+    std::copy(loop.torque_Nm.begin(), loop.torque_Nm.end(), model.torque_Nm.begin() + offset);
+    const auto shapes = describe_loops({&model}, 1);
+    ASSERT_TRUE(shapes.size() == 1 && shapes[0].stiffness_Nm_rad);
+    RecordProperty("measured_" + std::to_string(k),
+                   std::to_string(c.loop_shapes[k].stiffness_Nm_rad->value));
+    RecordProperty("model_" + std::to_string(k), std::to_string(shapes[0].stiffness_Nm_rad->value));
+    // Where they differ by more than both intervals, the fit has to say that the model is wrong.
+    if (!overlap(*shapes[0].stiffness_Nm_rad, *c.loop_shapes[k].stiffness_Nm_rad)) {
+      EXPECT_NE(f.reason.find("not LuGre's"), std::string::npos) << f.reason;
+    }
+    // The tangent behind a reversal is between one and two times the bristles' stiffness.
+    EXPECT_GT(loop.traced->turn_stiffness_Nm_rad->high, stiffness->low);
+    EXPECT_LT(loop.traced->turn_stiffness_Nm_rad->low, 2 * stiffness->high);
+    ++k;
+  }
+  // The joint holds far more in the ramps than the 6 N·m of the loops, which creep.
+  EXPECT_NE(f.reason.find("the loops creep"), std::string::npos) << f.reason;
+  EXPECT_FALSE(f.shown("coulomb_Nm"));
+  EXPECT_FALSE(f.shown("inertia_kgm2")) << "at such speeds inertia is nothing";
+}
+
 const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
   for (const QuantityVerdict& q : c.judgement.quantities) {
     if (q.key == key) return q;

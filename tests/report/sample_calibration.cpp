@@ -89,6 +89,11 @@ HysteresisResult loop() {
   only.recording = "oscillation";
   only.gravity_Nm = fit.gravity_Nm;
   only.residual_Nm = 0.02;
+  only.motion = "spline";
+  only.motion_residual_rad = 1.5e-6;
+  const Estimate behind_turns{7e4, 6.9e4, 7.1e4, "scatter of the strokes"};
+  only.traced = TracedLoop{
+      1.6e-6, "a step of the encoder of 5e-06 rad", 11, 0.02, behind_turns, behind_turns};
   fit.loops = {only};
   fit.residual_Nm = 0.02;
   fit.iterations = 7;

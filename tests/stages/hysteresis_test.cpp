@@ -152,18 +152,32 @@ TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
               1e-3 * test::true_surrogate_mass_kg);
 }
 
-TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsNotFitted) {
+/// Oscillations that drift, and whose angle shakes from sample to sample.
+Dataset drifting(double shaking_rad) {
   Dataset d = test::simulated_dataset(test::noisy_paper_joint(2));
   for (Recording& r : d.recordings) {
     if (r.role != Role::oscillation) continue;
     for (std::size_t i = 0; i < r.size(); ++i) {
-      r.q_rad[i] -= 5e-5 * std::exp(-static_cast<double>(i) / 3000);
+      const auto k = static_cast<double>(i);
+      r.q_rad[i] += shaking_rad * std::sin(1e4 * std::sin(k)) - 5e-5 * std::exp(-k / 3000);
     }
   }
-  const HysteresisResult h = hysteresis_of(d);
+  return d;
+}
+
+TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsFittedAlongASpline) {
+  const HysteresisResult h = hysteresis_of(drifting(0));
+  ASSERT_TRUE(h.lugre);
+  ASSERT_TRUE(h.lugre->converged) << h.lugre->reason;
+  EXPECT_EQ(h.lugre->loops.front().motion, "spline");
+}
+
+TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
+  const HysteresisResult h = hysteresis_of(drifting(1e-5));
   ASSERT_TRUE(h.lugre);
   EXPECT_FALSE(h.lugre->converged);
   EXPECT_NE(h.lugre->reason.find("no periodic motion"), std::string::npos) << h.lugre->reason;
+  EXPECT_NE(h.lugre->reason.find("too rough to give a speed"), std::string::npos);
   EXPECT_TRUE(h.bristle_source.empty());
 }
 

@@ -63,7 +63,8 @@ void LoopResampler::prepare_fit() {
   if (!lugre || !lugre->converged || !lugre->linearised) return;
   const LinearisedFit& fit = *lugre->linearised;
   const LoopTrace& trace = hysteresis_.traces.front();
-  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 &&
+  // A loop that a torque drove has strokes, not cycles: its fit keeps its own blocks.
+  fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->loops.front().traced &&
                    fit.residuals.size() == static_cast<Eigen::Index>(trace.t_s.size());
   const BlockRegression around = block_regression(
       fit.jacobian, -fit.residuals,
@@ -72,9 +73,13 @@ void LoopResampler::prepare_fit() {
           : fit.block_of_row);
   const auto readings = static_cast<Eigen::Index>(fit.readings.size());
   reading_shifts_.resize(readings, around.block_shifts.cols());
+  further_shifts_.resize(readings, fit.further_shifts.cols());
   for (Eigen::Index k = 0; k < readings; ++k) {
     const LinearisedReading& reading = fit.readings[static_cast<std::size_t>(k)];
     reading_shifts_.row(k) = reading.gradient.transpose() * around.block_shifts;
+    if (fit.further_shifts.cols() > 0) {
+      further_shifts_.row(k) = reading.gradient.transpose() * fit.further_shifts;
+    }
     reading_freedom_.push_back(around.freedom_along(reading.gradient));
   }
   const auto index_of = [&](const char* name) {
@@ -175,9 +180,13 @@ void LoopResampler::draw_fit(RandomStream& random, const std::vector<double>& co
   const Eigen::VectorXd shifts =
       reading_shifts_ *
       Eigen::Map<const Eigen::VectorXd>(drawn.data(), static_cast<Eigen::Index>(blocks));
+  Eigen::VectorXd normal(further_shifts_.cols());
+  for (double& n : normal) n = random.normal();
+  const Eigen::VectorXd further = further_shifts_ * normal;
   for (std::size_t k = 0; k < reading_freedom_.size(); ++k) {
     const double few = fit_by_cycles_ ? scale : few_blocks_scale(random, reading_freedom_[k]);
-    shift.lugre.push_back(few * shifts(static_cast<Eigen::Index>(k)));
+    const auto i = static_cast<Eigen::Index>(k);
+    shift.lugre.push_back(few * shifts(i) + further(i));
   }
 }
 

@@ -52,6 +52,7 @@ class LoopResampler {
   std::array<std::vector<double>, 6> turns_;  // readings by point, in the order of the cycles
   bool fit_by_cycles_{false};                 // else by the fit's own blocks
   Eigen::MatrixXd reading_shifts_;            // one row for each reading, one column for each block
+  Eigen::MatrixXd further_shifts_;            // errors beside the blocks, one row for each reading
   std::vector<double> reading_freedom_;
   Eigen::RowVectorXd gravity_shifts_;  // of the fit's gravity where it is by cycles
   double position_correlation_{0};     // of the mid-lines' scatter and that of the fit

@@ -1,0 +1,14 @@
+#pragma once
+// The level that hysteresis loops flatten at, against torque ramps that made the joint slide or
+// not.
+
+#include "stages/break_away.h"
+#include "stages/lugre_fit.h"
+
+namespace tribolog {
+
+/// Adds words to the fit's reason where ramps show that the joint holds more than the static torque
+/// of the fit: its loops then creep, and what flattens them is no break-away.
+LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
+
+}  // namespace tribolog

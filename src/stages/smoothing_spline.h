@@ -1,0 +1,46 @@
+#pragma once
+// The natural cubic spline that weighs closeness to points against bending:
+//
+//   sum ((y_i - s(t_i)) / error_i)^2 + weight * integral s''^2 dt  ->  least
+//
+// Reinsch's algorithm (C. H. Reinsch, Numer. Math. 10 (1967) 177-183): work in proportion to the
+// number of points. The weight is the one that predicts a point best from the others, by
+// generalised cross-validation (P. Craven, G. Wahba, Numer. Math. 31 (1979) 377-403): it needs no
+// word on how large errors are, only how they compare and that they are independent.
+
+#include <vector>
+
+namespace tribolog {
+
+/// Points of a curve, in the order of time.
+struct CurvePoints {
+  std::vector<double> t;
+  std::vector<double> y;
+  std::vector<double> error;  ///< > 0, up to a factor common to all.
+};
+
+class SmoothingSpline {
+ public:
+  struct Point {
+    double value{};
+    double slope{};      ///< s'
+    double curvature{};  ///< s''
+  };
+
+  /// @throw std::invalid_argument if there are fewer than four points, vectors of other sizes,
+  /// times that do not increase or errors that are not > 0.
+  explicit SmoothingSpline(const CurvePoints& points);
+
+  /// Beyond the points: the straight line that leaves the end.
+  [[nodiscard]] Point at(double t) const;
+  /// Parameters that the curve is worth: 2 of a straight line, one per point if it passes them all.
+  [[nodiscard]] double degrees_of_freedom() const { return freedom_; }
+
+ private:
+  std::vector<double> t_;
+  std::vector<double> value_;      // at the points
+  std::vector<double> curvature_;  // at the points; linear between them
+  double freedom_{};
+};
+
+}  // namespace tribolog
