@@ -56,6 +56,8 @@ Json recording(const LuGreLoop& loop) {
           {"gravity_Nm", interval(loop.gravity_Nm)},
           {"start_deflection_rad", number(loop.start_deflection_rad)},
           {"residual_Nm", number(loop.residual_Nm)},
+          {"height_Nm", number(loop.height_Nm)},
+          {"systematic_Nm", number(loop.systematic_Nm)},
           {"motion", loop.motion},
           {"motion_residual_rad", number(loop.motion_residual_rad)},
           {"traced", traced(loop.traced)}};

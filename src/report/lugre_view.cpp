@@ -59,6 +59,10 @@ Table shown_table(const LuGreFit& f, double n, const Section& section) {
   }
   table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
                                   torque_scale(f.residual_Nm), "fit"));
+  if (const LuGreLoop* worst = f.worst_described()) {
+    table.rows.push_back(number_row("Of it not explained by noise (root mean square)",
+                                    worst->systematic_Nm, torque_scale(f.residual_Nm), "fit"));
+  }
   table.note = as_sentence(f.reason);
   return table;
 }

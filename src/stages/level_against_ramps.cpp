@@ -20,10 +20,16 @@ LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   }
   const double held = rising > 0 && falling > 0 ? std::min(rising, falling) : 0;
   if (!(level->high < held)) return fit;
-  fit.reason += fmt::format(
-      "{}the loops flatten at {:.3g} N·m, but ramps of the torque show that the joint holds "
-      "{:.3g} N·m without sliding: the loops creep, and their level is no break-away torque",
-      fit.reason.empty() ? "" : "; ", level->value, held);
+  for (LuGreParameter& p : fit.parameters) {
+    if (p.name != "static_Nm") continue;
+    p.estimate.reset();
+    p.why_not = fmt::format(
+        "the loops flatten at {:.3g} N·m, but ramps of the torque show that the joint holds "
+        "{:.3g} N·m without sliding: the loops creep, and their level is no break-away torque",
+        level->value, held);
+    p.experiment = "the ramps themselves show it, where they end in sliding";
+    fit.reason += (fit.reason.empty() ? "" : "; ") + p.why_not;
+  }
   return fit;
 }
 

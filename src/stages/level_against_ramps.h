@@ -7,8 +7,8 @@
 
 namespace tribolog {
 
-/// Adds words to the fit's reason where ramps show that the joint holds more than the static torque
-/// of the fit: its loops then creep, and what flattens them is no break-away.
+/// Takes the static torque out of what the fit shows, with the reason, where ramps show that the
+/// joint holds more: its loops then creep, and what flattens them is no break-away.
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
 
 }  // namespace tribolog

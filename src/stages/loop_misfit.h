@@ -12,6 +12,8 @@ struct LoopMisfit {
   std::vector<double> q_rad;       ///< Middles of the bins that both directions pass.
   std::vector<double> rising_Nm;   ///< Mean of T - model while the angle grows.
   std::vector<double> falling_Nm;  ///< While it falls.
+  /// Root mean square of both, less what scatter leaves of itself in the means of bins.
+  double systematic_Nm{};
 };
 
 /// @param model_Nm torque of the model at the recording's samples.

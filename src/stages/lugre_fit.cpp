@@ -95,6 +95,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     for (Eigen::Index i = 0; i < rows; ++i) {
       loop.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
     }
+    loop.height_Nm = problem.models()[r].height_Nm();
     loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
     if (climb.free.starts) {
       loop.gravity_Nm = symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
@@ -108,6 +109,11 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
       problem.models()[r].bristle(climb.point.shared, start, loop.z_rad, loop.dz_rad_s);
     }
     describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, loop);
+    // Loops of other sizes cross the same angle at other torques: bins of the angle mix them.
+    loop.systematic_Nm = loop.traced
+                             ? std::sqrt(std::max(0.0, std::pow(loop.residual_Nm, 2) -
+                                                           std::pow(loop.traced->explained_Nm, 2)))
+                             : loop.misfit.systematic_Nm;
     top += rows;
     fit.loops.push_back(std::move(loop));
   }
@@ -187,6 +193,14 @@ std::string worst_misfit(const LuGreFit& fit) {
 }
 
 }  // namespace
+
+const LuGreLoop* LuGreFit::worst_described() const {
+  const auto worst =
+      std::max_element(loops.begin(), loops.end(), [](const LuGreLoop& a, const LuGreLoop& b) {
+        return a.systematic_Nm * b.height_Nm < b.systematic_Nm * a.height_Nm;
+      });
+  return worst == loops.end() ? nullptr : &*worst;
+}
 
 std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
   for (const LuGreParameter& p : parameters) {

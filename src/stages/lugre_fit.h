@@ -79,6 +79,9 @@ struct LuGreLoop {
   std::vector<double> dz_rad_s;
   std::vector<double> torque_Nm;  ///< The model's torque there.
   LoopMisfit misfit;
+  double height_Nm{};  ///< Largest less smallest torque.
+  /// What the model leaves and noise does not explain, root mean square.
+  double systematic_Nm{};
   std::string motion;                ///< What drove the model: "harmonics" or "spline".
   double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
   std::optional<TracedLoop> traced;  ///< Of a spline.
@@ -104,6 +107,9 @@ struct LuGreFit {
   /// Of a fit that converged (stages/linearised_fit.h).
   std::shared_ptr<const LinearisedFit> linearised;
 
+  /// The loop in which what noise does not explain is the largest share of the height; null
+  /// without loops.
+  [[nodiscard]] const LuGreLoop* worst_described() const;
   /// Present only where the parameter is shown.
   [[nodiscard]] std::optional<Estimate> shown(const std::string& name) const;
 };

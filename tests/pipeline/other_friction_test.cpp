@@ -1,5 +1,6 @@
 // The method on joints whose friction is not LuGre's: the mid-line owes nothing to the model.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -54,6 +55,24 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
     EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error()) << noisy;
     EXPECT_NEAR(c.precise.q_peak_rad.value, test::true_q_peak_rad(), noisy ? 0.02 : 1e-6);
   }
+}
+
+/// The verdict on the bristle stiffness; LuGre's is fitted, whatever the joint's friction.
+const QuantityVerdict& stiffness_of(const Calibration& c) {
+  const auto& all = c.judgement.quantities;
+  return *std::find_if(all.begin(), all.end(),
+                       [](const QuantityVerdict& q) { return q.key == "bristle_stiffness"; });
+}
+
+TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
+  Scenario scenario = test::noisy_paper_joint(7);
+  scenario.presliding = dynamic_friction_model(GetParam()).matched(contact());
+  const Calibration c = identify(test::simulated_dataset(scenario));
+  const auto stiffness = c.hysteresis.lugre->shown("bristle_stiffness_Nm_rad");
+  ASSERT_TRUE(stiffness);
+  const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
+  constexpr double small = 0.05;
+  EXPECT_EQ(stiffness_of(c).verdict == Verdict::usable, std::abs(error) < small) << error;
 }
 
 /// The matched model with one parameter changed.

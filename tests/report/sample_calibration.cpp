@@ -203,13 +203,13 @@ DataChecksResult sample_checks() {
   return {{fails, warns, absent}};
 }
 
-std::vector<QuantityVerdict> sample_quantities(const Estimate& q_peak_rad) {
+std::vector<QuantityVerdict> sample_quantities(const Estimate& peak_rad) {
   QuantityVerdict angle;
   angle.key = "cog_angle";
   angle.words = "Angle of the centre of gravity";
-  angle.estimate = q_peak_rad;
+  angle.estimate = peak_rad;
   angle.unit = "rad";
-  angle.limits = {{"q_peak_deg", "max", -20, "°", scaled(q_peak_rad, 57.29577951308232),
+  angle.limits = {{"q_peak_deg", "max", -20, "°", scaled(peak_rad, 57.29577951308232),
                    LimitState::inside, "angle keeps the limit"}};
   QuantityVerdict inertia;
   inertia.key = "inertia";

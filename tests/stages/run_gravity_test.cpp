@@ -112,8 +112,7 @@ TEST(RunGravity, ShortWaysAndNoGravityAreRefusedInWords) {
 TEST(RunGravity, SimulatedJointGivesTheSameAsItsSweep) {
   Scenario s = test::paper_joint();
   const Dataset d = test::simulated_dataset(s);
-  const RunGravityResult g =
-      identify_run_gravity(d.with_role(Role::constant_speed), s.gear_ratio);
+  const RunGravityResult g = identify_run_gravity(d.with_role(Role::constant_speed), s.gear_ratio);
   ASSERT_TRUE(g.found) << g.reason;
   EXPECT_NEAR(g.gravity_Nm.value / test::true_gravity_Nm, 1, 1e-3);
   EXPECT_NEAR(g.q_peak_rad.value, test::true_q_peak_rad(), 1e-3);
