@@ -1,7 +1,6 @@
 // Break-away ramps: beyond the paper's eight stages.
 
 #include <algorithm>
-#include <filesystem>
 
 #include "report/units.h"
 #include "report/view_parts.h"
@@ -74,10 +73,6 @@ void describe_break_away(const Calibration& c, Section& section) {
   Table results = results_table(r, c.manifest.drive.gear_ratio(), section);
   if (!results.rows.empty()) section.tables.push_back(std::move(results));
   section.tables.push_back(ramps_table(r, section));
-}
-
-std::string log_name(const std::string& recording) {
-  return std::filesystem::path(recording).filename().string();
 }
 
 Table loop_shapes_table(const std::vector<LoopShape>& shapes, double n, const Section& section) {

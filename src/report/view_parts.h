@@ -50,7 +50,7 @@ Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,
 /// Behind the stages: gravity by every way, ripple, positions, intervals.
 Section cross_checks_section(const Calibration& calibration);
 void add_interval_tables(const Calibration& calibration, Section& section);
-/// A recording's path without its folders.
+/// A recording's path without its folders, which are in the provenance.
 std::string log_name(const std::string& recording);
 void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
 /// The known-truth check as the section "known-truth"; only where the check was made.

@@ -93,7 +93,7 @@ void describe_viscous_curves(const Calibration& c, Section& section) {
             false};
     if (recommended != nullptr) row.cells.push_back(at_run(recommended, i));
     if (papers != nullptr) row.cells.push_back(at_run(papers, i));
-    row.cells.push_back(or_dash(run.recording));
+    row.cells.push_back(or_dash(log_name(run.recording)));
     table.rows.push_back(row);
   }
   table.note = "T with the 95 % interval of its mean.";
