@@ -1,5 +1,6 @@
 // The first table of the report: what the reader came for.
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/units.h"
@@ -56,6 +57,10 @@ class KeyNumbers {
 
   void angles() {
     const char* const peak = "Joint angle of largest gravity torque, q_peak";
+    if (c_.q_peak_rad && refused("cog_angle")) {
+      see_the_verdict(peak);
+      return;
+    }
     if (c_.q_peak_rad) {
       if (c_.q_peak_source == "runs") {
         angle(peak, *c_.q_peak_rad,
@@ -84,7 +89,9 @@ class KeyNumbers {
 
   void gravity() {
     const char* const name = "Gravity torque";
-    if (const SurrogateMass* mass = recommended_mass(c_)) {
+    if (refused("gravity_torque") && recommended_mass(c_) != nullptr) {
+      see_the_verdict(name);
+    } else if (const SurrogateMass* mass = recommended_mass(c_)) {
       sides(name, mass->gravity_Nm, n_, torque_scale,
             stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass->estimator));
     } else if (c_.rough.found) {
@@ -96,6 +103,10 @@ class KeyNumbers {
 
   void masses() {
     const std::string at = " at r = " + as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
+    if (refused("surrogate_mass") && recommended_mass(c_) != nullptr) {
+      see_the_verdict("Surrogate mass" + at);
+      return;
+    }
     if (const SurrogateMass* mass = recommended_mass(c_)) {
       mass_row("Surrogate mass" + at + ", recommended", *mass, true);
     } else {
@@ -120,7 +131,13 @@ class KeyNumbers {
       return loop.lugre ? loop.lugre->shown(name) : std::nullopt;
     };
     const std::string from_loop = stage_reference(StageId::parameters) + ", LuGre fit of the loops";
-    if (const auto level = shown("static_Nm")) {
+    const auto level = shown("static_Nm");
+    if (refused("break_away_torque") && (level || c_.break_away.mean_Nm)) {
+      see_the_verdict("Break-away torque");
+    } else if (c_.break_away.mean_Nm) {
+      sides("Break-away torque", *c_.break_away.mean_Nm, n_, torque_scale,
+            stage_reference(StageId::break_away) + ", ramps of the torque");
+    } else if (level) {
       sides("Break-away torque", *level, n_, torque_scale, from_loop);
     } else {
       missing("Break-away torque", StageId::hysteresis);
@@ -137,9 +154,24 @@ class KeyNumbers {
             number_row(name + ", at the joint", n_ * height, torque_scale(n_ * height), from));
       }
     }
-    if (const auto stiffness = shown("bristle_stiffness_Nm_rad")) {
+    const auto stiffness = shown("bristle_stiffness_Nm_rad");
+    if (refused("bristle_stiffness") && stiffness) {
+      see_the_verdict("Bristle stiffness σ₀");
+    } else if (stiffness) {
       sides("Bristle stiffness σ₀", *stiffness, n_ * n_, stiffness_scale, from_loop);
     }
+  }
+
+  /// A number that its verdict refuses is none to file.
+  [[nodiscard]] bool refused(const std::string& key) const {
+    const auto& all = c_.judgement.quantities;
+    return std::any_of(all.begin(), all.end(), [&](const QuantityVerdict& q) {
+      return q.key == key && q.verdict == Verdict::not_identifiable;
+    });
+  }
+
+  void see_the_verdict(const std::string& quantity) {
+    table_.rows.push_back(not_identified_row(quantity, "see the verdict on it"));
   }
 
   void coulomb_and_viscous() {
@@ -147,7 +179,9 @@ class KeyNumbers {
     const std::string from_line = stage_reference(StageId::parameters) + ", straight line";
     const std::string from_sweep = stage_reference(StageId::cog_rough) + ", sweep";
     const char* const coulomb = "Coulomb torque";
-    if (line) {
+    if (refused("coulomb_torque") && (line || c_.rough.coulomb_Nm)) {
+      see_the_verdict(coulomb);
+    } else if (line) {
       sides(coulomb, line->coulomb_Nm, n_, torque_scale, from_line);
     } else if (c_.rough.coulomb_Nm) {
       sides(coulomb, *c_.rough.coulomb_Nm, n_, torque_scale, from_sweep);
@@ -155,7 +189,9 @@ class KeyNumbers {
       missing(coulomb, StageId::parameters);
     }
     const char* const viscous = "Viscous coefficient";
-    if (line) {
+    if (refused("viscous_coefficient") && (line || c_.rough.viscous_Nms_rad)) {
+      see_the_verdict(viscous);
+    } else if (line) {
       sides(viscous, line->viscous_Nms_rad, n_ * n_, viscous_scale, from_line);
     } else if (c_.rough.viscous_Nms_rad) {
       sides(viscous, *c_.rough.viscous_Nms_rad, n_ * n_, viscous_scale, from_sweep);

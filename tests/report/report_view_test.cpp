@@ -147,6 +147,26 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
   EXPECT_EQ(section.tables.front().rows.front().cells[5], "censored: did not break away");
 }
 
+/// Cells of the key numbers' row that begins with these words.
+std::vector<std::string> key_number(const Calibration& c, const std::string& words) {
+  for (const Row& row : view_of(c).key_numbers.rows) {
+    if (row.cells[0].starts_with(words)) return row.cells;
+  }
+  return {};
+}
+
+TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
+  Calibration c = complete_calibration();
+  ASSERT_EQ(key_number(c, "Break-away torque").back(), "stage 8, LuGre fit of the loops");
+  c.break_away.mean_Nm = symmetric_estimate(0.9, 0.02, "ramps");
+  EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, ramps of the torque");
+  QuantityVerdict refused;
+  refused.key = "break_away_torque";
+  refused.verdict = Verdict::not_identifiable;
+  c.judgement.quantities.push_back(refused);
+  EXPECT_EQ(key_number(c, "Break-away torque").back(), "see the verdict on it");
+}
+
 TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   Calibration c = complete_calibration();
   CrossCheck ours;
