@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ingest/csv_fields.h"
+#include "ingest/log_table.h"
 
 namespace tribolog {
 
@@ -15,12 +16,7 @@ std::string to_string(Delimiter delimiter);
 /// @throw InputError if two delimiters fit equally well.
 Delimiter sniff_delimiter(std::string_view text, const std::string& file);
 
-/// A header's name and unit: "tau [Nm]" and "tau (Nm)" are "tau" in "Nm".
-struct ColumnHeader {
-  std::string full;
-  std::string name;
-  std::string unit;  ///< Empty: none stated.
-};
+/// The name and the unit in brackets behind it.
 ColumnHeader read_header_field(const std::string& field);
 
 }  // namespace tribolog

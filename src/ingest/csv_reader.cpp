@@ -41,15 +41,6 @@ std::size_t likely_rows(std::string_view text, std::size_t bytes_walked) {
 
 }  // namespace
 
-long CsvTable::line_of(std::size_t row) const {
-  const auto after =
-      std::upper_bound(line_breaks.begin(), line_breaks.end(), row,
-                       [](std::size_t wanted, const auto& entry) { return wanted < entry.first; });
-  if (after == line_breaks.begin()) return 0;
-  const auto& [first_row, first_line] = *std::prev(after);
-  return first_line + static_cast<long>(row - first_row);
-}
-
 CsvTable read_csv(std::string_view bytes, const std::string& file,
                   const std::vector<WantedColumn>& columns) {
   const std::string_view text = text_of_log(bytes, file);
@@ -59,7 +50,7 @@ CsvTable read_csv(std::string_view bytes, const std::string& file,
   RowCursor cursor(text);
   if (!cursor.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   const RowLayout layout = read_header(cursor, columns, table);
-  for (CsvColumn& column : table.columns) {
+  for (LogColumn& column : table.columns) {
     column.values.reserve(likely_rows(text, cursor.bytes_walked()));
   }
   if (table.delimiter != Delimiter::comma) {

@@ -10,42 +10,18 @@
 // cut off is left out and counted. Everything else is refused with the line and column where it
 // stands.
 
-#include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "error.h"
 #include "ingest/csv_dialect.h"
+#include "ingest/log_table.h"
 
 namespace tribolog {
 
-/// A column to convert.
-struct WantedColumn {
-  std::string name;          ///< With or without its bracketed unit.
-  std::string if_missing{};  ///< Added to the hint where there is no such column.
-};
-
-struct CsvColumn {
-  ColumnHeader header;
-  std::vector<double> values;  ///< NaN where there is a gap.
-  std::size_t gaps{};
-};
-
-struct CsvTable {
-  std::string file;
+struct CsvTable : LogTable {
   Delimiter delimiter{Delimiter::comma};
-  std::vector<std::string> header;  ///< All columns of the file, in full.
-  std::vector<CsvColumn> columns;   ///< Those asked for, in that order.
-  std::size_t rows{};               ///< Of each column.
-  std::size_t cut_rows{};           ///< 1 where the file ends inside a row, which is left out.
-  std::vector<std::string> notes;   ///< Peculiarities that the user should know.
-
-  /// Line of the file on which a row (from 0) stands.
-  [[nodiscard]] long line_of(std::size_t row) const;
-  /// (row, line) wherever a row does not follow directly on the line before it; ascending.
-  std::vector<std::pair<std::size_t, long>> line_breaks;
 };
 
 /// @param bytes the whole file. @param file its name, for messages.

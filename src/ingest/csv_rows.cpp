@@ -113,7 +113,7 @@ class RowReader {
 
   void keep() {
     for (std::size_t k = 0; k < values_.size(); ++k) {
-      CsvColumn& column = table_.columns[k];
+      LogColumn& column = table_.columns[k];
       column.values.push_back(values_[k]);
       if (std::isnan(values_[k])) ++column.gaps;
     }

@@ -76,7 +76,7 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
   const std::string path = (directory / entry.file).string();
   const std::string bytes = read_file(path);
   std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
-  const CsvTable table = read_columns_of(entry, bytes, path, loads);
+  const LogTable table = read_columns_of(entry, bytes, path, loads);
   Recording recording =
       make_recording(entry, table, dataset.manifest.drive, effort_sign, dataset.notes, &loads);
   InputFile input = fingerprint(entry.file, to_string(entry.role), bytes);

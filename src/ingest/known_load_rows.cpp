@@ -11,8 +11,8 @@
 namespace tribolog {
 namespace {
 
-const CsvColumn& column_named(const CsvTable& table, const std::string& name) {
-  return *std::find_if(table.columns.begin(), table.columns.end(), [&](const CsvColumn& c) {
+const LogColumn& column_named(const LogTable& table, const std::string& name) {
+  return *std::find_if(table.columns.begin(), table.columns.end(), [&](const LogColumn& c) {
     return c.header.name == name || c.header.full == name;
   });
 }
@@ -36,7 +36,7 @@ void add_load_columns(const std::vector<KnownLoad>& loads, Role role,
 }
 
 void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role,
-                                  const CsvTable& table) {
+                                  const LogTable& table) {
   for (const KnownLoad& load : loads) {
     if (!load.loads(role)) continue;
     for (const std::string& name : load.angles) {
@@ -51,7 +51,7 @@ void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role
   }
 }
 
-void subtract_known_loads(const CsvTable& table, const std::vector<std::size_t>& rows,
+void subtract_known_loads(const LogTable& table, const std::vector<std::size_t>& rows,
                           double gear_ratio, std::vector<KnownLoad>& loads, Recording& recording) {
   for (KnownLoad& load : loads) {
     if (!load.loads(recording.role)) continue;

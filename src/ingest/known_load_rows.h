@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ingest/csv_reader.h"
+#include "ingest/log_table.h"
 #include "joint/known_load.h"
 #include "joint/recording.h"
 
@@ -16,11 +16,11 @@ void add_load_columns(const std::vector<KnownLoad>& loads, Role role,
 
 /// @throw InputError for a unit in the log's header that contradicts the manifest.
 void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role,
-                                  const CsvTable& table);
+                                  const LogTable& table);
 
 /// Takes each load of the recording's role out of its torque, and counts it in the load.
 /// @param rows of the table, one for each sample of the recording.
-void subtract_known_loads(const CsvTable& table, const std::vector<std::size_t>& rows,
+void subtract_known_loads(const LogTable& table, const std::vector<std::size_t>& rows,
                           double gear_ratio, std::vector<KnownLoad>& loads, Recording& recording);
 
 }  // namespace tribolog

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ingest/closest_match.h"
+#include "ingest/csv_reader.h"
 #include "ingest/known_load_rows.h"
 #include "ingest/row_choice.h"
 
@@ -35,7 +36,7 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
 }
 
-[[noreturn]] void refuse_too_large(const ColumnEntry& column, const CsvTable& table,
+[[noreturn]] void refuse_too_large(const ColumnEntry& column, const LogTable& table,
                                    std::size_t row) {
   throw InputError({table.file, table.line_of(row), 0},
                    {fmt::format("column {}: number is too large in {}", in_quotes(column.name),
@@ -43,8 +44,8 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
                     "", "", ""});
 }
 
-void note_gaps(const CsvTable& table, RecordingNotes& notes) {
-  for (const CsvColumn& column : table.columns) {
+void note_gaps(const LogTable& table, RecordingNotes& notes) {
+  for (const LogColumn& column : table.columns) {
     const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
     if (share <= many_gaps) continue;
     notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
@@ -71,7 +72,7 @@ void note_implausible_units(const RecordingEntry& entry, const Recording& r,
 
 }  // namespace
 
-CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
+LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
                          const std::string& path, const std::vector<KnownLoad>& loads) {
   const auto entries = entries_in_order(entry.columns);
   std::vector<WantedColumn> wanted;
@@ -80,10 +81,10 @@ CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
     wanted.push_back({column->name, is_effort ? without_effort : ""});
   }
   add_load_columns(loads, entry.role, wanted);
-  CsvTable table = read_csv(bytes, path, wanted);
+  LogTable table = read_csv(bytes, path, wanted);
   refuse_unusable_load_columns(loads, entry.role, table);
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const CsvColumn& column = table.columns[k];
+    const LogColumn& column = table.columns[k];
     refuse_contradicting_unit(*entries[k], column.header);
     if (column.gaps < table.rows) continue;
     throw InputError({path, 0, 0}, {"column " + in_quotes(column.header.full) +
@@ -93,7 +94,7 @@ CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
   return table;
 }
 
-Recording make_recording(const RecordingEntry& entry, const CsvTable& table, const Drive& drive,
+Recording make_recording(const RecordingEntry& entry, const LogTable& table, const Drive& drive,
                          double effort_sign, std::vector<std::string>& notes_of_all,
                          std::vector<KnownLoad>* loads) {
   RecordingNotes notes(entry.file, notes_of_all);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ingest/csv_reader.h"
+#include "ingest/log_table.h"
 #include "ingest/manifest_file.h"
 #include "joint/recording.h"
 
@@ -16,7 +16,7 @@ namespace tribolog {
 /// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
 /// in
 ///        the log's header that contradicts the manifest.
-CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
+LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
                          const std::string& path, const std::vector<KnownLoad>& loads = {});
 
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
@@ -25,7 +25,7 @@ CsvTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
 /// @param loads those that load the recording are subtracted from its torque and count it.
 /// @throw InputError if time runs back further, more than 5 % of the time stamps stand twice, or
 ///        fewer than 20 rows are left.
-Recording make_recording(const RecordingEntry& entry, const CsvTable& table, const Drive& drive,
+Recording make_recording(const RecordingEntry& entry, const LogTable& table, const Drive& drive,
                          double effort_sign, std::vector<std::string>& notes,
                          std::vector<KnownLoad>* loads = nullptr);
 

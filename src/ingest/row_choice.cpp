@@ -17,7 +17,7 @@ constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
 
 class RowChooser {
  public:
-  RowChooser(const RecordingEntry& entry, const CsvTable& table, RecordingNotes& notes)
+  RowChooser(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes)
       : entry_(entry), table_(table), notes_(notes), to_seconds_(entry.columns.time->si_factor) {}
 
   RowChoice choose() {
@@ -67,7 +67,7 @@ class RowChooser {
       }
       const auto gap =
           std::find_if(table_.columns.begin(), table_.columns.end(),
-                       [row](const CsvColumn& column) { return std::isnan(column.values[row]); });
+                       [row](const LogColumn& column) { return std::isnan(column.values[row]); });
       if (gap == table_.columns.end()) {
         rows_.push_back(row);
       } else {
@@ -118,7 +118,7 @@ class RowChooser {
   }
 
   const RecordingEntry& entry_;
-  const CsvTable& table_;
+  const LogTable& table_;
   RecordingNotes& notes_;
   double to_seconds_;
   std::size_t steps_back_{0};
@@ -129,7 +129,7 @@ class RowChooser {
 
 }  // namespace
 
-RowChoice choose_rows(const RecordingEntry& entry, const CsvTable& table, RecordingNotes& notes) {
+RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes) {
   return RowChooser(entry, table, notes).choose();
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "error.h"
-#include "ingest/csv_reader.h"
+#include "ingest/log_table.h"
 #include "ingest/manifest_file.h"
 #include "joint/recording.h"
 
@@ -33,6 +33,6 @@ struct RowChoice {
 /// @throw InputError if time runs back by more than a second, more than 5 % of the time stamps
 /// stand
 ///        twice, or fewer than 20 rows are left.
-RowChoice choose_rows(const RecordingEntry& entry, const CsvTable& table, RecordingNotes& notes);
+RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes);
 
 }  // namespace tribolog

@@ -51,7 +51,7 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 bool comes_back(const std::vector<double>& values) {
   Recording r;
   r.t_s = r.q_rad = r.torque_Nm = values;
-  const CsvTable table = read_csv(recording_csv(r), "f", {{"torque_Nm"}});
+  const LogTable table = read_csv(recording_csv(r), "f", {{"torque_Nm"}});
   return std::equal(values.begin(), values.end(), table.columns.at(0).values.begin(),
                     table.columns.at(0).values.end(), same_bits);
 }

@@ -57,7 +57,7 @@ bool is_read_or_refused(const Read& read, const std::string& bytes) {
   return true;
 }
 
-CsvTable read_log(const std::string& bytes) {
+LogTable read_log(const std::string& bytes) {
   return read_csv(bytes, "run.csv", {{"t"}, {"q"}, {"tau"}});
 }
 

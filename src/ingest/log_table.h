@@ -1,0 +1,45 @@
+#pragma once
+// What a reader makes of a log, whatever its format: columns of numbers that share their rows.
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tribolog {
+
+/// A column's name and unit: "tau [Nm]" and "tau (Nm)" are "tau" in "Nm".
+struct ColumnHeader {
+  std::string full;
+  std::string name;
+  std::string unit;  ///< Empty: none stated.
+};
+
+struct LogColumn {
+  ColumnHeader header;
+  std::vector<double> values;  ///< NaN where there is a gap.
+  std::size_t gaps{};
+};
+
+struct LogTable {
+  std::string file;   ///< As given, for messages.
+  std::string group;  ///< Topic or variable whose rows these are; empty: the only one.
+  std::vector<std::string> header;  ///< All columns, in full, also those that were not read.
+  std::vector<LogColumn> columns;   ///< Those read.
+  std::size_t rows{};               ///< Of each column.
+  std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
+  std::vector<std::string> notes;   ///< Peculiarities that the user should know.
+
+  /// Line of the file on which a row (from 0) stands; 0 where the file has no lines.
+  [[nodiscard]] long line_of(std::size_t row) const;
+  /// (row, line) wherever a row does not follow directly on the line before it; ascending.
+  std::vector<std::pair<std::size_t, long>> line_breaks;
+};
+
+/// A column to convert.
+struct WantedColumn {
+  std::string name;          ///< With or without its bracketed unit.
+  std::string if_missing{};  ///< Added to the hint where there is no such column.
+};
+
+}  // namespace tribolog
