@@ -55,6 +55,8 @@ The manifest says, for example:
   [[limit]]                     # optional: what you accept; the report says whether it is kept
   quantity = "coulomb_joint_Nm" # a wrong name gets the list of them
   max = 15                      # max, min, half_width, half_width_percent
+  [log]                         # optional: what a text log cannot tell itself
+  decimal_comma = true
   [[known_load]]                # optional: gravity of further axes, subtracted from the logs
   amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
   angles = ["q1_rad", "q2_rad"] # columns of the log

@@ -58,7 +58,7 @@ std::string to_string(Delimiter delimiter) {
   return "unknown";
 }
 
-Delimiter sniff_delimiter(std::string_view text, const std::string& file) {
+Delimiter sniff_delimiter(std::string_view text, const std::string& file, DecimalMark mark) {
   constexpr std::size_t sampled_rows = 20;
   std::vector<std::string_view> rows;
   RowCursor cursor(text);
@@ -70,13 +70,15 @@ Delimiter sniff_delimiter(std::string_view text, const std::string& file) {
   if (rows.empty()) return Delimiter::comma;
   std::vector<Fit> fits;
   for (const Delimiter d : {Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
+    if (d == Delimiter::comma && mark == DecimalMark::comma) continue;
     if (const Fit fit = fit_of(d, rows); fit.columns > 1) fits.push_back(fit);
   }
   if (fits.empty()) {
     const Fit spaces = fit_of(Delimiter::spaces, rows);
     const bool is_one_name = rows.size() > 1 && spaces.rows_alike == 0 && spaces.columns == 2 &&
                              count_columns(rows[1], Delimiter::spaces) == 1;  // "tau [Nm]"
-    return spaces.columns > 1 && !is_one_name ? Delimiter::spaces : Delimiter::comma;
+    const Delimiter alone = mark == DecimalMark::comma ? Delimiter::semicolon : Delimiter::comma;
+    return spaces.columns > 1 && !is_one_name ? Delimiter::spaces : alone;
   }
   std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
     return a.rows_alike != b.rows_alike ? a.rows_alike > b.rows_alike : a.columns > b.columns;

@@ -6,6 +6,7 @@
 
 #include "ingest/csv_fields.h"
 #include "ingest/log_table.h"
+#include "ingest/number_field.h"
 
 namespace tribolog {
 
@@ -13,8 +14,10 @@ namespace tribolog {
 std::string to_string(Delimiter delimiter);
 
 /// The delimiter under which the header and the first rows have the same number of columns.
+/// @param mark with a decimal comma, commas are none.
 /// @throw InputError if two delimiters fit equally well.
-Delimiter sniff_delimiter(std::string_view text, const std::string& file);
+Delimiter sniff_delimiter(std::string_view text, const std::string& file,
+                          DecimalMark mark = DecimalMark::point);
 
 /// The name and the unit in brackets behind it.
 ColumnHeader read_header_field(const std::string& field);

@@ -10,14 +10,61 @@
 namespace tribolog {
 namespace {
 
-RowLayout read_header(RowCursor& cursor, const std::vector<WantedColumn>& columns,
-                      CsvTable& table) {
-  const Location line{table.file, cursor.line(), 0};
+/// The names, and units from a row of their own below them.
+struct Header {
+  std::vector<Field> fields;
+  std::string_view row;  ///< Empty: the log has none.
+  std::vector<std::string> units;
+};
+
+std::vector<Field> fields_of(const RowCursor& cursor, const LogTable& table, Delimiter delimiter) {
+  return split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
+}
+
+/// Goes on to the last row of the header; stays in front of the first row where there is none.
+Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
+                  const TextLogRules& rules, CsvTable& table) {
+  RowCursor first = cursor;
+  (void)first.next();
+  const Location line{table.file, first.line(), 0};
+  Header header;
+  header.fields = fields_of(first, table, table.delimiter);
+  if (holds_numbers_only(header.fields, rules.decimal_mark)) {
+    const bool by_position = std::all_of(columns.begin(), columns.end(), [](const WantedColumn& c) {
+      return c.name.starts_with('#');
+    });
+    if (!by_position) {
+      throw InputError({line.file, line.line, 1},
+                       {"no column names: the first row holds numbers", "", "",
+                        "put a first line with the columns' names, without '#', or ask for columns "
+                        "by their position: \"#1\", \"#2\""});
+    }
+    header.fields = names_by_position(header.fields.size());
+    table.notes.emplace_back("no column names; columns are taken by their position");
+    return header;
+  }
+  if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));
+  header.row = first.row();
+  check_header(header.fields, line);
+  cursor = first;
+  RowCursor second = cursor;
+  if (!second.next()) return header;
+  const std::vector<Field> below = fields_of(second, table, table.delimiter);
+  if (below.size() != header.fields.size() || !holds_units(below, rules.decimal_mark)) {
+    return header;
+  }
+  for (const Field& field : below) header.units.emplace_back(without_brackets(field.text));
+  table.notes.emplace_back("units are taken from the row under the header");
+  cursor = second;
+  return header;
+}
+
+RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns,
+                  const TextLogRules& rules, const Location& line, CsvTable& table) {
   RowLayout layout;
-  layout.header_row = cursor.row();
-  layout.header = split_row(cursor.row(), table.delimiter, line);
-  if (table.delimiter == Delimiter::spaces) layout.header = join_units(std::move(layout.header));
-  check_header(layout.header, line);
+  layout.header_row = header.row;
+  layout.header = header.fields;
+  layout.mark = rules.decimal_mark;
   layout.slots.assign(layout.header.size(), -1);
   for (const Field& field : layout.header) table.header.push_back(field.text);
   for (const WantedColumn& wanted : columns) {
@@ -27,7 +74,13 @@ RowLayout read_header(RowCursor& cursor, const std::vector<WantedColumn>& column
                        {"column " + in_quotes(wanted.name) + " is asked for twice", "", "", ""});
     }
     layout.slots[index] = static_cast<int>(table.columns.size());
-    table.columns.push_back({read_header_field(layout.header[index].text), {}, 0});
+    layout.readings.push_back(wanted.reading);
+    LogColumn column;
+    column.header = read_header_field(layout.header[index].text);
+    if (column.header.unit.empty() && !header.units.empty()) {
+      column.header.unit = header.units[index];
+    }
+    table.columns.push_back(std::move(column));
   }
   return layout;
 }
@@ -42,19 +95,25 @@ std::size_t likely_rows(std::string_view text, std::size_t bytes_walked) {
 }  // namespace
 
 CsvTable read_csv(std::string_view bytes, const std::string& file,
-                  const std::vector<WantedColumn>& columns) {
+                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
   const std::string_view text = text_of_log(bytes, file);
   CsvTable table;
   table.file = file;
-  table.delimiter = sniff_delimiter(text, file);
+  table.delimiter =
+      rules.delimiter ? *rules.delimiter : sniff_delimiter(text, file, rules.decimal_mark);
   RowCursor cursor(text);
-  if (!cursor.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
-  const RowLayout layout = read_header(cursor, columns, table);
+  RowCursor first = cursor;
+  if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
+  const Header header = read_names(cursor, columns, rules, table);
+  const RowLayout layout = lay_out(header, columns, rules, {file, first.line(), 0}, table);
   for (LogColumn& column : table.columns) {
     column.values.reserve(likely_rows(text, cursor.bytes_walked()));
   }
   if (table.delimiter != Delimiter::comma) {
     table.notes.push_back("columns are separated by " + to_string(table.delimiter));
+  }
+  if (rules.decimal_mark == DecimalMark::comma) {
+    table.notes.emplace_back("numbers have a decimal comma, as stated");
   }
   read_rows(cursor, layout, table);
   if (cursor.mixed_line_ends()) table.notes.emplace_back("line ends are mixed (LF, CR LF, CR)");

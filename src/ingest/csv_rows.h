@@ -6,14 +6,17 @@
 
 #include "ingest/csv_lines.h"
 #include "ingest/csv_reader.h"
+#include "ingest/number_field.h"
 
 namespace tribolog {
 
 /// What the rows are read against.
 struct RowLayout {
   std::vector<Field> header;
-  std::string_view header_row;  ///< As it stands in the file.
-  std::vector<int> slots;       ///< For each column of the file: index in `columns`, or -1.
+  std::string_view header_row;          ///< As it stands in the file; empty: there is none.
+  std::vector<int> slots;               ///< For each column of the file: index in `columns`, or -1.
+  std::vector<ColumnReading> readings;  ///< Of each of `columns`.
+  DecimalMark mark{DecimalMark::point};
 };
 
 /// Reads every row that the cursor has not passed yet into the table's columns.

@@ -68,7 +68,7 @@ void compare_angles(Dataset& dataset) {
 }
 
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
-                   double effort_sign, Dataset& dataset) {
+                   const ManifestFile& manifest, Dataset& dataset) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
@@ -76,9 +76,9 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
   const std::string path = (directory / entry.file).string();
   const std::string bytes = read_file(path);
   std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
-  const LogTable table = read_columns_of(entry, bytes, path, loads);
-  Recording recording =
-      make_recording(entry, table, dataset.manifest.drive, effort_sign, dataset.notes, &loads);
+  const LogTable table = read_columns_of(entry, bytes, path, loads, manifest.text_logs);
+  Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
+                                       dataset.notes, &loads);
   InputFile input = fingerprint(entry.file, to_string(entry.role), bytes);
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
@@ -100,7 +100,7 @@ Dataset read_dataset(const std::string& manifest_path) {
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
   for (const RecordingEntry& entry : manifest.recordings) {
-    add_recording(entry, directory, manifest.effort_sign, dataset);
+    add_recording(entry, directory, manifest, dataset);
   }
   if (dataset.robot) compare_angles(dataset);
   return dataset;

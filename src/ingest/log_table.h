@@ -18,6 +18,9 @@ struct ColumnHeader {
 struct LogColumn {
   ColumnHeader header;
   std::vector<double> values;  ///< NaN where there is a gap.
+  /// Taken off every value: of a clock that counts from 1970 the whole units of its first reading,
+  /// without which no double holds nanoseconds. 0 otherwise.
+  double origin{};
   std::size_t gaps{};
 };
 
@@ -36,10 +39,19 @@ struct LogTable {
   std::vector<std::pair<std::size_t, long>> line_breaks;
 };
 
+/// What a column's fields are.
+enum class ColumnReading {
+  number,
+  clock,     ///< A number whose differences count: exact to the nanosecond.
+  iso_time,  ///< ISO 8601, read as seconds.
+};
+
 /// A column to convert.
 struct WantedColumn {
-  std::string name;          ///< With or without its bracketed unit.
+  /// With or without its bracketed unit; "#2" is the second one, whatever its name.
+  std::string name;
   std::string if_missing{};  ///< Added to the hint where there is no such column.
+  ColumnReading reading{ColumnReading::number};
 };
 
 }  // namespace tribolog

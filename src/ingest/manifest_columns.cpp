@@ -27,7 +27,12 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   if (entry.name.empty()) table->refuse("name", {"is empty", "", "the column's name", ""});
   entry.unit = table->text("unit", "one of " + known_units(quantity));
   refuse_contradiction(*table, quantity, entry.unit);
-  entry.si_factor = si_factor(quantity, entry.unit, table->where("unit"));
+  if (quantity == Quantity::time) entry.reading = ColumnReading::clock;
+  if (quantity == Quantity::time && entry.unit == "iso8601") {
+    entry.reading = ColumnReading::iso_time;  // read as seconds
+  } else {
+    entry.si_factor = si_factor(quantity, entry.unit, table->where("unit"));
+  }
   if (has_side && table->has("side")) {
     entry.side = table->choice("side", {"motor", "joint"}) == 0 ? Side::motor : Side::joint;
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "error.h"
+#include "ingest/log_table.h"
 #include "ingest/toml_table.h"
 #include "ingest/units.h"
 #include "joint/drive.h"
@@ -18,6 +19,7 @@ struct ColumnEntry {
   double si_factor{1.0};
   Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
   Location where;
+  ColumnReading reading{ColumnReading::number};
 };
 
 struct ColumnEntries {

@@ -166,6 +166,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   read_circumstances(top, result.manifest);
 
   const EffortKind kind = result.manifest.drive.kind();
+  if (const auto log = top.find_table("log")) result.text_logs = read_text_log_rules(*log);
   ColumnEntries common;
   if (const auto columns = top.find_table("columns")) common = read_columns(*columns, kind, {});
   for (const TomlTable& recording : top.tables("recording")) {

@@ -19,16 +19,19 @@
 //                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
 //                 amplitude cos(sum of the angles + phase) is subtracted when reading
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
-//                 (optional);
+//                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
 //                 angle and speed: side = "joint" (default) | "motor"
+//   [log]         decimal_comma = false; delimiter = "comma" | "semicolon" | "tab" | "spaces"
+//   (found
+//                 out unless stated; optional)
 //   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
 //                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
 //                 the torque at constant speed is meant
 //   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
 //                 user accepts (limit_tables.h; optional)
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
-//                 "break_away", file (relative to the manifest); from_s, to_s, columns, note
-//                 (optional)
+//                 "break_away", file (relative to the manifest); from_s, to_s (of a clock that
+//                 counts from 1970: since its first reading), columns, note (optional)
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +40,7 @@
 #include <vector>
 
 #include "ingest/manifest_columns.h"
+#include "ingest/text_log_rules.h"
 #include "joint/dataset.h"
 
 namespace tribolog {
@@ -54,6 +58,7 @@ struct RecordingEntry {
 struct ManifestFile {
   Manifest manifest;
   double effort_sign{1.0};
+  TextLogRules text_logs;
   std::vector<RecordingEntry> recordings;  ///< One or more.
 };
 

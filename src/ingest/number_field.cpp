@@ -63,7 +63,17 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-NumberField read_number(std::string_view field) {
+NumberField read_number(std::string_view field, DecimalMark mark) {
+  if (mark == DecimalMark::comma && field.find_first_of(".,") != std::string_view::npos) {
+    std::string with_point(trimmed(field));
+    // A point would be a thousands separator; "1.#QNAN" is a gap under both.
+    if (with_point.find('.') != std::string::npos) {
+      return is_gap_word(with_point) ? NumberField{FieldKind::gap, not_a_number}
+                                     : NumberField{FieldKind::text, 0.0};
+    }
+    with_point[with_point.find(',')] = '.';
+    return read_number(with_point);
+  }
   const std::string_view number = without_plus(trimmed(field));
   const char* end = number.data() + number.size();
   double value = 0;
@@ -91,9 +101,9 @@ bool looks_like_decimal_comma(std::string_view field) {
   return read_number(with_point).kind == FieldKind::number;
 }
 
-bool looks_like_cut_number(std::string_view field) {
+bool looks_like_cut_number(std::string_view field, DecimalMark mark) {
   const std::string_view number = trimmed(field);
-  if (read_number(std::string(number) + "0").kind == FieldKind::number) return true;
+  if (read_number(std::string(number) + "0", mark).kind == FieldKind::number) return true;
   constexpr std::array<std::string_view, 6> starts = {"n", "na", "i", "in", "-n", "-i"};
   return std::find(starts.begin(), starts.end(), number) != starts.end();
 }

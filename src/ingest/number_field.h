@@ -12,6 +12,8 @@ enum class FieldKind {
   text,      ///< Anything else.
 };
 
+enum class DecimalMark { point, comma };
+
 struct NumberField {
   FieldKind kind{FieldKind::text};
   double value{};  ///< NaN for a gap, 0 for a number too small for a double.
@@ -21,13 +23,14 @@ struct NumberField {
 std::string_view trimmed(std::string_view text);
 
 /// Reads a whole field: decimal numbers with point and exponent, "+1", "1.", ".5". Not accepted:
-/// hexadecimal, "1d3", thousands separators, decimal commas, anything after the number.
-NumberField read_number(std::string_view field);
+/// hexadecimal, "1d3", thousands separators, anything after the number, and the other mark than the
+/// one stated.
+NumberField read_number(std::string_view field, DecimalMark mark = DecimalMark::point);
 
 /// "1,25": what a decimal comma looks like.
 bool looks_like_decimal_comma(std::string_view field);
 
 /// "-", "1.5e", "na": what the start of a number looks like when a file is cut off.
-bool looks_like_cut_number(std::string_view field);
+bool looks_like_cut_number(std::string_view field, DecimalMark mark = DecimalMark::point);
 
 }  // namespace tribolog

@@ -73,15 +73,16 @@ void note_implausible_units(const RecordingEntry& entry, const Recording& r,
 }  // namespace
 
 LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path, const std::vector<KnownLoad>& loads) {
+                         const std::string& path, const std::vector<KnownLoad>& loads,
+                         const TextLogRules& rules) {
   const auto entries = entries_in_order(entry.columns);
   std::vector<WantedColumn> wanted;
   for (const ColumnEntry* column : entries) {
     const bool is_effort = entry.columns.effort && column == &*entry.columns.effort;
-    wanted.push_back({column->name, is_effort ? without_effort : ""});
+    wanted.push_back({column->name, is_effort ? without_effort : "", column->reading});
   }
   add_load_columns(loads, entry.role, wanted);
-  LogTable table = read_csv(bytes, path, wanted);
+  LogTable table = read_csv(bytes, path, wanted, rules);
   refuse_unusable_load_columns(loads, entry.role, table);
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const LogColumn& column = table.columns[k];
@@ -100,6 +101,11 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   RecordingNotes notes(entry.file, notes_of_all);
   for (const std::string& note : table.notes) notes.add(note);
   note_gaps(table, notes);
+  if (table.columns.front().origin != 0) {
+    notes.add(
+        "its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
+        "reading, in whole units");
+  }
   const RowChoice choice = choose_rows(entry, table, notes);
 
   Recording r;

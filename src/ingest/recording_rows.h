@@ -13,11 +13,13 @@ namespace tribolog {
 /// Reads the columns that the entry names.
 /// @param path of the log, for messages.
 /// @param loads the angles of those that load the recording are read behind the others.
+/// @param rules of text logs, as the manifest states them.
 /// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
 /// in
 ///        the log's header that contradicts the manifest.
 LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path, const std::vector<KnownLoad>& loads = {});
+                         const std::string& path, const std::vector<KnownLoad>& loads = {},
+                         const TextLogRules& rules = {});
 
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
 /// counted in `skipped`. Time running back by up to a second is put in order.

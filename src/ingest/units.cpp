@@ -1,5 +1,6 @@
 #include "ingest/units.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <span>
@@ -113,6 +114,13 @@ double si_factor(Quantity quantity, std::string_view unit, const Location& where
   throw InputError(
       where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
               "one of " + known_units(quantity), did_you_mean(bare(unit), listed_units(quantity))});
+}
+
+bool is_known_unit(std::string_view unit) {
+  constexpr std::array all = {Quantity::time,   Quantity::angle,   Quantity::angular_speed,
+                              Quantity::torque, Quantity::current, Quantity::temperature};
+  return std::any_of(all.begin(), all.end(),
+                     [&](Quantity q) { return find_si_factor(q, unit).has_value(); });
 }
 
 std::string known_units(Quantity quantity) {

@@ -21,6 +21,9 @@ std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);
 /// As above. @throw InputError at `where`, listing the known units and naming the closest.
 double si_factor(Quantity quantity, std::string_view unit, const Location& where);
 
+/// Whether it is a unit of any quantity.
+bool is_known_unit(std::string_view unit);
+
 /// The known units as they are listed in messages: "rad, mrad, deg".
 std::string known_units(Quantity quantity);
 

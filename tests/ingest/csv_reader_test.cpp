@@ -101,6 +101,80 @@ TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
   EXPECT_EQ(read("t,tau\n0,1\n2,3").cut_rows, 0U) << "only the line end is missing";
 }
 
+TextLogRules with_decimal_comma() {
+  TextLogRules rules;
+  rules.decimal_mark = DecimalMark::comma;
+  return rules;
+}
+
+TEST(CsvReader, ReadsDecimalCommasWhereTheyAreStated) {
+  for (const char* text :
+       {"t;tau\n0;1,25\n0,5;-3\n", "t\ttau\n0\t1,25\n0,5\t-3,0\n", "t tau\n0 1,25\n5e-1 -3\n"}) {
+    const CsvTable table = read_csv(text, "run.csv", {{"t"}, {"tau"}}, with_decimal_comma());
+    EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
+    EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
+  }
+  EXPECT_EQ(read_csv("tau\n1,25\n", "f", {{"tau"}}, with_decimal_comma()).columns[0].values,
+            Values{1.25});
+}
+
+TEST(CsvReader, TakesTheDelimiterThatIsStated) {
+  TextLogRules rules;
+  rules.delimiter = Delimiter::semicolon;
+  // As many commas as semicolons: unstated, nobody can tell.
+  const CsvTable table = read_csv("a,b;tau\n1,2;3\n", "f", {{"tau"}}, rules);
+  EXPECT_EQ(table.columns[0].values, Values{3});
+}
+
+TEST(CsvReader, TakesColumnsByTheirPosition) {
+  const CsvTable headless = read("0,7,1.25\n0.5,8,-3\n", {{"#3"}, {"#1"}});
+  EXPECT_EQ(headless.columns.at(0).values, (Values{1.25, -3}));
+  EXPECT_EQ(headless.columns.at(1).values, (Values{0, 0.5}));
+  EXPECT_EQ(headless.rows, 2U);
+  EXPECT_EQ(headless.line_of(0), 1);
+  EXPECT_EQ(headless.notes, (Notes{"no column names; columns are taken by their position"}));
+  EXPECT_EQ(read("t,q,tau\n0,7,1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
+  EXPECT_EQ(read("# t q tau\n\n0 7 1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
+}
+
+TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
+  const CsvTable table = read("t,q,tau\n[ms],,Nm\n0,7,1.25\n", {{"t"}, {"tau"}});
+  EXPECT_EQ(table.columns.at(0).header.unit, "ms");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+  EXPECT_EQ(table.rows, 1U);
+  EXPECT_EQ(table.line_of(0), 3);
+  EXPECT_EQ(table.notes, (Notes{"units are taken from the row under the header"}));
+}
+
+TEST(CsvReader, KeepsTheNanosecondsOfAClockThatCountsFrom1970) {
+  std::vector<WantedColumn> time = {{"t", "", ColumnReading::clock}};
+  const CsvTable ns = read("t\n1700000000123456789\n1700000000123456790\nnan\n", time);
+  EXPECT_EQ(ns.columns[0].values[1] - ns.columns[0].values[0], 1);
+  EXPECT_EQ(ns.columns[0].origin, 1700000000123456789.0);
+  EXPECT_EQ(ns.columns[0].gaps, 1U);
+  const CsvTable s = read("t\n1700000000.25\n1.70000000075e9\n", time);
+  EXPECT_EQ(s.columns[0].values, (Values{0.25, 0.75}));
+  const CsvTable own = read("t\n0.1\n1.1\n", time);
+  EXPECT_EQ(own.columns[0].values, (Values{0.1, 1.1}));
+  EXPECT_EQ(own.columns[0].origin, 0);
+}
+
+TEST(CsvReader, ReadsIsoTimes) {
+  const std::vector<WantedColumn> wanted = {{"t", "", ColumnReading::iso_time}, {"tau"}};
+  const CsvTable table =
+      read("t,tau\n2026-03-01T08:15:00.250Z,1\n,2\n2026-03-01T08:15:01Z,3\n2026-03-01T08:15:02Z,4",
+           wanted);
+  EXPECT_EQ(table.columns[0].values[0], 0.25);
+  EXPECT_TRUE(std::isnan(table.columns[0].values[1]));
+  EXPECT_EQ(table.columns[0].values[2], 1);
+  EXPECT_EQ(table.columns[0].values[3], 2);
+  EXPECT_EQ(read("2026-03-01T08:15:00Z,1\n2026-03-01T08:15:09Z,3\n",
+                 {{"#1", "", ColumnReading::iso_time}})
+                .columns[0]
+                .values[1],
+            9);
+}
+
 TEST(CsvReader, TakesNumbersTooSmallForADoubleAsZero) {
   EXPECT_EQ(read("t,tau\n1e-400,-1e-999\n").columns.at(0).values, Values{0});
 }

@@ -54,10 +54,12 @@ INSTANTIATE_TEST_SUITE_P(
             "-f LATIN1 -t UTF-8"},
         Case{"NoHeader", "0,1\n1,2\n",
              "run.csv:1:1: no column names: the first row holds numbers; hint: put a first line "
-             "with the columns' names, without '#'"},
+             "with the columns' names, without '#', or ask for columns by their position: "
+             "\"#1\", \"#2\""},
         Case{"HeaderInAComment", "# t,tau\n0,1\n1,2\n",
              "run.csv:2:1: no column names: the first row holds numbers; hint: put a first line "
-             "with the columns' names, without '#'"},
+             "with the columns' names, without '#', or ask for columns by their position: "
+             "\"#1\", \"#2\""},
         Case{"MissingColumn", "t,Tau_3,q\n0,1,2\n",
              "run.csv:1: column 'tau' is missing, found 't', 'Tau_3', 'q'; hint: did you mean "
              "'Tau_3'? it is needed"},
@@ -73,13 +75,13 @@ INSTANTIATE_TEST_SUITE_P(
              "run.csv:3:5: column 'tau', found 'fault', expected a number"},
         Case{"TerminalEscape", "t,tau\n0,1\n0.5,\x1b[31m\n",
              R"(run.csv:3:5: column 'tau', found '\x1b[31m', expected a number)"},
-        Case{
-            "RowOfUnits", "t,tau\ns,Nm\n0,1\n",
-            "run.csv:2:1: column 't', found 's', expected a number; hint: a row of units under the "
-            "header? put '#' in front of it"},
+        Case{"RowOfUnits", "t,tau\nticks,raw\n0,1\n",
+             "run.csv:2:1: column 't', found 'ticks', expected a number; hint: a row of units "
+             "under the "
+             "header? put '#' in front of it"},
         Case{"DecimalComma", "t;tau\n0;1\n1;1,25\n",
              "run.csv:3:3: column 'tau', found '1,25', expected a number; hint: decimal comma? "
-             "write numbers with a point"},
+             "state it: [log] decimal_comma = true"},
         Case{"DecimalCommaBetweenCommas", "t,tau\n0,1\n0,5,1,25\n",
              "run.csv:3: row has another number of fields than the header, found 4, expected 2; "
              "hint: decimal or thousands commas? write numbers with a point"},
@@ -102,6 +104,26 @@ INSTANTIATE_TEST_SUITE_P(
              "supported"},
         Case{"OnlyACutRow", "t,tau\n0", "run.csv:2: no data rows"}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(CsvReader, RefusesWhatContradictsTheStatedRules) {
+  TextLogRules comma;
+  comma.decimal_mark = DecimalMark::comma;
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma);
+            }),
+            "f:3:3: column 'tau', found '1.25', expected a number with a decimal comma");
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}}, comma);
+            }),
+            "f:3:3: column 'tau', found '1,234,5', expected a number with a decimal comma");
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv("t,tau\n0,1\n", "f", {{"#3"}}); }),
+            "f:1: there is no column '#3', found 2 columns");
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return read_csv("t,tau\n12:30,1\n", "f", {{"t", "", ColumnReading::iso_time}});
+            }),
+            "f:2:1: column 't', found '12:30', expected a time such as 2026-03-01T08:15:00.25Z; "
+            "hint: a row of units under the header? put '#' in front of it");
+}
 
 TEST(CsvReader, RefusesAColumnAskedForTwice) {
   EXPECT_EQ(test::refusal_of<InputError>([] {

@@ -59,6 +59,31 @@ TEST(ReadDataset, FindsLogsBesideTheManifest) {
   EXPECT_EQ(d.inputs[2].skipped.at(0).count, 10U);
 }
 
+/// Semicolons, decimal commas, no header, ISO times of local clocks.
+TEST(ReadDataset, ReadsALogThatTheManifestHasToExplain) {
+  const TemporaryDirectory directory;
+  std::string csv;
+  for (int i = 0; i < 50; ++i) {
+    csv += fmt::format("2026-03-01 08:15:{:02d},{:02d};0,1;{},5\n", i / 10, 10 * (i % 10), i);
+  }
+  (void)directory.file("a.csv", csv);
+  const Dataset d = read_dataset(directory.file(
+      "d.toml",
+      "schema = \"tribolog-dataset-1\"\n[robot]\nname = \"R\"\n[joint]\nname = \"J\"\n"
+      "gear_ratio = 1\n[effort]\nkind = \"joint_torque\"\nside = \"joint\"\n[log]\n"
+      "decimal_comma = true\ndelimiter = \"semicolon\"\n[columns]\n"
+      "time = {name = \"#1\", unit = \"iso8601\"}\nangle = {name = \"#2\", unit = \"rad\"}\n"
+      "effort = {name = \"#3\", unit = \"Nm\"}\n" +
+          recording("oscillation", "a.csv", "from_s = 1\n")));
+  const Recording& r = d.recordings.at(0);
+  ASSERT_EQ(r.size(), 40U);
+  EXPECT_NEAR(r.t_s[0], 1, 1e-12);
+  EXPECT_NEAR(r.t_s[39] - r.t_s[0], 3.9, 1e-12);
+  EXPECT_EQ(r.torque_Nm[0], 10.5);
+  ASSERT_GE(d.notes.size(), 4U);
+  EXPECT_NE(d.notes[3].find("counts from 1970"), std::string::npos) << d.notes[3];
+}
+
 TEST(ReadDataset, SaysWhichLogIsNotThere) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("d.toml", manifest(recording("oscillation", "no.csv")));
