@@ -17,7 +17,8 @@ needed=(cmake ninja-build g++ pkg-config git
 case $goal in
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev
     python3-minimal python3-jsonschema) ;;&
-  bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib) ;;
+  bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
+    python3-pandas)  ;;
 esac
 
 say() { printf 'tribolog: %s\n' "$*"; }

@@ -79,6 +79,12 @@ bool RowCursor::next() {
   return false;
 }
 
+void RowCursor::pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf) {
+  rest_.remove_prefix(bytes);
+  line_ += static_cast<long>(lines);
+  kinds_ |= (any_lf ? 1U : 0U) | (any_cr_lf ? 2U : 0U);
+}
+
 void RowCursor::next_line() {
   ++line_;
   const std::size_t lf = rest_.find('\n');

@@ -21,6 +21,12 @@ class RowCursor {
   /// Goes to the next row. @return false at the end of the text.
   bool next();
 
+  /// Goes on to `bytes` further on, behind as many whole lines.
+  /// @param any_lf, any_cr_lf how they end.
+  void pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf);
+
+  /// What is behind the row.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] std::string_view row() const { return row_; }
   [[nodiscard]] long line() const { return line_; }  ///< Of the row; counts from 1.
   [[nodiscard]] bool has_line_end() const { return has_line_end_; }

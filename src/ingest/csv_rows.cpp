@@ -1,9 +1,8 @@
 #include "ingest/csv_rows.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "ingest/clock_field.h"
 #include "ingest/closest_match.h"
 #include "ingest/number_field.h"
+#include "ingest/plain_rows.h"
 
 namespace tribolog {
 namespace {
@@ -20,14 +20,23 @@ namespace {
 /// How the fields of each column that is read become numbers.
 class SlotReadings {
  public:
-  SlotReadings(std::size_t count, const RowLayout& layout) : layout_(layout), starts_(count) {
-    for (const ColumnReading reading : layout.readings) {
-      plain_.push_back(reading == ColumnReading::number && layout.mark == DecimalMark::point);
-    }
-  }
+  SlotReadings(std::size_t count, const RowLayout& layout) : layout_(layout), starts_(count) {}
 
-  /// Of the other columns the fields have to go through read().
-  [[nodiscard]] bool are_plain_numbers(std::size_t slot) const { return plain_[slot]; }
+  /// Nothing as long as a clock has not been read.
+  [[nodiscard]] std::optional<PlainLayout> plain_layout(const CsvTable& table) const {
+    PlainLayout plain{table.delimiter, layout_.mark, {}, starts_.size()};
+    for (const int slot : layout_.slots) {
+      PlainColumn column{slot, {}, false};
+      const auto at = static_cast<std::size_t>(slot);
+      if (slot >= 0 && layout_.readings[at] != ColumnReading::number) {
+        if (!starts_[at]) return std::nullopt;
+        column.is_iso_time = layout_.readings[at] == ColumnReading::iso_time;
+        if (starts_[at]->whole != 0) column.start = starts_[at];
+      }
+      plain.columns.push_back(column);
+    }
+    return plain;
+  }
 
   NumberField read(std::string_view field, std::size_t slot, LogTable& table) {
     const ColumnReading reading = layout_.readings[slot];
@@ -55,12 +64,10 @@ class SlotReadings {
         layout_.readings[slot] == ColumnReading::iso_time || std::abs(first.whole) >= since_1970;
     starts_[slot] = ClockReading{counts_from_1970 ? first.whole : 0, 0.0};
     table.columns[slot].origin = static_cast<double>(starts_[slot]->whole);
-    plain_[slot] = !counts_from_1970 && layout_.mark == DecimalMark::point;
   }
 
   const RowLayout& layout_;
   std::vector<std::optional<ClockReading>> starts_;
-  std::vector<bool> plain_;
 };
 
 class RowReader {
@@ -69,64 +76,58 @@ class RowReader {
       : cursor_(cursor),
         layout_(layout),
         table_(table),
-        delimiter_(static_cast<char>(table.delimiter)),
         values_(table.columns.size()),
         slots_(table.columns.size(), layout) {}
 
+  /// By turns: rows that need a closer look one by one, all others in long stretches.
   void read_all() {
-    long expected_line = -1;
     while (cursor_.next()) {
-      if (!read_plain_row() && !read_any_row()) {
+      if (!read_any_row()) {
         note_cut_row();
         return;
       }
-      if (cursor_.line() != expected_line) {
+      if (cursor_.line() != expected_line_) {
         table_.line_breaks.emplace_back(table_.rows, cursor_.line());
       }
-      expected_line = cursor_.line() + 1;
+      expected_line_ = cursor_.line() + 1;
       keep();
+      if (++rows_since_stretch_ >= patience_ && slots_.plain_layout(table_)) read_stretch();
     }
   }
 
  private:
-  /// The common case at full speed: delimiter is no blank, no quotes, nothing but numbers and gaps.
-  /// @return false for every row that needs a closer look.
-  bool read_plain_row() {
-    if (delimiter_ == ' ') return false;
-    const std::string_view row = cursor_.row();
-    if (std::memchr(row.data(), '"', row.size()) != nullptr) return false;
-    const char* p = row.data();
-    const char* const end = p + row.size();
-    const std::size_t columns = layout_.slots.size();
-    for (std::size_t i = 0; i < columns; ++i) {
-      if (layout_.slots[i] < 0) {
-        p = end_of_field(p, end);
-      } else {
-        const auto slot = static_cast<std::size_t>(layout_.slots[i]);
-        double& value = values_[slot];
-        std::from_chars_result read{p, std::errc::invalid_argument};
-        if (slots_.are_plain_numbers(slot)) read = std::from_chars(p, end, value);
-        if (read.ec == std::errc() && (read.ptr == end || *read.ptr == delimiter_) &&
-            std::isfinite(value)) {
-          p = read.ptr;
-        } else {
-          const char* const field_end = end_of_field(p, end);
-          const NumberField field = slots_.read(
-              std::string_view(p, static_cast<std::size_t>(field_end - p)), slot, table_);
-          if (field.kind != FieldKind::number && field.kind != FieldKind::gap) return false;
-          value = field.value;
-          p = field_end;
-        }
+  /// As many plain rows as follow. Where few did, the next try waits: a log with quotes in every
+  /// row has none.
+  void read_stretch() {
+    constexpr std::size_t few = 64;
+    constexpr std::size_t longest_wait = 4096;
+    const std::size_t before = table_.rows;
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const PlainRows& part :
+           read_side_by_side(cursor_.rest(), *slots_.plain_layout(table_))) {
+        append(part);
+        goes_on = part.is_whole;
+        if (!part.is_whole) break;
       }
-      if (p == end) return i + 1 == columns && cursor_.has_line_end();
-      ++p;
     }
-    return false;
+    rows_since_stretch_ = 0;
+    patience_ = table_.rows - before >= few ? 1 : std::min(2 * patience_, longest_wait);
   }
 
-  [[nodiscard]] const char* end_of_field(const char* p, const char* end) const {
-    while (p != end && *p != delimiter_) ++p;
-    return p;
+  void append(const PlainRows& part) {
+    if (part.rows == 0) return;
+    if (cursor_.line() + 1 != expected_line_) {
+      table_.line_breaks.emplace_back(table_.rows, cursor_.line() + 1);
+    }
+    for (std::size_t k = 0; k < part.values.size(); ++k) {
+      LogColumn& column = table_.columns[k];
+      column.values.insert(column.values.end(), part.values[k].begin(), part.values[k].end());
+      column.gaps += part.gaps[k];
+    }
+    table_.rows += part.rows;
+    cursor_.pass(part.bytes, part.rows, part.any_lf, part.any_cr_lf);
+    expected_line_ = cursor_.line() + 1;
   }
 
   /// Any row. @return false for a last row that is cut off. @throw InputError
@@ -230,9 +231,11 @@ class RowReader {
   RowCursor& cursor_;
   const RowLayout& layout_;
   CsvTable& table_;
-  char delimiter_;
   std::vector<double> values_;
   SlotReadings slots_;
+  long expected_line_{-1};
+  std::size_t rows_since_stretch_{0};
+  std::size_t patience_{1};
   bool has_trailing_delimiter_{false};
 };
 
