@@ -1,5 +1,6 @@
 #include "ingest/csv_lines.h"
 
+#include <algorithm>
 #include <array>
 
 #include "error.h"
@@ -54,7 +55,7 @@ bool is_row(std::string_view line) {
 
 }  // namespace
 
-std::string_view text_of_log(std::string_view bytes, const std::string& file) {
+std::string_view start_of_text(std::string_view bytes, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
   if (bytes.empty()) throw InputError({file, 0, 0}, {"file is empty", "", "", ""});
@@ -65,10 +66,13 @@ std::string_view text_of_log(std::string_view bytes, const std::string& file) {
   if (is_utf16(bytes)) {
     refuse(file, "looks like UTF-16 (byte 0)", "convert it: iconv -f UTF-16 -t UTF-8");
   }
-  if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
-    refuse(file, "binary data at byte " + std::to_string(nul), "");
-  }
+  refuse_nul(bytes, 0, file);
   return bytes;
+}
+
+void refuse_long_line(const std::string& file, long line) {
+  throw InputError({file, line, 0},
+                   {"line is longer than 1 MiB", "", "a text file of columns", ""});
 }
 
 bool RowCursor::next() {
@@ -81,16 +85,47 @@ bool RowCursor::next() {
 
 void RowCursor::pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf) {
   rest_.remove_prefix(bytes);
+  walked_ += bytes;
   line_ += static_cast<long>(lines);
   kinds_ |= (any_lf ? 1U : 0U) | (any_cr_lf ? 2U : 0U);
 }
 
+void RowCursor::read_on(std::size_t bytes) {
+  if (!may_go_on() || rest_.size() >= bytes) return;
+  row_ = {};
+  rest_ = window_->read_on(rest_, bytes);
+}
+
+std::size_t RowCursor::next_lf() {
+  // Once for each LF, not once for each line: lines may end with CR alone.
+  if (lf_at_ && *lf_at_ >= walked_) return *lf_at_ - walked_;
+  const std::size_t found = rest_.find('\n', std::max(searched_, walked_) - walked_);
+  if (found == std::string_view::npos) {
+    lf_at_.reset();
+    searched_ = walked_ + rest_.size();
+    return rest_.size();
+  }
+  lf_at_ = walked_ + found;
+  searched_ = *lf_at_ + 1;
+  return found;
+}
+
 void RowCursor::next_line() {
   ++line_;
-  const std::size_t lf = rest_.find('\n');
-  std::size_t end = lf == std::string_view::npos ? rest_.size() : lf;
-  std::size_t next = lf == std::string_view::npos ? end : lf + 1;
-  const std::size_t cr = rest_.substr(0, end).find('\r');
+  row_ = {};
+  std::size_t end = next_lf();
+  std::size_t cr = rest_.substr(0, end).find('\r');
+  // A CR at the very end may be followed by LF; and the line behind tells whether this is the last.
+  while (may_go_on() && (cr == std::string_view::npos || cr + 1 >= rest_.size()) &&
+         end + 1 >= rest_.size()) {
+    if (rest_.size() > longest_line_bytes) {
+      refuse_long_line(window_->file(), line_);
+    }
+    rest_ = window_->read_on(rest_, std::max(2 * rest_.size(), longest_line_bytes));
+    end = next_lf();
+    cr = rest_.substr(0, end).find('\r');
+  }
+  std::size_t next = end < rest_.size() ? end + 1 : end;
   if (cr != std::string_view::npos) {
     const bool is_cr_lf = cr + 1 == end && next > end;
     end = cr;
@@ -102,6 +137,7 @@ void RowCursor::next_line() {
   has_line_end_ = next > end;
   row_ = rest_.substr(0, end);
   rest_.remove_prefix(next);
+  walked_ += next;
 }
 
 }  // namespace tribolog

@@ -13,7 +13,7 @@ namespace {
 /// The names, and units from a row of their own below them.
 struct Header {
   std::vector<Field> fields;
-  std::string_view row;  ///< Empty: the log has none.
+  std::string row;  ///< Empty: the log has none.
   std::vector<std::string> units;
 };
 
@@ -86,17 +86,18 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
 }
 
 /// Rows to make room for; a guess from the first row's length, bounded by the file's size.
-std::size_t likely_rows(std::string_view text, std::size_t bytes_walked) {
-  const std::string_view rest = text.substr(bytes_walked);
-  const std::size_t first_row = std::min(rest.find('\n'), rest.size()) + 1;
-  return rest.size() / std::max<std::size_t>(first_row, 8) + 1;
+std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
+  const std::size_t first_row = std::min(first_rows.find('\n'), first_rows.size()) + 1;
+  return bytes / std::max<std::size_t>(first_row, 8) + 1;
 }
 
 }  // namespace
 
-CsvTable read_csv(std::string_view bytes, const std::string& file,
+CsvTable read_csv(ByteSource& bytes, const std::string& file,
                   const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
-  const std::string_view text = text_of_log(bytes, file);
+  TextWindow window(bytes, file);
+  constexpr std::size_t first_bytes = 2 * longest_line_bytes;
+  const std::string_view text = start_of_text(window.read_on({}, first_bytes), file);
   CsvTable table;
   table.file = file;
   table.delimiter =
@@ -104,10 +105,11 @@ CsvTable read_csv(std::string_view bytes, const std::string& file,
   RowCursor cursor(text);
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
+  if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
   const Header header = read_names(cursor, columns, rules, table);
   const RowLayout layout = lay_out(header, columns, rules, {file, first.line(), 0}, table);
   for (LogColumn& column : table.columns) {
-    column.values.reserve(likely_rows(text, cursor.bytes_walked()));
+    column.values.reserve(likely_rows(cursor.rest(), bytes.likely_bytes()));
   }
   if (table.delimiter != Delimiter::comma) {
     table.notes.push_back("columns are separated by " + to_string(table.delimiter));
@@ -115,12 +117,19 @@ CsvTable read_csv(std::string_view bytes, const std::string& file,
   if (rules.decimal_mark == DecimalMark::comma) {
     table.notes.emplace_back("numbers have a decimal comma, as stated");
   }
+  cursor.go_on_in(window);
   read_rows(cursor, layout, table);
   if (cursor.mixed_line_ends()) table.notes.emplace_back("line ends are mixed (LF, CR LF, CR)");
   if (table.rows == 0) {
     throw InputError({file, cursor.line(), 0}, {"no data rows", "", "", ""});
   }
   return table;
+}
+
+CsvTable read_csv(std::string_view bytes, const std::string& file,
+                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
+  MemorySource source(bytes);
+  return read_csv(source, file, columns, rules);
 }
 
 }  // namespace tribolog

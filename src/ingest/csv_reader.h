@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "error.h"
+#include "files/byte_source.h"
 #include "ingest/csv_dialect.h"
 #include "ingest/log_table.h"
 #include "ingest/text_log_rules.h"
@@ -25,10 +26,14 @@ struct CsvTable : LogTable {
   Delimiter delimiter{Delimiter::comma};
 };
 
-/// @param bytes the whole file. @param file its name, for messages.
+/// Holds a few megabytes of the log at a time, and the columns asked for.
+/// @param file its name, for messages.
 /// @param columns those to convert, none twice; the others are counted but not read.
 /// @param rules what the log cannot tell itself.
 /// @throw InputError with file:line:column, what was found, what was expected and what to do.
+CsvTable read_csv(ByteSource& bytes, const std::string& file,
+                  const std::vector<WantedColumn>& columns, const TextLogRules& rules = {});
+/// The same of a log in memory.
 CsvTable read_csv(std::string_view bytes, const std::string& file,
                   const std::vector<WantedColumn>& columns, const TextLogRules& rules = {});
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "parallel/parallel_for.h"
+
 #include "ingest/clock_field.h"
 #include "ingest/closest_match.h"
 #include "ingest/number_field.h"
@@ -100,34 +102,41 @@ class RowReader {
   /// row has none.
   void read_stretch() {
     constexpr std::size_t few = 64;
+    constexpr std::size_t stretch_bytes = std::size_t{1} << 23;
     constexpr std::size_t longest_wait = 4096;
     const std::size_t before = table_.rows;
     for (bool goes_on = true; goes_on;) {
-      goes_on = false;
-      for (const PlainRows& part :
-           read_side_by_side(cursor_.rest(), *slots_.plain_layout(table_))) {
-        append(part);
-        goes_on = part.is_whole;
-        if (!part.is_whole) break;
-      }
+      cursor_.read_on(stretch_bytes);
+      std::vector<PlainRows> parts =
+          read_side_by_side(cursor_.rest(), *slots_.plain_layout(table_));
+      const auto last = std::find_if(parts.begin(), parts.end(),
+                                     [](const PlainRows& part) { return !part.is_whole; });
+      goes_on = !parts.empty() && last == parts.end();
+      if (last != parts.end()) parts.erase(last + 1, parts.end());
+      append(parts);
     }
     rows_since_stretch_ = 0;
     patience_ = table_.rows - before >= few ? 1 : std::min(2 * patience_, longest_wait);
   }
 
-  void append(const PlainRows& part) {
-    if (part.rows == 0) return;
-    if (cursor_.line() + 1 != expected_line_) {
-      table_.line_breaks.emplace_back(table_.rows, cursor_.line() + 1);
-    }
-    for (std::size_t k = 0; k < part.values.size(); ++k) {
+  void append(const std::vector<PlainRows>& parts) {
+    // Column by column: most of the time goes into memory that is touched for the first time.
+    parallel_for(table_.columns.size(), [&](std::size_t k) {
       LogColumn& column = table_.columns[k];
-      column.values.insert(column.values.end(), part.values[k].begin(), part.values[k].end());
-      column.gaps += part.gaps[k];
+      for (const PlainRows& part : parts) {
+        column.values.insert(column.values.end(), part.values[k].begin(), part.values[k].end());
+        column.gaps += part.gaps[k];
+      }
+    });
+    for (const PlainRows& part : parts) {
+      if (part.rows == 0) continue;
+      if (cursor_.line() + 1 != expected_line_) {
+        table_.line_breaks.emplace_back(table_.rows, cursor_.line() + 1);
+      }
+      table_.rows += part.rows;
+      cursor_.pass(part.bytes, part.rows, part.any_lf, part.any_cr_lf);
+      expected_line_ = cursor_.line() + 1;
     }
-    table_.rows += part.rows;
-    cursor_.pass(part.bytes, part.rows, part.any_lf, part.any_cr_lf);
-    expected_line_ = cursor_.line() + 1;
   }
 
   /// Any row. @return false for a last row that is cut off. @throw InputError

@@ -13,7 +13,7 @@ namespace tribolog {
 /// What the rows are read against.
 struct RowLayout {
   std::vector<Field> header;
-  std::string_view header_row;          ///< As it stands in the file; empty: there is none.
+  std::string header_row;               ///< As it stands in the file; empty: there is none.
   std::vector<int> slots;               ///< For each column of the file: index in `columns`, or -1.
   std::vector<ColumnReading> readings;  ///< Of each of `columns`.
   DecimalMark mark{DecimalMark::point};

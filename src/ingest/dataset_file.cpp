@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "error.h"
+#include "files/byte_source.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
@@ -74,12 +75,13 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
   const std::string path = (directory / entry.file).string();
-  const std::string bytes = read_file(path);
+  InputFileSource log(path);
+  FingerprintedSource bytes(log);
   std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
   const LogTable table = read_columns_of(entry, bytes, path, loads, manifest.text_logs);
   Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
                                        dataset.notes, &loads);
-  InputFile input = fingerprint(entry.file, to_string(entry.role), bytes);
+  InputFile input{entry.file, to_string(entry.role), log.bytes_read(), bytes.sha256(), 0, 0, {}};
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
   input.skipped = recording.skipped;

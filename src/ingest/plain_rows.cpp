@@ -131,7 +131,7 @@ PlainRows read_plain_rows(std::string_view text, const PlainLayout& layout) {
 }
 
 std::vector<PlainRows> read_side_by_side(std::string_view text, const PlainLayout& layout) {
-  constexpr std::size_t stretch_bytes = std::size_t{1} << 20;
+  constexpr std::size_t stretch_bytes = std::size_t{1} << 19;
   constexpr std::size_t stretches = 16;
   std::vector<std::string_view> parts;
   while (!text.empty() && parts.size() < stretches) {

@@ -72,9 +72,8 @@ void note_implausible_units(const RecordingEntry& entry, const Recording& r,
 
 }  // namespace
 
-LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path, const std::vector<KnownLoad>& loads,
-                         const TextLogRules& rules) {
+LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
+                         const std::vector<KnownLoad>& loads, const TextLogRules& rules) {
   const auto entries = entries_in_order(entry.columns);
   std::vector<WantedColumn> wanted;
   for (const ColumnEntry* column : entries) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "files/byte_source.h"
 #include "ingest/log_table.h"
 #include "ingest/manifest_file.h"
 #include "joint/recording.h"
@@ -17,9 +18,8 @@ namespace tribolog {
 /// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
 /// in
 ///        the log's header that contradicts the manifest.
-LogTable read_columns_of(const RecordingEntry& entry, std::string_view bytes,
-                         const std::string& path, const std::vector<KnownLoad>& loads = {},
-                         const TextLogRules& rules = {});
+LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
+                         const std::vector<KnownLoad>& loads = {}, const TextLogRules& rules = {});
 
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
 /// counted in `skipped`. Time running back by up to a second is put in order.

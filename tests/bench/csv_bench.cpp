@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "files/file_contents.h"
+#include "files/byte_source.h"
 #include "ingest/csv_reader.h"
 
 using namespace tribolog;
@@ -38,7 +38,7 @@ void write(const char* path, long rows) {
 
 int read(const char* path) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::string bytes = read_file(path);
+  InputFileSource bytes(path);
   const CsvTable table = read_csv(bytes, path, {{"t_s"}, {"q_rad"}, {"dq_rad_s"}, {"tau_Nm"}});
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -49,7 +49,8 @@ int read(const char* path) {
     for (const double value : column.values) sum += value;
   }
   std::printf("%.6f %zu %.17g %.1f %.1f\n", seconds, table.rows, sum,
-              static_cast<double>(usage.ru_maxrss) / 1024, static_cast<double>(bytes.size()) / 1e6);
+              static_cast<double>(usage.ru_maxrss) / 1024,
+              static_cast<double>(bytes.bytes_read()) / 1e6);
   return 0;
 }
 

@@ -29,7 +29,8 @@ Outcome make(const RecordingEntry& e, const std::string& csv,
              const Drive& drive = Drive(1.0, EffortKind::motor_torque, Side::motor),
              double sign = 1.0) {
   Outcome outcome;
-  const LogTable table = read_columns_of(e, csv, "dir/run.csv");
+  MemorySource source(csv);
+  const LogTable table = read_columns_of(e, source, "dir/run.csv");
   outcome.recording = make_recording(e, table, drive, sign, outcome.notes);
   return outcome;
 }
