@@ -48,7 +48,7 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   check_header(header.fields, line);
   cursor = first;
   RowCursor second = cursor;
-  if (!second.next()) return header;
+  if (!second.next() || second.row().size() > longest_line_bytes) return header;
   const std::vector<Field> below = fields_of(second, table, table.delimiter);
   if (below.size() != header.fields.size() || !holds_units(below, rules.decimal_mark)) {
     return header;

@@ -100,6 +100,9 @@ TEST(TextWindow, ALineWithoutEndIsRefusedBeforeItFillsTheMemory) {
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(header, "f", {{"t"}}); }),
             "f:1: line is longer than 1 MiB, expected a text file of columns");
   EXPECT_LT(header.bytes_read(), 10'000'000U);
+  Endless first_row("t,tau\n0,", "1", eight_hundred_MB);
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(first_row, "f", {{"t"}}); }),
+            "f:2: line is longer than 1 MiB, expected a text file of columns");
   Endless row("t,tau\n0,1\n0,", "1", eight_hundred_MB);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(row, "f", {{"t"}}); }),
             "f:3: line is longer than 1 MiB, expected a text file of columns");
