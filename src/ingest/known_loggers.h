@@ -1,0 +1,32 @@
+#pragma once
+// Loggers that are known by the names of their columns.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "ingest/units.h"
+#include "joint/drive.h"
+
+namespace tribolog {
+
+struct KnownColumn {
+  std::string_view pattern;  ///< See joint_in_name().
+  Quantity quantity{};
+  std::string_view unit;
+  bool is_target{};
+  std::optional<EffortKind> kind{};
+  std::optional<Side> side{};
+  std::string_view remark{};
+};
+
+struct KnownLogger {
+  std::string_view name;
+  std::string_view told_by;  ///< A column that no other logger has; a pattern.
+  std::span<const KnownColumn> columns;
+};
+
+/// The more particular ones first.
+std::span<const KnownLogger> known_loggers();
+
+}  // namespace tribolog

@@ -1,0 +1,51 @@
+#pragma once
+// What the names of a log's columns say of them. A guess, for `inspect` to propose and for the user
+// to confirm: nothing here enters a recording unasked.
+//
+// Loggers that are known by their columns: UR's RTDE client, libfranka's logToCSV, KUKA's FRI,
+// FloBaRoID, joint states of ROS, LeRobot. Other logs are read word by word: "q_deg", "tau [Nm]".
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ingest/log_table.h"
+#include "ingest/units.h"
+#include "joint/drive.h"
+
+namespace tribolog {
+
+/// What a torque or a current is, as far as the logger is known.
+struct EffortMeaning {
+  std::optional<EffortKind> kind;  ///< Absent: the logger writes one or the other.
+  std::optional<Side> side;
+  std::string remark;  ///< What the user has to know; empty if nothing.
+};
+
+/// One column's meaning.
+struct ColumnMeaning {
+  std::size_t column{};  ///< Index in the header.
+  Quantity quantity{};
+  std::string joint;      ///< "0", "elbow"; empty: the name tells none.
+  std::string unit;       ///< Of the header, or else of the logger, or else the SI one.
+  bool unit_is_stated{};  ///< By the header or by the logger.
+  /// A set point or a model's value: no measurement.
+  bool is_target{};
+  EffortMeaning effort;  ///< Of a torque or a current.
+};
+
+struct LogLayout {
+  std::string logger;                  ///< "UR RTDE"; empty: none that is known.
+  std::vector<ColumnMeaning> columns;  ///< Those whose meaning can be guessed, in their order.
+
+  /// The first measured one of this quantity and joint; null: none.
+  [[nodiscard]] const ColumnMeaning* find(Quantity quantity, const std::string& joint) const;
+  /// Joints that have an angle, in their order; {""} for names without one.
+  [[nodiscard]] std::vector<std::string> joints() const;
+};
+
+/// @param header of all columns.
+LogLayout guess_layout(const std::vector<ColumnHeader>& header);
+
+}  // namespace tribolog
