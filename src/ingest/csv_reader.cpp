@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "ingest/clock_field.h"
 #include "ingest/closest_match.h"
 #include "ingest/csv_header.h"
 #include "ingest/csv_lines.h"
@@ -85,6 +88,49 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   return layout;
 }
 
+/// What the fields of a column are in the first rows.
+struct Sample {
+  std::size_t numbers{}, times{}, texts{};
+};
+
+std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const TextLogRules& rules,
+                                const CsvTable& table) {
+  constexpr std::size_t sampled_rows = 20;
+  std::vector<Sample> samples(columns);
+  for (std::size_t row = 0; row < sampled_rows && cursor.next(); ++row) {
+    if (cursor.row().size() > longest_line_bytes || !cursor.has_line_end()) break;
+    const std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
+    for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
+      const FieldKind kind = read_number(fields[k].text, rules.decimal_mark).kind;
+      if (kind == FieldKind::number) ++samples[k].numbers;
+      if (kind != FieldKind::text) continue;
+      ++(read_iso_time(fields[k].text) ? samples[k].times : samples[k].texts);
+    }
+  }
+  return samples;
+}
+
+/// All columns that can be read, by their position; the others in a note.
+std::vector<WantedColumn> readable_columns(const RowCursor& cursor, const Header& header,
+                                           const TextLogRules& rules, CsvTable& table) {
+  const std::vector<Sample> samples = sample_rows(cursor, header.fields.size(), rules, table);
+  std::vector<WantedColumn> columns;
+  std::vector<std::string> others;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Sample& s = samples[k];
+    if (s.texts > 0 || (s.numbers == 0) == (s.times == 0)) {
+      if (!header.fields[k].text.empty()) others.push_back(header.fields[k].text);
+      continue;
+    }
+    const auto reading = s.times > 0 ? ColumnReading::iso_time : ColumnReading::number;
+    columns.push_back({fmt::format("#{}", k + 1), "", reading});
+  }
+  if (!others.empty()) {
+    table.notes.push_back("columns that hold no numbers are not read: " + list_of_names(others));
+  }
+  return columns;
+}
+
 /// Rows to make room for; a guess from the first row's length, bounded by the file's size.
 std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
   const std::size_t first_row = std::min(first_rows.find('\n'), first_rows.size()) + 1;
@@ -107,7 +153,9 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
   const Header header = read_names(cursor, columns, rules, table);
-  const RowLayout layout = lay_out(header, columns, rules, {file, first.line(), 0}, table);
+  const std::vector<WantedColumn> wanted =
+      columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
+  const RowLayout layout = lay_out(header, wanted, rules, {file, first.line(), 0}, table);
   for (LogColumn& column : table.columns) {
     column.values.reserve(likely_rows(cursor.rest(), bytes.likely_bytes()));
   }

@@ -28,7 +28,8 @@ struct CsvTable : LogTable {
 
 /// Holds a few megabytes of the log at a time, and the columns asked for.
 /// @param file its name, for messages.
-/// @param columns those to convert, none twice; the others are counted but not read.
+/// @param columns those to convert, none twice; the others are counted but not read. None at all:
+/// every one that holds numbers, or times, in the first rows; the others are named in a note.
 /// @param rules what the log cannot tell itself.
 /// @throw InputError with file:line:column, what was found, what was expected and what to do.
 CsvTable read_csv(ByteSource& bytes, const std::string& file,

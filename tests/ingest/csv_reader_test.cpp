@@ -146,6 +146,19 @@ TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
   EXPECT_EQ(table.notes, (Notes{"units are taken from the row under the header"}));
 }
 
+TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
+  const CsvTable table = read(
+      "when,state,q,empty,tau\n2026-03-01T08:15:00Z,run,1,,nan\n2026-03-01T08:15:01Z,stop,2,,3\n",
+      {});
+  ASSERT_EQ(table.columns.size(), 3U);
+  EXPECT_EQ(table.columns[0].header.name, "when");
+  EXPECT_EQ(table.columns[0].values, (Values{0, 1}));
+  EXPECT_EQ(table.columns[1].header.name, "q");
+  EXPECT_EQ(table.columns[2].values[1], 3);
+  EXPECT_EQ(table.notes, (Notes{"columns that hold no numbers are not read: 'state', 'empty'"}));
+  EXPECT_EQ(read("0 1 2\n3 4 5\n", {}).columns.size(), 3U);
+}
+
 TEST(CsvReader, KeepsTheNanosecondsOfAClockThatCountsFrom1970) {
   std::vector<WantedColumn> time = {{"t", "", ColumnReading::clock}};
   const CsvTable ns = read("t\n1700000000123456789\n1700000000123456790\nnan\n", time);
