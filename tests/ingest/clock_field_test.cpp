@@ -44,7 +44,8 @@ TEST(ClockField, TakesNothingElse) {
                             "2026-03-01T08:15:00+1", "26-03-01T08:15:00", "\xff\xfe"}) {
     EXPECT_FALSE(read_iso_time(field)) << field;
   }
-  for (const char* field : {"", "-", "1e9", "1.5.5", "1,5", "0x10", "12345678901234567890", "nan"}) {
+  for (const char* field :
+       {"", "-", "1e9", "1.5.5", "1,5", "0x10", "12345678901234567890", "nan"}) {
     EXPECT_FALSE(read_clock_number(field)) << field;
   }
   EXPECT_TRUE(read_clock_number("1,5", DecimalMark::comma));
