@@ -68,9 +68,7 @@ class McapReader {
                        byte));
       return false;
     }
-    if (record.opcode == opcode_of(McapOpcode::chunk) && !is_data_end_) {
-      return take_chunk(record, byte);
-    }
+    if (record.opcode == opcode_of(McapOpcode::chunk)) return take_chunk(record, byte);
     if (is_wanted(record.opcode)) return take_content(record, byte);
     const std::uint64_t skipped = source_.skip(record.content_bytes);
     if (skipped < record.content_bytes) {
@@ -83,9 +81,11 @@ class McapReader {
     return false;
   }
 
-  /// After the data, schemas and channels stand there once more.
+  /// After the data, schemas and channels stand there once more. No messages should; a damaged
+  /// byte may look like the data's end, and must not hide what follows.
   [[nodiscard]] bool is_wanted(std::uint8_t opcode) const {
-    return !is_data_end_ && McapMessages::takes(opcode);
+    return McapMessages::takes(opcode) &&
+           (!is_data_end_ || opcode == opcode_of(McapOpcode::message));
   }
 
   bool take_content(const McapRecordStart& record, std::uint64_t byte) {

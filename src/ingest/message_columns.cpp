@@ -70,7 +70,6 @@ struct MessageColumns::Place {
 
 MessageColumns::MessageColumns(MessageSchema schema)
     : schema_(std::move(schema)), root_(std::make_unique<Place>()) {}
-MessageColumns::MessageColumns(MessageColumns&&) noexcept = default;
 MessageColumns::~MessageColumns() = default;
 
 std::optional<std::int64_t> MessageColumns::take_row(CdrReader& message) {

@@ -26,6 +26,9 @@ namespace tribolog {
 class MessageColumns {
  public:
   explicit MessageColumns(MessageSchema schema);
+  MessageColumns(const MessageColumns&) = delete;
+  MessageColumns& operator=(const MessageColumns&) = delete;
+  ~MessageColumns();
 
   /// Reads one message as the next row. @return header.stamp in ns, where there is a header.
   /// @throw CdrError: it ends too early, an array has neither no elements nor as many as there are
@@ -68,11 +71,6 @@ class MessageColumns {
   bool has_too_many_columns_{false};
   std::size_t rows_{0};
   std::size_t too_long_{0};
-
- public:
-  MessageColumns(MessageColumns&&) noexcept;
-  MessageColumns& operator=(MessageColumns&&) = delete;
-  ~MessageColumns();
 };
 
 }  // namespace tribolog

@@ -85,6 +85,16 @@ TEST(McapDamage, ChangedBytesNeverCrashIt) {
   EXPECT_LT(read_all, trials);
 }
 
+TEST(McapDamage, ReadsOnAfterWhatLooksLikeTheEndOfTheData) {
+  for (const std::size_t messages_per_chunk : {0, 1}) {
+    McapWriter writer = writer_with_joints({messages_per_chunk, "", true, true});
+    writer.add_message(3, 0, numbered_message(0).cdr());
+    writer.add_record(0x0f, std::string(4, '\0'));
+    writer.add_message(3, 1, numbered_message(1).cdr());
+    EXPECT_EQ(read(writer.finish()).at(0).rows, 2U);
+  }
+}
+
 TEST(McapDamage, LeavesOutAChunkWhoseCrcDisagrees) {
   McapWriter log = numbered_log({10, "", true, true});
   std::string bytes = log.finish();
