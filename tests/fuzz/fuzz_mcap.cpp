@@ -1,0 +1,18 @@
+// libFuzzer: whatever bytes an MCAP log has, it is read or refused in one clear line.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "error.h"
+#include "ingest/mcap_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 20;
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    (void)tribolog::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes);
+  } catch (const tribolog::InputError&) {
+  }
+  return 0;
+}
