@@ -25,21 +25,36 @@ void refuse_too_large(const std::string& path, std::uint64_t largest_bytes) {
          "split it, or leave out columns that are not needed");
 }
 
-}  // namespace
-
-std::string read_file(const std::string& path, std::uint64_t largest_bytes) {
+int open_to_read(const std::string& path) {
   if (path.find('\0') != std::string::npos) refuse(path, "cannot open: NUL byte in the file name");
   // O_NONBLOCK: opening a pipe that nobody writes to must not wait.
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.is_open()) refuse(path, "cannot open: " + reason(errno));
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) refuse(path, "cannot open: " + reason(errno));
+  return descriptor;
+}
+
+std::uint64_t size_of_regular(const FileDescriptor& file, const std::string& path,
+                              std::uint64_t largest_bytes) {
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) refuse(path, "cannot open: " + reason(errno));
   if (S_ISDIR(status.st_mode)) refuse(path, "cannot read: is a directory");
   if (!S_ISREG(status.st_mode)) {
     refuse(path, "cannot read: is not a regular file", "devices and pipes are not read");
   }
-  const auto expected_bytes = static_cast<std::uint64_t>(status.st_size);
-  if (expected_bytes > largest_bytes) refuse_too_large(path, largest_bytes);
+  const auto bytes = static_cast<std::uint64_t>(status.st_size);
+  if (bytes > largest_bytes) refuse_too_large(path, largest_bytes);
+  return bytes;
+}
+
+}  // namespace
+
+std::uint64_t size_of_file(const std::string& path, std::uint64_t largest_bytes) {
+  return size_of_regular(FileDescriptor(open_to_read(path)), path, largest_bytes);
+}
+
+std::string read_file(const std::string& path, std::uint64_t largest_bytes) {
+  const FileDescriptor file(open_to_read(path));
+  const std::uint64_t expected_bytes = size_of_regular(file, path, largest_bytes);
 
   constexpr std::size_t chunk = std::size_t{1} << 24;
   std::string bytes;
