@@ -84,12 +84,14 @@ bool convert_all(const matvar_t& variable, NamedArray& array) {
       convert<std::int8_t>(variable, array);
       return true;
     case MAT_T_UINT8:
+    case MAT_T_UTF8:
       convert<std::uint8_t>(variable, array);
       return true;
     case MAT_T_INT16:
       convert<std::int16_t>(variable, array);
       return true;
     case MAT_T_UINT16:
+    case MAT_T_UTF16:
       convert<std::uint16_t>(variable, array);
       return true;
     case MAT_T_INT32:
@@ -128,20 +130,27 @@ std::string why_left_out(const matvar_t& variable) {
   }
 }
 
+/// The values of a numeric variable or of characters. @return "" or why there are none.
+std::string read_values(const matvar_t& variable, NamedArray& array) {
+  const std::uint64_t count = count_of(variable);
+  const std::size_t value_bytes = Mat_SizeOf(variable.data_type);
+  if (variable.data == nullptr || value_bytes == 0 || variable.nbytes / value_bytes < count) {
+    return "damaged: it has fewer values than it says";
+  }
+  array.values.resize(count);
+  return convert_all(variable, array) ? "" : "its type is not known";
+}
+
 /// A row of characters with what is not ASCII as '?'.
 void add_text(const std::string& name, const matvar_t& variable, FileArrays& found) {
-  const std::uint64_t length = count_of(variable);
-  const std::size_t step = Mat_SizeOf(variable.data_type);
   const bool is_row = variable.rank == 2 && variable.dims[0] == 1;
-  if (!is_row || length > longest_text) return found.leave_out(name, "it holds texts");
-  if (variable.data == nullptr || step == 0 || step > 2 || length * step > variable.nbytes) {
-    return found.leave_out(name, "its text cannot be read");
-  }
+  if (!is_row || count_of(variable) > longest_text) return found.leave_out(name, "it holds texts");
+  NamedArray codes;
+  const std::string reason = read_values(variable, codes);
+  if (!reason.empty()) return found.leave_out(name, reason);
   std::string text;
-  for (std::size_t i = 0; i < length; ++i) {
-    const unsigned c = step == 2 ? static_cast<const std::uint16_t*>(variable.data)[i]
-                                 : static_cast<const std::uint8_t*>(variable.data)[i];
-    text += c >= 32 && c < 127 ? static_cast<char>(c) : '?';
+  for (const double code : codes.values) {
+    text += code >= 32 && code < 127 ? static_cast<char>(code) : '?';
   }
   found.texts.emplace_back(name, text);
 }
@@ -151,13 +160,8 @@ void add_numbers(const std::string& name, const matvar_t& variable, FileArrays& 
   array.name = name;
   array.by_columns = true;
   if (!shape_array(sides_of(variable), array, found)) return;
-  const std::uint64_t count = count_of(variable);
-  const std::size_t value_bytes = Mat_SizeOf(variable.data_type);
-  if (variable.data == nullptr || value_bytes == 0 || variable.nbytes / value_bytes < count) {
-    return found.leave_out(name, "damaged: it has fewer values than it says");
-  }
-  array.values.resize(count);
-  if (!convert_all(variable, array)) return found.leave_out(name, "its type is not known");
+  const std::string reason = read_values(variable, array);
+  if (!reason.empty()) return found.leave_out(name, reason);
   found.arrays.push_back(std::move(array));
 }
 
@@ -205,6 +209,19 @@ void read_variable(mat_t* file, matvar_t& variable, FileArrays& found) {
   add_variable(name, variable, 0, found);
 }
 
+/// @return how many variables there were to read, at most `count`.
+std::size_t read_first(const std::string& path, std::size_t count, FileArrays& found) {
+  const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  if (!file) throw UnreadableFile("damaged or no MAT file");
+  std::size_t number = 0;
+  for (; number < count; ++number) {
+    const Variable variable(Mat_VarReadNextInfo(file.get()));
+    if (!variable) break;
+    read_variable(file.get(), *variable, found);
+  }
+  return number;
+}
+
 FileArrays read_variables(const std::string& path) {
   const MatVersion version = mat_version(path);
   MatElements elements{std::numeric_limits<std::size_t>::max(), false};
@@ -216,15 +233,9 @@ FileArrays read_variables(const std::string& path) {
   } else {
     elements = check_mat_elements(path, version);
   }
-  const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (!file) throw UnreadableFile("damaged or no MAT file");
   FileArrays found;
-  std::size_t number = 0;
-  for (; number < elements.complete; ++number) {
-    const Variable variable(Mat_VarReadNextInfo(file.get()));
-    if (!variable) break;
-    read_variable(file.get(), *variable, found);
-  }
+  const std::size_t number =
+      elements.complete == 0 ? 0 : read_first(path, elements.complete, found);
   if (version != MatVersion::mat_7_3 && number < elements.complete) {
     found.leave_out(fmt::format("variable {}", number + 1), "damaged, as may be those behind it");
   }
