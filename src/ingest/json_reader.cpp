@@ -146,15 +146,16 @@ std::size_t count_records(const JsonValue& value) {
 /// @param only_records there is one array of objects: its keys need no name in front.
 void add_value(const std::string& name, const JsonValue& value, bool only_records,
                FileArrays& found) {
+  const std::string shown = name.empty() ? "value" : name;
   switch (value.kind) {
     case JsonKind::null:
-      return found.leave_out(name, "it is null");
+      return found.leave_out(shown, "it is null");
     case JsonKind::text:
-      found.texts.emplace_back(name, value.content->text);
+      found.texts.emplace_back(shown, value.content->text);
       return;
     case JsonKind::number: {
       NamedArray scalar;
-      scalar.name = name;
+      scalar.name = shown;
       if (!shape_array({}, scalar, found)) return;
       append(value, scalar);
       found.arrays.push_back(std::move(scalar));
@@ -173,7 +174,6 @@ void add_value(const std::string& name, const JsonValue& value, bool only_record
   if (are_records(value)) {
     return add_records(only_records || name.empty() ? "" : name + "/", value, found);
   }
-  const std::string shown = name.empty() ? "value" : name;
   if (is_number_list(value)) return add_vector(shown, value, found);
   if (all_are(value, is_number_list)) return add_matrix(shown, value, found);
   found.leave_out(shown, "it is a list of texts or of mixed values");

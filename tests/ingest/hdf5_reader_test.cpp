@@ -11,6 +11,7 @@
 #include "error.h"
 #include "files/temporary_directory.h"
 #include "ingest/hdf5_objects.h"
+#include "ingest/log_format.h"
 #include "support/damaged_files.h"
 
 namespace tribolog {
@@ -104,6 +105,7 @@ class Hdf5 : public testing::Test {
 TEST_F(Hdf5, RobotLogsAreReadToTheBit) {
   for (const bool deflated : {false, true}) {
     make_robot_log(deflated);
+    EXPECT_EQ(detect_log_format(directory_.contents("log.h5"), path_), LogFormat::hdf5);
     const auto tables = read_hdf5(path_);
     ASSERT_EQ(tables.size(), 1U);
     const LogTable& table = tables[0];

@@ -14,6 +14,7 @@
 #include "error.h"
 #include "files/temporary_directory.h"
 #include "ingest/hdf5_objects.h"
+#include "ingest/log_format.h"
 #include "support/damaged_files.h"
 
 namespace tribolog {
@@ -119,6 +120,12 @@ TEST_P(Mat, RobotLogsAreReadToTheBit) {
   EXPECT_EQ(table.notes[0], "mass = 0.49");
   if (GetParam().version == MAT_FT_MAT4) return;
   EXPECT_EQ(table.notes, (Names{"mass = 0.49", "robot = 'UR10e'"}));
+}
+
+TEST_P(Mat, FormatIsRecognised) {
+  make_robot_log();
+  EXPECT_EQ(detect_log_format(directory_.contents("log.mat").substr(0, log_format_bytes), path_),
+            LogFormat::mat);
 }
 
 TEST_P(Mat, DamageIsAnswered) {

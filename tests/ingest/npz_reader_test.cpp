@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "files/temporary_directory.h"
+#include "ingest/log_format.h"
 #include "support/damaged_files.h"
 
 namespace tribolog {
@@ -158,6 +159,7 @@ TEST_F(Npz, RobotLogsAreReadToTheBit) {
   make_robot_log();
   const std::string expected = directory_.contents("expected.bin");
   for (const char* name : {"stored.npz", "deflated.npz"}) {
+    EXPECT_EQ(detect_log_format(directory_.contents(name), "log"), LogFormat::npz);
     const auto tables = read_npz(directory_.path(name));
     ASSERT_EQ(tables.size(), 1U);
     const LogTable& table = tables[0];
