@@ -3,8 +3,14 @@
 #include <algorithm>
 
 #include "files/byte_source.h"
+#include "files/regular_file.h"
 
 namespace tribolog {
+
+std::uint64_t size_of_file(const std::string& path, std::uint64_t largest_bytes) {
+  const FileDescriptor file(open_regular_file(path));
+  return size_of_regular_file(file.get(), path, largest_bytes);
+}
 
 std::string read_file(const std::string& path, std::uint64_t largest_bytes) {
   InputFileSource file(path, largest_bytes);

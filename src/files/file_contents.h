@@ -15,4 +15,9 @@ inline constexpr std::uint64_t largest_input_bytes = std::uint64_t{8} << 30;
 ///        directory, is not a regular file (device, pipe, socket), or is larger than the bound.
 std::string read_file(const std::string& path, std::uint64_t largest_bytes = largest_input_bytes);
 
+/// Size of a regular file in bytes, for a library that opens it by its name.
+/// @throw InputError as read_file().
+std::uint64_t size_of_file(const std::string& path,
+                           std::uint64_t largest_bytes = largest_input_bytes);
+
 }  // namespace tribolog

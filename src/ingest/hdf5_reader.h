@@ -1,0 +1,25 @@
+#pragma once
+// Logs in HDF5.
+
+#include <string>
+#include <vector>
+
+#include "ingest/log_table.h"
+
+namespace tribolog {
+
+/// Tables of an HDF5 file by the rule of tables_of(); a dataset is named by its path, "run/q", and
+/// has the unit of its text attribute "units" or "unit". Numbers and enumerations (booleans of
+/// h5py) are read; compound, text, reference and other types are left out with the reason.
+///
+/// Only what is in the file itself is read: soft and external links, external storage and virtual
+/// datasets are left out with the reason, plugins are not loaded. The library runs in a process of
+/// its own, see isolated_reading.h.
+/// @throw InputError: the file cannot be read, is no HDF5 file, is damaged, or holds no rows.
+std::vector<LogTable> read_hdf5(const std::string& path);
+
+/// @return whether some link, storage or virtual dataset of the file leads to another file.
+/// To be called under read_isolated(). @throw UnreadableFile
+bool leads_to_other_files(const std::string& path);
+
+}  // namespace tribolog

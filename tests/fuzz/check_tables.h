@@ -1,0 +1,37 @@
+#pragma once
+// What holds for every table that a reader returns.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ingest/log_table.h"
+
+namespace tribolog::fuzz {
+
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// Rows, gaps and names that agree; nothing infinite.
+inline void check_tables(const std::vector<LogTable>& tables) {
+  require(!tables.empty());
+  for (const LogTable& table : tables) {
+    require(table.rows > 0 && table.columns.size() <= table.header.size());
+    std::set<std::string> names;
+    for (const LogColumn& column : table.columns) {
+      require(column.values.size() == table.rows && names.insert(column.header.full).second);
+      std::size_t gaps = 0;
+      for (const double value : column.values) {
+        require(!std::isinf(value));
+        gaps += std::isnan(value) ? 1 : 0;
+      }
+      require(gaps == column.gaps);
+    }
+  }
+}
+
+}  // namespace tribolog::fuzz

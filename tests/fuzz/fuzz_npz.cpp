@@ -1,0 +1,16 @@
+#include <cstdint>
+#include <string_view>
+
+#include "check_tables.h"
+
+#include "error.h"
+#include "ingest/npz_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    tribolog::fuzz::check_tables(tribolog::parse_npz(bytes, "a.npy"));
+  } catch (const tribolog::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,47 @@
+#pragma once
+// Files with one thing wrong, from a good one: what a reader must answer with a table or a refusal.
+
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "error.h"
+
+namespace tribolog::test {
+
+/// A table, or one line of refusal; anything else fails the test.
+template <class Read>
+void expect_answer(const Read& read, const std::string& bytes, const std::string& what) {
+  try {
+    (void)read(bytes);
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << what;
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << what << ": " << error.what();
+  }
+}
+
+/// Cuts the file at `count` random places.
+template <class Read>
+void expect_cuts_answered(const Read& read, const std::string& bytes, int count) {
+  std::mt19937 random(1);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t length = i < 20 ? static_cast<std::size_t>(i) : random() % bytes.size();
+    expect_answer(read, bytes.substr(0, length), "first " + std::to_string(length) + " bytes");
+  }
+}
+
+/// Changes one random byte at a time to another one, `count` times.
+template <class Read>
+void expect_changes_answered(const Read& read, const std::string& bytes, int count) {
+  std::mt19937 random(2);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t at = random() % bytes.size();
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ static_cast<char>(1 + random() % 255));
+    expect_answer(read, changed, "byte " + std::to_string(at) + " changed");
+  }
+}
+
+}  // namespace tribolog::test
