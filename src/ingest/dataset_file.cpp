@@ -11,6 +11,7 @@
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
+#include "ingest/log_reader.h"
 #include "ingest/manifest_file.h"
 #include "ingest/recording_rows.h"
 #include "ingest/robot_file.h"
@@ -68,6 +69,14 @@ void compare_angles(Dataset& dataset) {
       degrees_per_rad * joint.lowest_rad, degrees_per_rad * joint.highest_rad));
 }
 
+/// For the fingerprint: other readers open the file themselves.
+void read_to_the_end(ByteSource& bytes) {
+  constexpr std::size_t at_a_time = std::size_t{1} << 20;
+  std::string buffer(at_a_time, '\0');
+  while (bytes.read(buffer.data(), buffer.size()) > 0) {
+  }
+}
+
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
                    const ManifestFile& manifest, Dataset& dataset) {
   if (entry.file.find('\0') != std::string::npos) {
@@ -78,7 +87,10 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
   InputFileSource log(path);
   FingerprintedSource bytes(log);
   std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
-  const LogTable table = read_columns_of(entry, bytes, path, loads, manifest.text_logs);
+  const LogTable table = is_text_log(path)
+                             ? read_columns_of(entry, bytes, path, loads, manifest.text_logs)
+                             : choose_columns_of(entry, read_tables(path), path, loads);
+  read_to_the_end(bytes);
   Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
                                        dataset.notes, &loads);
   InputFile input{entry.file, to_string(entry.role), log.bytes_read(), bytes.sha256(), 0, 0, {}};

@@ -8,6 +8,7 @@
 #include "ingest/closest_match.h"
 #include "ingest/csv_reader.h"
 #include "ingest/known_load_rows.h"
+#include "ingest/log_reader.h"
 #include "ingest/row_choice.h"
 
 namespace tribolog {
@@ -70,19 +71,21 @@ void note_implausible_units(const RecordingEntry& entry, const Recording& r,
   }
 }
 
-}  // namespace
-
-LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
-                         const std::vector<KnownLoad>& loads, const TextLogRules& rules) {
-  const auto entries = entries_in_order(entry.columns);
+std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
+                                         const std::vector<KnownLoad>& loads) {
   std::vector<WantedColumn> wanted;
-  for (const ColumnEntry* column : entries) {
+  for (const ColumnEntry* column : entries_in_order(entry.columns)) {
     const bool is_effort = entry.columns.effort && column == &*entry.columns.effort;
     wanted.push_back({column->name, is_effort ? without_effort : "", column->reading});
   }
   add_load_columns(loads, entry.role, wanted);
-  LogTable table = read_csv(bytes, path, wanted, rules);
+  return wanted;
+}
+
+void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<KnownLoad>& loads,
+                             const std::string& path, const LogTable& table) {
   refuse_unusable_load_columns(loads, entry.role, table);
+  const auto entries = entries_in_order(entry.columns);
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const LogColumn& column = table.columns[k];
     refuse_contradicting_unit(*entries[k], column.header);
@@ -91,6 +94,21 @@ LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const s
                                         " holds no number, only gaps (empty or nan)",
                                     "", "", ""});
   }
+}
+
+}  // namespace
+
+LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
+                         const std::vector<KnownLoad>& loads, const TextLogRules& rules) {
+  LogTable table = read_csv(bytes, path, columns_wanted(entry, loads), rules);
+  refuse_unusable_columns(entry, loads, path, table);
+  return table;
+}
+
+LogTable choose_columns_of(const RecordingEntry& entry, std::vector<LogTable> tables,
+                           const std::string& path, const std::vector<KnownLoad>& loads) {
+  LogTable table = take_columns(std::move(tables), columns_wanted(entry, loads));
+  refuse_unusable_columns(entry, loads, path, table);
   return table;
 }
 

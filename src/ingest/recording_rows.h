@@ -21,6 +21,11 @@ namespace tribolog {
 LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
                          const std::vector<KnownLoad>& loads = {}, const TextLogRules& rules = {});
 
+/// The same of a log that is no text, from its tables.
+/// @throw InputError as take_columns(), and as above.
+LogTable choose_columns_of(const RecordingEntry& entry, std::vector<LogTable> tables,
+                           const std::string& path, const std::vector<KnownLoad>& loads = {});
+
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
 /// counted in `skipped`. Time running back by up to a second is put in order.
 /// @param notes receives what the user should know.

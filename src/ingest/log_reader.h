@@ -1,0 +1,25 @@
+#pragma once
+// Logs of any format that is known, as tables.
+
+#include <string>
+#include <vector>
+
+#include "ingest/log_table.h"
+
+namespace tribolog {
+
+/// Whether a log is text, which is read as a stream; all other formats go through read_tables().
+/// @throw InputError as read_file() does.
+bool is_text_log(const std::string& path);
+
+/// All tables of a log that is no text: MCAP, rosbag2 (.db3), MAT, HDF5, NumPy, JSON.
+/// @throw InputError as the format's reader does.
+std::vector<LogTable> read_tables(const std::string& path);
+
+/// The one table that has all the columns, with these alone and in their order. Where several
+/// tables have a column of the same name, it is named with its group:
+/// "/left/joint_states/q.position".
+/// @throw InputError if no table has them all (naming what is missing), or several have.
+LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns);
+
+}  // namespace tribolog
