@@ -13,7 +13,7 @@ constexpr std::string_view magic{"\x89MCAP0\r\n", 8};
 
 std::string integer(std::uint64_t value, std::size_t bytes) {
   std::string text;
-  for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>((value >> (8 * i)) & 0xffU);
+  for (std::size_t i = 0; i < bytes; ++i, value >>= 8) text += static_cast<char>(value & 0xffU);
   return text;
 }
 
