@@ -87,9 +87,10 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
   InputFileSource log(path);
   FingerprintedSource bytes(log);
   std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
-  const LogTable table = is_text_log(path)
+  const LogFormat format = format_of_log(path);
+  const LogTable table = format == LogFormat::text
                              ? read_columns_of(entry, bytes, path, loads, manifest.text_logs)
-                             : choose_columns_of(entry, read_tables(path), path, loads);
+                             : choose_columns_of(entry, read_tables(path, format), path, loads);
   read_to_the_end(bytes);
   Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
                                        dataset.notes, &loads);

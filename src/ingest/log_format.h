@@ -14,7 +14,7 @@ inline constexpr std::size_t log_format_bytes = 4096;
 
 /// By the bytes that a format's files start with, then by what a text starts with ('{' or '[' as
 /// JSON has them), and only where neither tells by the name (".mat" of version 4, ".json"). What is
-/// none of these is `text`; text_of_log() names and refuses other binary formats.
+/// none of these is `text`; start_of_text() names and refuses other binary formats.
 LogFormat detect_log_format(std::string_view first_bytes, const std::string& path);
 
 }  // namespace tribolog

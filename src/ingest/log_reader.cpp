@@ -9,7 +9,6 @@
 #include "ingest/closest_match.h"
 #include "ingest/hdf5_reader.h"
 #include "ingest/json_reader.h"
-#include "ingest/log_format.h"
 #include "ingest/mat_reader.h"
 #include "ingest/mcap_reader.h"
 #include "ingest/npz_reader.h"
@@ -17,19 +16,6 @@
 
 namespace tribolog {
 namespace {
-
-LogFormat format_of(const std::string& path) {
-  InputFileSource file(path);
-  std::string start(log_format_bytes, '\0');
-  std::size_t filled = 0;
-  while (filled < start.size()) {
-    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
-    if (got == 0) break;
-    filled += got;
-  }
-  start.resize(filled);
-  return detect_log_format(start, path);
-}
 
 /// Index among the table's columns: by the full name, with the group in front, or without unit.
 std::optional<std::size_t> index_of(const LogTable& table, const std::string& name) {
@@ -81,10 +67,21 @@ std::vector<std::string> names_of(const LogTable& table) {
 
 }  // namespace
 
-bool is_text_log(const std::string& path) { return format_of(path) == LogFormat::text; }
+LogFormat format_of_log(const std::string& path) {
+  InputFileSource file(path);
+  std::string start(log_format_bytes, '\0');
+  std::size_t filled = 0;
+  while (filled < start.size()) {
+    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
+    if (got == 0) break;
+    filled += got;
+  }
+  start.resize(filled);
+  return detect_log_format(start, path);
+}
 
-std::vector<LogTable> read_tables(const std::string& path) {
-  switch (format_of(path)) {
+std::vector<LogTable> read_tables(const std::string& path, LogFormat format) {
+  switch (format) {
     case LogFormat::mcap:
       return read_mcap(path);
     case LogFormat::sqlite_bag:

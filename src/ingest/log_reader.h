@@ -4,17 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "ingest/log_format.h"
 #include "ingest/log_table.h"
 
 namespace tribolog {
 
-/// Whether a log is text, which is read as a stream; all other formats go through read_tables().
+/// What a log is, by its first bytes. Text is read as a stream; all else goes through
+/// read_tables().
 /// @throw InputError as read_file() does.
-bool is_text_log(const std::string& path);
+LogFormat format_of_log(const std::string& path);
 
 /// All tables of a log that is no text: MCAP, rosbag2 (.db3), MAT, HDF5, NumPy, JSON.
-/// @throw InputError as the format's reader does.
-std::vector<LogTable> read_tables(const std::string& path);
+/// @throw InputError as the format's reader does, and for text.
+std::vector<LogTable> read_tables(const std::string& path, LogFormat format);
 
 /// The one table that has all the columns, with these alone and in their order. Where several
 /// tables have a column of the same name, it is named with its group:
