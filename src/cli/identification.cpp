@@ -6,7 +6,7 @@
 
 #include "files/atomic_file.h"
 #include "ingest/dataset_file.h"
-#include "ingest/manifest_file.h"
+#include "ingest/manifest/manifest_file.h"
 #include "joint/degrees.h"
 #include "pipeline.h"
 

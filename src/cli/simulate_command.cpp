@@ -2,7 +2,7 @@
 
 #include "cli/commands.h"
 #include "export/simulation_files.h"
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

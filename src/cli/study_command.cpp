@@ -8,7 +8,7 @@
 #include "figures/study_figures.h"
 #include "files/atomic_file.h"
 #include "files/file_contents.h"
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "report/study_page.h"
 #include "study/trust.h"
 

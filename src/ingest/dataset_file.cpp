@@ -12,9 +12,9 @@
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
 #include "ingest/log_reader.h"
-#include "ingest/manifest_file.h"
+#include "ingest/manifest/manifest_file.h"
+#include "ingest/manifest/robot_file.h"
 #include "ingest/recording_rows.h"
-#include "ingest/robot_file.h"
 #include "joint/degrees.h"
 
 namespace tribolog {

@@ -6,13 +6,13 @@
 
 #include "error.h"
 #include "files/byte_source.h"
+#include "ingest/arrays/hdf5_reader.h"
+#include "ingest/arrays/json_reader.h"
+#include "ingest/arrays/mat_reader.h"
+#include "ingest/arrays/npz_reader.h"
+#include "ingest/bags/mcap_reader.h"
+#include "ingest/bags/rosbag_reader.h"
 #include "ingest/closest_match.h"
-#include "ingest/hdf5_reader.h"
-#include "ingest/json_reader.h"
-#include "ingest/mat_reader.h"
-#include "ingest/mcap_reader.h"
-#include "ingest/npz_reader.h"
-#include "ingest/rosbag_reader.h"
 
 namespace tribolog {
 namespace {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "ingest/closest_match.h"
-#include "ingest/csv_reader.h"
 #include "ingest/known_load_rows.h"
 #include "ingest/log_reader.h"
 #include "ingest/row_choice.h"
+#include "ingest/text/csv_reader.h"
 
 namespace tribolog {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "files/byte_source.h"
 #include "ingest/log_table.h"
-#include "ingest/manifest_file.h"
+#include "ingest/manifest/manifest_file.h"
 #include "joint/recording.h"
 
 namespace tribolog {

@@ -7,7 +7,7 @@
 
 #include "error.h"
 #include "ingest/log_table.h"
-#include "ingest/manifest_file.h"
+#include "ingest/manifest/manifest_file.h"
 #include "joint/recording.h"
 
 namespace tribolog {

@@ -15,7 +15,7 @@
 #include <sys/resource.h>
 
 #include "files/byte_source.h"
-#include "ingest/csv_reader.h"
+#include "ingest/text/csv_reader.h"
 
 using namespace tribolog;
 

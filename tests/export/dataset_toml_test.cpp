@@ -6,7 +6,7 @@
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
-#include "ingest/manifest_file.h"
+#include "ingest/manifest/manifest_file.h"
 
 namespace tribolog {
 namespace {

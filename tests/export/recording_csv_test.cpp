@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/csv_reader.h"
+#include "ingest/text/csv_reader.h"
 
 #if __has_include(<rapidcheck/gtest.h>)
 #include <rapidcheck.h>

@@ -7,7 +7,7 @@
 #include "error.h"
 #include "files/temporary_directory.h"
 #include "ingest/dataset_file.h"
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

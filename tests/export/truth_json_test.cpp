@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "friction/catalogue.h"
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 
 namespace tribolog {
 namespace {

@@ -4,7 +4,7 @@
 #include "check_tables.h"
 
 #include "error.h"
-#include "ingest/json_reader.h"
+#include "ingest/arrays/json_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

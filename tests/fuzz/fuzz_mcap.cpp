@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "error.h"
-#include "ingest/mcap_reader.h"
+#include "ingest/bags/mcap_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 20;

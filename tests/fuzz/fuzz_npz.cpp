@@ -4,7 +4,7 @@
 #include "check_tables.h"
 
 #include "error.h"
-#include "ingest/npz_reader.h"
+#include "ingest/arrays/npz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

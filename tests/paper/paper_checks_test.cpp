@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/robot_file.h"
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
 #include "paper/checks/paper_figures.h"
 #include "paper/checks/paper_items.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "pipeline.h"
 #include "simulate/simulated_dataset.h"
 #include "stages/data_checks/data_checks.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/scenario_file.h"
+#include "ingest/manifest/scenario_file.h"
 #include "simulate/simulate_joint.h"
 #include "support/paper_joint.h"
 

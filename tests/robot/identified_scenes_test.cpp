@@ -8,7 +8,7 @@
 
 #include "hand_made_calibration.h"
 
-#include "ingest/robot_file.h"
+#include "ingest/manifest/robot_file.h"
 #include "paper/scenes/scene_figures.h"
 #include "render/renderer.h"
 #include "render/vector3.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/robot_file.h"
+#include "ingest/manifest/robot_file.h"
 #include "joint/gravity_load.h"
 
 namespace tribolog {

@@ -1,4 +1,4 @@
-#include "ingest/robot_file.h"
+#include "ingest/manifest/robot_file.h"
 
 #include <algorithm>
 #include <fstream>

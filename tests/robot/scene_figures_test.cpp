@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/robot_file.h"
+#include "ingest/manifest/robot_file.h"
 #include "render/renderer.h"
 #include "render/vector3.h"
 

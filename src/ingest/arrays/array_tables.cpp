@@ -1,0 +1,215 @@
+#include "ingest/arrays/array_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "error.h"
+#include "ingest/closest_match.h"
+#include "ingest/text/csv_dialect.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t widest_guessed_matrix = 64;
+constexpr std::size_t most_listed = 12;
+
+bool is_scalar(const NamedArray& array) { return array.rows * array.columns == 1; }
+bool is_matrix(const NamedArray& array) { return array.columns > 1; }
+
+void transpose(NamedArray& matrix) {
+  std::swap(matrix.rows, matrix.columns);
+  matrix.by_columns = !matrix.by_columns;
+}
+
+/// Turns a matrix so that its rows are the samples. @return a note, where that is a guess.
+std::string turn_rows_first(NamedArray& matrix, const std::set<std::size_t>& vector_lengths) {
+  if (matrix.rows == matrix.columns) {
+    return fmt::format("{} is {} x {}: its first dimension is taken for the samples",
+                       in_quotes(matrix.name), matrix.rows, matrix.columns);
+  }
+  const std::size_t shorter = std::min(matrix.rows, matrix.columns);
+  const std::size_t longer = std::max(matrix.rows, matrix.columns);
+  const bool along_shorter = longer <= widest_guessed_matrix && !vector_lengths.contains(longer) &&
+                             vector_lengths.contains(shorter);
+  if (matrix.rows != (along_shorter ? shorter : longer)) transpose(matrix);
+  return {};
+}
+
+double value_at(const NamedArray& array, std::size_t row, std::size_t column) {
+  return array.values[array.by_columns ? column * array.rows + row : row * array.columns + column];
+}
+
+LogColumn column_of(const NamedArray& array, std::size_t column, const std::string& name) {
+  LogColumn result{read_header_field(name), {}, 0};
+  if (!array.unit.empty() && result.header.unit.empty()) result.header.unit = array.unit;
+  result.values.resize(array.rows);
+  for (std::size_t row = 0; row < array.rows; ++row) {
+    const double value = value_at(array, row, column);
+    const bool is_gap = !std::isfinite(value);
+    result.values[row] = is_gap ? std::numeric_limits<double>::quiet_NaN() : value;
+    result.gaps += is_gap ? 1 : 0;
+  }
+  return result;
+}
+
+std::string free_name(const std::string& wanted, const std::set<std::string>& taken) {
+  for (std::size_t number = 2;; ++number) {
+    std::string name = fmt::format("{}_{}", wanted, number);
+    if (!taken.contains(name)) return name;
+  }
+}
+
+void add_columns(NamedArray array, LogTable& table, std::set<std::string>& taken) {
+  for (std::size_t i = 0; i < array.columns; ++i) {
+    const std::string wanted = is_matrix(array) ? fmt::format("{}_{}", array.name, i) : array.name;
+    const std::string name = taken.contains(wanted) ? free_name(wanted, taken) : wanted;
+    if (name != wanted) {
+      table.notes.push_back(fmt::format("column name {} stands twice; that of array {} is now {}",
+                                        in_quotes(wanted), in_quotes(array.name), in_quotes(name)));
+    }
+    taken.insert(name);
+    table.header.push_back(name);
+    table.columns.push_back(column_of(array, i, name));
+  }
+  if (array.was_rounded) {
+    table.notes.push_back(in_quotes(array.name) +
+                          " holds integers of 2^53 and more: they are rounded");
+  }
+}
+
+/// "run" of "run.q" and "run/q"; empty for a name without a group.
+std::string group_of(const std::string& name) {
+  const std::size_t end = name.find_last_of("/.");
+  return end == std::string::npos ? "" : name.substr(0, end);
+}
+
+std::string common_group(const std::vector<NamedArray>& arrays) {
+  const std::string group = group_of(arrays.front().name);
+  const bool is_shared = std::all_of(arrays.begin(), arrays.end(), [&](const NamedArray& array) {
+    return group_of(array.name) == group;
+  });
+  return is_shared ? group : "";
+}
+
+void name_groups(std::vector<LogTable>& tables, const std::vector<std::string>& first_names) {
+  std::map<std::string, int> uses;
+  for (const LogTable& table : tables) ++uses[table.group];
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    std::string& group = tables[i].group;
+    if (group.empty() || uses[group] > 1) group = first_names[i];
+  }
+}
+
+/// Scalars, texts and what was left out, each list cut with a count of the rest.
+std::vector<std::string> notes_of(const FileArrays& found) {
+  std::vector<std::string> facts;
+  for (const NamedArray& array : found.arrays) {
+    if (!is_scalar(array)) continue;
+    facts.push_back(fmt::format("{} = {}", printable(array.name), array.values.front()));
+  }
+  for (const auto& [name, text] : found.texts) {
+    facts.push_back(fmt::format("{} = {}", printable(name), in_quotes(text)));
+  }
+  std::vector<std::string> notes;
+  const auto add = [&](const std::vector<std::string>& list, const char* of_what) {
+    const std::size_t listed = std::min(list.size(), most_listed);
+    notes.insert(notes.end(), list.begin(), list.begin() + static_cast<std::ptrdiff_t>(listed));
+    if (list.size() > listed) {
+      notes.push_back(fmt::format("and {} more {}", list.size() - listed, of_what));
+    }
+  };
+  add(facts, "single values");
+  std::vector<std::string> refusals;
+  for (const auto& [name, reason] : found.left_out) {
+    refusals.push_back(fmt::format("{} is not read: {}", in_quotes(name), reason));
+  }
+  add(refusals, "that are not read");
+  return notes;
+}
+
+[[noreturn]] void refuse_without_rows(const std::vector<std::string>& notes,
+                                      const std::string& file) {
+  std::string held;
+  for (const std::string& note : notes) held += (held.empty() ? "" : "; ") + note;
+  throw InputError({file, 0, 0}, {"no rows of numbers", held.empty() ? "nothing" : held,
+                                  "arrays of two or more numbers", ""});
+}
+
+}  // namespace
+
+bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array,
+                 FileArrays& found) {
+  std::vector<std::uint64_t> sides;
+  std::string stated;
+  std::uint64_t count = 1;
+  for (const std::uint64_t side : dimensions) {
+    stated += (stated.empty() ? "" : " x ") + std::to_string(side);
+    if (side == 0) {
+      found.leave_out(array.name, "it is empty");
+      return false;
+    }
+    count = count > most_values / side ? most_values + 1 : count * side;
+    if (side != 1) sides.push_back(side);
+  }
+  if (count > most_values - std::min(found.values, most_values)) {
+    found.leave_out(array.name, stated + " numbers are more than 2^31 in one file");
+    return false;
+  }
+  if (sides.size() > 2) {
+    found.leave_out(array.name, "it has more than two dimensions: " + stated);
+    return false;
+  }
+  if (sides.size() == 2 && std::min(sides[0], sides[1]) > most_matrix_columns) {
+    found.leave_out(array.name, stated + " is no table of samples");
+    return false;
+  }
+  found.values += count;
+  array.rows = sides.empty() ? 1 : static_cast<std::size_t>(sides[0]);
+  array.columns = sides.size() < 2 ? 1 : static_cast<std::size_t>(sides[1]);
+  return true;
+}
+
+std::vector<LogTable> tables_of(FileArrays found, const std::string& file) {
+  std::vector<std::string> notes = notes_of(found);
+  std::set<std::size_t> vector_lengths;
+  for (const NamedArray& array : found.arrays) {
+    if (!is_matrix(array) && array.rows > 1) vector_lengths.insert(array.rows);
+  }
+  std::map<std::size_t, std::vector<NamedArray>, std::greater<>> by_length;
+  for (NamedArray& array : found.arrays) {
+    if (is_scalar(array)) continue;
+    if (is_matrix(array)) {
+      const std::string note = turn_rows_first(array, vector_lengths);
+      if (!note.empty()) notes.push_back(note);
+    }
+    by_length[array.rows].push_back(std::move(array));
+  }
+  if (by_length.empty()) refuse_without_rows(notes, file);
+
+  std::vector<LogTable> tables;
+  std::vector<std::string> first_names;
+  for (auto& [rows, arrays] : by_length) {
+    LogTable& table = tables.emplace_back();
+    table.file = file;
+    table.rows = rows;
+    if (by_length.size() > 1) table.group = common_group(arrays);
+    first_names.push_back(arrays.front().name);
+    // Vectors keep their names; a matrix's made-up ones give way.
+    std::stable_partition(arrays.begin(), arrays.end(),
+                          [](const NamedArray& array) { return !is_matrix(array); });
+    std::set<std::string> taken;
+    for (NamedArray& array : arrays) add_columns(std::move(array), table, taken);
+  }
+  if (tables.size() > 1) name_groups(tables, first_names);
+  LogTable& first = tables.front();
+  first.notes.insert(first.notes.begin(), notes.begin(), notes.end());
+  return tables;
+}
+
+}  // namespace tribolog

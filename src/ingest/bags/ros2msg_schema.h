@@ -1,0 +1,53 @@
+#pragma once
+// What a message of ROS 2 consists of, from its definition in the .msg language, as recorders put
+// it into a log: the type's own text, then the types that it uses, each after a line of `=` and a
+// line `MSG: package/Type`.
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ingest/bags/cdr_reader.h"
+
+namespace tribolog {
+
+struct MessageField {
+  enum class Kind : std::uint8_t { number, string, message };
+  enum class Count : std::uint8_t { one, fixed, sequence };
+  std::string name;
+  Kind kind{Kind::number};
+  Primitive primitive{Primitive::float64};  ///< Of a number.
+  std::size_t type{};                       ///< Of a message: its place in MessageSchema::types.
+  Count count{Count::one};
+  std::size_t elements{};  ///< Of a fixed array.
+};
+
+struct MessageType {
+  std::string name;  ///< "sensor_msgs/JointState"
+  std::vector<MessageField> fields;
+};
+
+/// No type contains itself.
+struct MessageSchema {
+  std::vector<MessageType> types;  ///< The first is the message's own.
+};
+
+/// A definition that is not understood; the text says which line.
+class SchemaError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "sensor_msgs/msg/JointState" is "sensor_msgs/JointState".
+std::string short_type_name(std::string_view type);
+
+/// @param type the message's own type. Types that the text uses but does not define are taken from
+///        those that every system has (known_message_types.h).
+/// @throw SchemaError: a line that is no field, an unknown type, wstring (its size on the wire is
+///        not the same everywhere), a type that contains itself.
+MessageSchema parse_ros2msg(std::string_view type, std::string_view text);
+
+}  // namespace tribolog

@@ -1,0 +1,85 @@
+#include "ingest/layout/known_loggers.h"
+
+#include <array>
+
+namespace tribolog {
+namespace {
+
+using enum Quantity;
+
+constexpr std::string_view needs_constant =
+    "a motor current: it takes the torque constant of the motor";
+constexpr std::string_view a_model =
+    "a value of the controller's model, no measurement: friction found in it is the model's own";
+constexpr std::string_view behind_the_gear =
+    "measured behind the gear: most of the gear's friction is not in it";
+constexpr std::string_view ampere_or_newton_metre =
+    "drivers write amperes or newton metres under the same name: look which";
+
+constexpr std::array ur_rtde = {
+    KnownColumn{"timestamp", time, "s"},
+    KnownColumn{"actual_q_{}", angle, "rad"},
+    KnownColumn{"actual_qd_{}", angular_speed, "rad/s"},
+    KnownColumn{"actual_current_{}", current, "A", false, EffortKind::motor_current, Side::motor,
+                needs_constant},
+    KnownColumn{"actual_current_as_torque_{}", torque, "Nm", false, EffortKind::joint_torque,
+                Side::joint, "a current times the controller's own constant"},
+    KnownColumn{"actual_moment_{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint},
+    KnownColumn{"target_q_{}", angle, "rad", true},
+    KnownColumn{"target_qd_{}", angular_speed, "rad/s", true},
+    KnownColumn{"target_current_{}", current, "A", true, EffortKind::motor_current, Side::motor,
+                a_model},
+    KnownColumn{"target_moment_{}", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+                a_model},
+    KnownColumn{"joint_temperatures_{}", temperature, "degC"}};
+
+constexpr std::array libfranka = {
+    KnownColumn{"time", time, "ms"},
+    KnownColumn{"state.q[{}]", angle, "rad"},
+    KnownColumn{"state.dq[{}]", angular_speed, "rad/s"},
+    KnownColumn{"state.tau_J[{}]", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
+                behind_the_gear},
+    KnownColumn{"state.q_d[{}]", angle, "rad", true},
+    KnownColumn{"state.dq_d[{}]", angular_speed, "rad/s", true},
+    KnownColumn{"cmd.q_d[{}]", angle, "rad", true},
+    KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+                "a command, no measurement"}};
+
+constexpr std::array kuka_fri = {
+    KnownColumn{"time", time, "s"}, KnownColumn{"mp{}", angle, "rad"},
+    KnownColumn{"ip{}", angle, "rad", true},
+    KnownColumn{"mt{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
+                behind_the_gear},
+    KnownColumn{"et{}", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+                "the controller's estimate of the outer torque, no measurement of the drive"}};
+
+constexpr std::array flobaroid = {
+    KnownColumn{"times", time, "s"}, KnownColumn{"positions_{}", angle, "rad"},
+    KnownColumn{"velocities_{}", angular_speed, "rad/s"},
+    KnownColumn{"torques_{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint},
+    KnownColumn{"target_positions_{}", angle, "rad", true}};
+
+constexpr std::array joint_states = {KnownColumn{"time", time, "s"},
+                                     KnownColumn{"{}.position", angle, "rad"},
+                                     KnownColumn{"{}.velocity", angular_speed, "rad/s"},
+                                     KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
+                                                 std::nullopt, ampere_or_newton_metre}};
+
+constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"},
+                                KnownColumn{"{}.pos", angle, "deg"},
+                                KnownColumn{"{}.vel", angular_speed, "deg/s"},
+                                KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
+                                            std::nullopt, ampere_or_newton_metre}};
+
+constexpr std::array loggers = {KnownLogger{"UR RTDE", "actual_q_{}", ur_rtde},
+                                KnownLogger{"libfranka", "state.q[{}]", libfranka},
+                                KnownLogger{"KUKA FRI", "mp1", kuka_fri},
+                                KnownLogger{"FloBaRoID", "positions_{}", flobaroid},
+                                KnownLogger{"joint states", "{}.position", joint_states},
+                                KnownLogger{"LeRobot", "{}.pos", lerobot}};
+
+}  // namespace
+
+std::span<const KnownLogger> known_loggers() { return loggers; }
+
+}  // namespace tribolog

@@ -1,0 +1,190 @@
+#include "ingest/layout/log_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "ingest/layout/known_loggers.h"
+#include "ingest/layout/name_pattern.h"
+
+namespace tribolog {
+namespace {
+
+/// A word that names a quantity, as the start of a column's name.
+struct Word {
+  std::string_view word;
+  Quantity quantity;
+};
+
+constexpr std::array words = {Word{"time", Quantity::time},
+                              Word{"timestamp", Quantity::time},
+                              Word{"stamp", Quantity::time},
+                              Word{"t", Quantity::time},
+                              Word{"q", Quantity::angle},
+                              Word{"angle", Quantity::angle},
+                              Word{"pos", Quantity::angle},
+                              Word{"position", Quantity::angle},
+                              Word{"theta", Quantity::angle},
+                              Word{"dq", Quantity::angular_speed},
+                              Word{"qd", Quantity::angular_speed},
+                              Word{"vel", Quantity::angular_speed},
+                              Word{"velocity", Quantity::angular_speed},
+                              Word{"speed", Quantity::angular_speed},
+                              Word{"omega", Quantity::angular_speed},
+                              Word{"tau", Quantity::torque},
+                              Word{"torque", Quantity::torque},
+                              Word{"effort", Quantity::torque},
+                              Word{"moment", Quantity::torque},
+                              Word{"i", Quantity::current},
+                              Word{"current", Quantity::current},
+                              Word{"curr", Quantity::current},
+                              Word{"temp", Quantity::temperature},
+                              Word{"temperature", Quantity::temperature}};
+
+/// How units are written at the end of a name: "q_deg", "dq_rad_s", "t_ms".
+struct Ending {
+  std::string_view ending;
+  std::string_view unit;
+};
+constexpr std::array endings = {
+    Ending{"rad_s", "rad/s"}, Ending{"deg_s", "deg/s"}, Ending{"rpm", "rpm"},  Ending{"rad", "rad"},
+    Ending{"mrad", "mrad"},   Ending{"deg", "deg"},     Ending{"Nm", "Nm"},    Ending{"mNm", "mNm"},
+    Ending{"mA", "mA"},       Ending{"A", "A"},         Ending{"ns", "ns"},    Ending{"us", "us"},
+    Ending{"ms", "ms"},       Ending{"s", "s"},         Ending{"degC", "degC"}};
+
+std::string_view si_unit(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      return "s";
+    case Quantity::angle:
+      return "rad";
+    case Quantity::angular_speed:
+      return "rad/s";
+    case Quantity::torque:
+      return "Nm";
+    case Quantity::current:
+      return "A";
+    case Quantity::temperature:
+      return "degC";
+  }
+  return "";
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
+std::optional<std::string_view> take_unit(std::string& name, Quantity quantity) {
+  for (const Ending& e : endings) {
+    const std::size_t length = e.ending.size() + 1;
+    if (name.size() <= length || !find_si_factor(quantity, e.unit)) continue;
+    if (name[name.size() - length] != '_' || !name.ends_with(e.ending)) continue;
+    name.resize(name.size() - length);
+    return e.unit;
+  }
+  return std::nullopt;
+}
+
+bool is_number(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The joint's number behind a word: "q1", "q_1", "q[1]"; empty behind the word alone.
+std::optional<std::string> number_behind(std::string_view rest) {
+  if (rest.empty()) return "";
+  if (rest.front() == '_' || rest.front() == '.') rest.remove_prefix(1);
+  if (rest.size() > 2 && rest.front() == '[' && rest.back() == ']') {
+    rest = rest.substr(1, rest.size() - 2);
+  }
+  if (!is_number(rest)) return std::nullopt;
+  return std::string(rest);
+}
+
+/// "[0]" is no unit, and belongs to the name.
+const std::string& name_of(const ColumnHeader& header) {
+  return is_known_unit(header.unit) ? header.name : header.full;
+}
+
+std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
+  for (const Word& w : words) {
+    std::string name = name_of(header);
+    const auto ending = take_unit(name, w.quantity);
+    name = lower(name);
+    if (!name.starts_with(w.word)) continue;
+    const auto joint = number_behind(std::string_view(name).substr(w.word.size()));
+    if (!joint || (w.quantity == Quantity::time && !joint->empty())) continue;
+    ColumnMeaning meaning;
+    meaning.quantity = w.quantity;
+    meaning.joint = *joint;
+    meaning.unit = ending.value_or(si_unit(w.quantity));
+    meaning.unit_is_stated = ending.has_value();
+    return meaning;
+  }
+  return std::nullopt;
+}
+
+std::optional<ColumnMeaning> by_logger(const ColumnHeader& header, const KnownLogger& logger) {
+  for (const KnownColumn& known : logger.columns) {
+    const auto joint = joint_in_name(name_of(header), known.pattern);
+    if (!joint) continue;
+    ColumnMeaning meaning;
+    meaning.quantity = known.quantity;
+    meaning.joint = *joint;
+    meaning.unit = known.unit;
+    meaning.unit_is_stated = true;
+    meaning.is_target = known.is_target;
+    meaning.effort = {known.kind, known.side, std::string(known.remark)};
+    return meaning;
+  }
+  return std::nullopt;
+}
+
+const KnownLogger* logger_of(const std::vector<ColumnHeader>& header) {
+  for (const KnownLogger& logger : known_loggers()) {
+    const bool tells = std::any_of(header.begin(), header.end(), [&](const ColumnHeader& h) {
+      return joint_in_name(name_of(h), logger.told_by).has_value();
+    });
+    if (tells) return &logger;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const ColumnMeaning* LogLayout::find(Quantity quantity, const std::string& joint) const {
+  const auto it = std::find_if(columns.begin(), columns.end(), [&](const ColumnMeaning& c) {
+    return c.quantity == quantity && c.joint == joint && !c.is_target;
+  });
+  return it == columns.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> LogLayout::joints() const {
+  std::vector<std::string> names;
+  for (const ColumnMeaning& c : columns) {
+    if (c.quantity != Quantity::angle || c.is_target) continue;
+    if (std::find(names.begin(), names.end(), c.joint) == names.end()) names.push_back(c.joint);
+  }
+  return names;
+}
+
+LogLayout guess_layout(const std::vector<ColumnHeader>& header) {
+  LogLayout layout;
+  const KnownLogger* const logger = logger_of(header);
+  if (logger != nullptr) layout.logger = logger->name;
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    auto meaning = logger != nullptr ? by_logger(header[k], *logger) : by_words(header[k]);
+    if (!meaning) continue;
+    meaning->column = k;
+    if (find_si_factor(meaning->quantity, header[k].unit)) {
+      meaning->unit = header[k].unit;
+      meaning->unit_is_stated = true;
+    }
+    layout.columns.push_back(std::move(*meaning));
+  }
+  return layout;
+}
+
+}  // namespace tribolog

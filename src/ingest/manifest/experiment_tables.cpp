@@ -1,0 +1,149 @@
+#include "ingest/manifest/experiment_tables.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ingest/manifest/key_guard.h"
+#include "joint/degrees.h"
+#include "simulate/motion.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::uint64_t most_positions = 99;  // file names have two digits
+constexpr std::uint64_t most_repeats = 49;    // in each of two directions
+
+/// The key in use and its factor to radians. `after` is what follows the unit: "", "_s", "_s2".
+std::pair<std::string, double> angle_key(const TomlTable& table, const std::string& name,
+                                         const std::string& after) {
+  std::string in_rad = name + "_rad" + after;
+  std::string in_deg = name + "_deg" + after;
+  const bool has_rad = table.has(in_rad);
+  const bool has_deg = table.has(in_deg);
+  if (has_rad && has_deg) table.refuse(in_deg, {"is given as " + in_rad + " too", "", "one", ""});
+  return has_deg ? std::pair(in_deg, rad_per_degree) : std::pair(in_rad, 1.0);
+}
+
+double read_in_rad(const TomlTable& table, const std::string& name, const std::string& after,
+                   Sign sign) {
+  const auto [key, factor] = angle_key(table, name, after);
+  return factor * table.number(key, sign, "or " + name + "_deg" + after);
+}
+
+}  // namespace
+
+double read_angle(const TomlTable& table, const std::string& name, Sign sign) {
+  return read_in_rad(table, name, "", sign);
+}
+
+double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad) {
+  const auto [key, factor] = angle_key(table, name, "");
+  return table.has(key) ? factor * table.number(key) : otherwise_rad;
+}
+
+SweepExperiment read_sweep(const TomlTable& table) {
+  SweepExperiment e;
+  e.from_rad = read_angle(table, "from");
+  e.to_rad = read_angle(table, "to");
+  e.speed_rad_s = read_in_rad(table, "speed", "_s", Sign::positive);
+  e.both_directions = table.flag_or("both_directions", e.both_directions);
+  const auto [key, factor] = angle_key(table, "acceleration", "_s2");
+  if (table.has(key)) e.acceleration_rad_s2 = factor * table.number(key, Sign::positive);
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  table.refuse_unknown_keys();
+  const std::string to_key = angle_key(table, "to", "").first;
+  if (e.from_rad == e.to_rad) {
+    table.refuse(to_key, {"the sweep ends where it starts", fmt::format("{} rad", e.to_rad),
+                          "another angle than from", ""});
+  }
+  guarded(table, to_key, [&] {
+    return TravelMotion(
+        {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions});
+  });
+  return e;
+}
+
+std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio) {
+  OscillationExperiment e;
+  e.centre_rad = read_angle(table, "centre");
+  e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
+  e.frequency_Hz = table.number("frequency_Hz", Sign::positive);
+  e.cycles = table.number("cycles", Sign::positive);
+  if (e.cycles < 1) table.refuse("cycles", {"not usable", fmt::format("{}", e.cycles), ">= 1", ""});
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  e.record_bristle = table.flag_or("record_bristle", e.record_bristle);
+  const std::uint64_t positions = table.count_or("positions", 1);
+  if (positions < 1 || positions > most_positions) {
+    table.refuse("positions", {"not usable", fmt::format("{}", positions),
+                               fmt::format("a whole number from 1 to {}", most_positions), ""});
+  }
+  table.refuse_unknown_keys();
+  return spread_over_motor_turn(e, positions, gear_ratio);
+}
+
+ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
+  ConstantSpeedExperiment e;
+  e.motor_speeds_rad_s = table.numbers("motor_speeds_rad_s", Sign::positive);
+  if (e.motor_speeds_rad_s.empty()) {
+    table.refuse("motor_speeds_rad_s", {"is empty", "", "one speed or more", ""});
+  }
+  e.both_directions = table.flag_or("both_directions", e.both_directions);
+  e.centre_rad = read_angle(table, "centre");
+  e.largest_travel_rad = read_angle(table, "largest_travel", Sign::positive);
+  e.longest_plateau_s = table.number("longest_plateau_s", Sign::positive);
+  e.acceleration_rad_s2 = read_in_rad(table, "acceleration", "_s2", Sign::positive);
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  table.refuse_unknown_keys();
+  return e;
+}
+
+BreakAwayExperiment read_break_away(const TomlTable& table) {
+  BreakAwayExperiment e;
+  e.centre_rad = read_angle(table, "centre");
+  e.rate_Nm_s = table.number("rate_Nm_s", Sign::positive);
+  e.largest_torque_Nm = table.number("largest_torque_Nm", Sign::positive);
+  const auto [key, factor] = angle_key(table, "largest_travel", "");
+  if (table.has(key)) e.largest_travel_rad = factor * table.number(key, Sign::positive);
+  e.repeats = table.count_or("repeats", e.repeats);
+  if (e.repeats < 1 || e.repeats > most_repeats) {
+    table.refuse("repeats", {"not usable", fmt::format("{}", e.repeats),
+                             fmt::format("a whole number from 1 to {}", most_repeats), ""});
+  }
+  e.both_directions = table.flag_or("both_directions", e.both_directions);
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  table.refuse_unknown_keys();
+  return e;
+}
+
+Noise read_noise(const TomlTable& table) {
+  Noise noise;
+  const auto amount = [&](const char* key) { return table.number_or(key, 0, Sign::not_negative); };
+  noise.torque_white_Nm = amount("torque_white_Nm");
+  noise.torque_step_Nm = amount("torque_step_Nm");
+  noise.encoder_counts_per_turn = amount("encoder_counts_per_turn");
+  noise.speed_filter_Hz = amount("speed_filter_Hz");
+  noise.seed = table.count_or("seed", noise.seed);
+  for (const TomlTable& entry : table.tables("ripple")) {
+    Noise::Ripple ripple;
+    ripple.amplitude_Nm = entry.number("amplitude_Nm", Sign::not_negative);
+    ripple.periods_per_turn = entry.number("periods_per_turn", Sign::positive);
+    ripple.phase_rad = read_angle_or(entry, "phase", 0.0);
+    entry.refuse_unknown_keys();
+    noise.ripple.push_back(ripple);
+  }
+  table.refuse_unknown_keys();
+  return noise;
+}
+
+GravityLoad read_load(const TomlTable& load) {
+  const double mass_kg = load.number("mass_kg", Sign::positive);
+  const double distance_m = load.number("distance_m", Sign::positive);
+  const double q_peak_rad = read_angle(load, "q_peak");
+  const double gravity_m_s2 = load.number_or("gravity_m_s2", 9.81, Sign::positive);
+  load.refuse_unknown_keys();
+  return guarded(load, "mass_kg",
+                 [&] { return GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
+}
+
+}  // namespace tribolog

@@ -1,0 +1,29 @@
+#pragma once
+// The experiments of a scenario file, and the load that it shares with a robot file.
+
+#include <string>
+
+#include "ingest/manifest/toml_table.h"
+#include "joint/gravity_load.h"
+#include "simulate/scenario.h"
+
+namespace tribolog {
+
+/// An angle given as `<name>_rad` or `<name>_deg` [rad]. @throw InputError if both or neither is.
+double read_angle(const TomlTable& table, const std::string& name, Sign sign = Sign::any);
+
+/// As above where the key may be left out.
+double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad);
+
+// Each refuses what cannot be carried out. @throw InputError at the key.
+SweepExperiment read_sweep(const TomlTable& table);
+/// One, or as many as `positions` says, spread over a turn of the motor.
+std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio);
+BreakAwayExperiment read_break_away(const TomlTable& table);
+ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
+Noise read_noise(const TomlTable& table);
+
+/// [load]: mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81. @throw InputError at the key.
+GravityLoad read_load(const TomlTable& load);
+
+}  // namespace tribolog

@@ -1,0 +1,71 @@
+#include "ingest/manifest/manifest_columns.h"
+
+#include "ingest/closest_match.h"
+#include "ingest/manifest/voltage.h"
+
+namespace tribolog {
+namespace {
+
+/// The unit is of another quantity than the effort's kind says.
+void refuse_contradiction(const TomlTable& column, Quantity quantity, const std::string& unit) {
+  const Quantity other = quantity == Quantity::current ? Quantity::torque : Quantity::current;
+  if (quantity != Quantity::current && quantity != Quantity::torque) return;
+  if (find_si_factor(quantity, unit) || !find_si_factor(other, unit)) return;
+  column.refuse("unit", {"contradicts effort.kind", in_quotes(unit) + ", " + to_string(other),
+                         to_string(quantity) + " (" + known_units(quantity) + ")",
+                         "is the kind of the effort stated rightly?"});
+}
+
+std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::string& key,
+                                       Quantity quantity, bool has_side,
+                                       const std::optional<ColumnEntry>& otherwise) {
+  const auto table = columns.find_table(key);
+  if (!table) return otherwise;
+  ColumnEntry entry;
+  entry.quantity = quantity;
+  entry.name = table->text("name", "the column's name in the file");
+  if (entry.name.empty()) table->refuse("name", {"is empty", "", "the column's name", ""});
+  entry.unit = table->text("unit", "one of " + known_units(quantity));
+  refuse_contradiction(*table, quantity, entry.unit);
+  if (quantity == Quantity::time) entry.reading = ColumnReading::clock;
+  if (quantity == Quantity::time && entry.unit == "iso8601") {
+    entry.reading = ColumnReading::iso_time;  // read as seconds
+  } else {
+    entry.si_factor = si_factor(quantity, entry.unit, table->where("unit"));
+  }
+  if (has_side && table->has("side")) {
+    entry.side = table->choice("side", {"motor", "joint"}) == 0 ? Side::motor : Side::joint;
+  }
+  entry.where = table->where("name");
+  table->refuse_unknown_keys();
+  return entry;
+}
+
+}  // namespace
+
+ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
+                           const ColumnEntries& otherwise) {
+  if (effort_kind == EffortKind::none && table.has("effort")) {
+    table.refuse("effort", {"contradicts effort.kind", "an effort, of kind 'none'", "",
+                            "state what kind of effort the column is, or leave it out"});
+  }
+  if (const auto column = table.find_table("effort")) refuse_voltage_unit(*column);
+  const Quantity effort =
+      effort_kind == EffortKind::motor_current ? Quantity::current : Quantity::torque;
+  const auto read = [&](const char* key, Quantity quantity, bool has_side, const auto& fallback) {
+    return read_column(table, key, quantity, has_side, fallback);
+  };
+  ColumnEntries entries;
+  entries.time = read("time", Quantity::time, false, otherwise.time);
+  entries.angle = read("angle", Quantity::angle, true, otherwise.angle);
+  entries.speed = read("speed", Quantity::angular_speed, true, otherwise.speed);
+  entries.effort = read("effort", effort, false, otherwise.effort);
+  entries.bristle = read("bristle", Quantity::angle, false, otherwise.bristle);
+  entries.bristle_rate =
+      read("bristle_rate", Quantity::angular_speed, false, otherwise.bristle_rate);
+  entries.temperature = read("temperature", Quantity::temperature, false, otherwise.temperature);
+  table.refuse_unknown_keys();
+  return entries;
+}
+
+}  // namespace tribolog

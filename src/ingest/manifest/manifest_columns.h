@@ -1,0 +1,43 @@
+#pragma once
+// Which column of a log is what: the `columns` table of a manifest.
+
+#include <optional>
+#include <string>
+
+#include "error.h"
+#include "ingest/log_table.h"
+#include "ingest/manifest/toml_table.h"
+#include "ingest/units.h"
+#include "joint/drive.h"
+
+namespace tribolog {
+
+struct ColumnEntry {
+  std::string name;
+  std::string unit;
+  Quantity quantity{};
+  double si_factor{1.0};
+  Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
+  Location where;
+  ColumnReading reading{ColumnReading::number};
+};
+
+struct ColumnEntries {
+  std::optional<ColumnEntry> time;
+  std::optional<ColumnEntry> angle;
+  std::optional<ColumnEntry> speed;
+  std::optional<ColumnEntry> effort;
+  std::optional<ColumnEntry> bristle;
+  std::optional<ColumnEntry> bristle_rate;
+  std::optional<ColumnEntry> temperature;
+};
+
+/// Reads a `columns` table; what it does not mention is taken from `otherwise`.
+/// @param effort_kind decides whether the effort is a current or a torque; with EffortKind::none an
+///        effort is refused.
+/// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind; for
+///        an effort in volt or per cent of the duty cycle, which no torque follows from.
+ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
+                           const ColumnEntries& otherwise);
+
+}  // namespace tribolog

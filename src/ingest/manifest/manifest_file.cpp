@@ -1,0 +1,187 @@
+#include "ingest/manifest/manifest_file.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "files/file_contents.h"
+#include "ingest/closest_match.h"
+#include "ingest/manifest/friction_tables.h"
+#include "ingest/manifest/key_guard.h"
+#include "ingest/manifest/known_load_tables.h"
+#include "ingest/manifest/limit_tables.h"
+#include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/voltage.h"
+#include "stages/bootstrap/bootstrap.h"
+
+namespace tribolog {
+namespace {
+
+const std::string effort_hint =
+    "state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same column is "
+    "ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
+    "neither was recorded";
+
+std::string required_name(const TomlTable& table, const std::string& hint) {
+  std::string name = table.text("name", hint);
+  if (std::all_of(name.begin(), name.end(), [](char c) { return c == ' '; })) {
+    table.refuse("name", {"is empty", "", "a name", hint});
+  }
+  return name;
+}
+
+void read_identity(const TomlTable& top, Manifest& manifest) {
+  const TomlTable robot = top.table("robot", "[robot] with the robot's name");
+  manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
+  manifest.serial = robot.text_or("serial", "");
+  manifest.operator_name = robot.text_or("operator", "");
+  manifest.measured_on = robot.text_or("measured_on", "");
+  manifest.note = robot.text_or("note", "");
+  manifest.robot_description = read_description_name(robot);
+  robot.refuse_unknown_keys();
+}
+
+/// Side and constant of an effort that is not there have no meaning, and are unknown keys.
+Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
+  const double gear_ratio =
+      joint.number("gear_ratio", Sign::positive, "motor angle / joint angle; 1 for a direct drive");
+  refuse_voltage_kind(effort);
+  const auto kind = static_cast<EffortKind>(effort.choice(
+      "kind", {"motor_current", "motor_torque", "joint_torque", "none"}, effort_hint));
+  if (kind == EffortKind::none) return {gear_ratio, kind, Side::motor};
+  const auto side = static_cast<Side>(effort.choice(
+      "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
+  const auto constant = effort.find_number("torque_constant_Nm_A", Sign::positive);
+  if (kind == EffortKind::motor_current && !constant) {
+    effort.refuse("torque_constant_Nm_A",
+                  {" is missing", "", "newton metres per ampere, on the side stated",
+                   "without it a current cannot become a torque"});
+  }
+  return guarded(effort, "torque_constant_Nm_A",
+                 [&] { return Drive(gear_ratio, kind, side, constant); });
+}
+
+double read_sign(const TomlTable& effort) {
+  const double sign = effort.number_or("sign", 1.0);
+  if (sign != 1.0 && sign != -1.0) {
+    effort.refuse("sign", {"not usable", fmt::format("{}", sign), "1 or -1", ""});
+  }
+  return sign;
+}
+
+IntervalSettings read_intervals(const TomlTable& table) {
+  IntervalSettings settings;
+  if (table.has("resamples")) settings.resamples = table.count_or("resamples", 0);
+  if (table.has("seed")) settings.seed = table.count_or("seed", 0);
+  if (settings.resamples && !resamples_are_allowed(*settings.resamples)) {
+    table.refuse("resamples", {"not usable", fmt::format("{}", *settings.resamples),
+                               allowed_resamples_in_words(), ""});
+  }
+  table.refuse_unknown_keys();
+  return settings;
+}
+
+void read_circumstances(const TomlTable& top, Manifest& manifest) {
+  if (const auto payload = top.find_table("payload")) {
+    manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
+    manifest.payload = payload->text_or("note", "");
+    payload->refuse_unknown_keys();
+  }
+  if (const auto temperature = top.find_table("temperature")) {
+    manifest.temperature_C = temperature->find_number("degC");
+    temperature->refuse_unknown_keys();
+  }
+  if (const auto surrogate = top.find_table("surrogate")) {
+    manifest.surrogate_distance_m =
+        surrogate->number_or("distance_m", manifest.surrogate_distance_m, Sign::positive);
+    manifest.gravity_m_s2 =
+        surrogate->number_or("gravity_m_s2", manifest.gravity_m_s2, Sign::positive);
+    surrogate->refuse_unknown_keys();
+  }
+  if (const auto intervals = top.find_table("intervals")) {
+    manifest.intervals = read_intervals(*intervals);
+  }
+  manifest.known_loads = read_known_loads(top);
+  manifest.known_gravity = read_known_gravity(top);
+  manifest.limits = read_limits(top);
+  if (const auto reference = top.find_table("reference")) {
+    manifest.reference = read_known_curve(*reference);
+  }
+}
+
+void refuse_missing_columns(const TomlTable& recording, EffortKind kind,
+                            const ColumnEntries& columns) {
+  const auto need = [&](bool is_there, const char* name, const char* hint) {
+    if (is_there) return;
+    throw InputError(recording.where(),
+                     {fmt::format("no column is stated for the {}", name), "",
+                      fmt::format("{} = {{name = ..., unit = ...}} in [columns]", name), hint});
+  };
+  need(columns.time.has_value(), "time", "");
+  need(columns.angle.has_value(), "angle", "");
+  need(columns.effort.has_value() || kind == EffortKind::none, "effort",
+       "without torque or current nothing can be identified; where neither was recorded, "
+       "effort.kind "
+       "= \"none\" checks the motion alone");
+}
+
+RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
+                              const ColumnEntries& common) {
+  RecordingEntry entry;
+  entry.where = table.where();
+  entry.role = static_cast<Role>(table.choice(
+      "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away"}));
+  entry.file = table.text("file", "the log, relative to the manifest");
+  if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
+  entry.from_s = table.find_number("from_s");
+  entry.to_s = table.find_number("to_s");
+  if (entry.from_s && entry.to_s && *entry.from_s >= *entry.to_s) {
+    table.refuse("to_s", {"window is empty", fmt::format("{}..{} s", *entry.from_s, *entry.to_s),
+                          "from_s < to_s", ""});
+  }
+  entry.note = table.text_or("note", "");
+  entry.columns = common;
+  if (const auto columns = table.find_table("columns")) {
+    entry.columns = read_columns(*columns, kind, common);
+  }
+  refuse_missing_columns(table, kind, entry.columns);
+  table.refuse_unknown_keys();
+  return entry;
+}
+
+}  // namespace
+
+ManifestFile parse_manifest(std::string_view text, const std::string& file) {
+  const TomlTable top = TomlTable::parse(text, file);
+  (void)top.choice("schema", {"tribolog-dataset-1"});
+  ManifestFile result;
+  read_identity(top, result.manifest);
+  const TomlTable joint = top.table("joint", "[joint] with name and gear_ratio");
+  result.manifest.joint = required_name(joint, "");
+  const TomlTable effort = top.table("effort", effort_hint);
+  result.manifest.drive = read_drive(joint, effort);
+  if (result.manifest.drive.kind() != EffortKind::none) result.effort_sign = read_sign(effort);
+  joint.refuse_unknown_keys();
+  effort.refuse_unknown_keys();
+  read_circumstances(top, result.manifest);
+
+  const EffortKind kind = result.manifest.drive.kind();
+  if (const auto log = top.find_table("log")) result.text_logs = read_text_log_rules(*log);
+  ColumnEntries common;
+  if (const auto columns = top.find_table("columns")) common = read_columns(*columns, kind, {});
+  for (const TomlTable& recording : top.tables("recording")) {
+    result.recordings.push_back(read_recording(recording, kind, common));
+  }
+  top.refuse_unknown_keys();
+  if (result.recordings.empty()) {
+    throw InputError({file, 0, 0},
+                     {"no [[recording]] is stated", "", "one or more", "each with role and file"});
+  }
+  return result;
+}
+
+ManifestFile read_manifest(const std::string& path) {
+  return parse_manifest(read_file(path, largest_manifest_bytes), path);
+}
+
+}  // namespace tribolog

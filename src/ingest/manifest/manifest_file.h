@@ -1,0 +1,73 @@
+#pragma once
+// The manifest of a dataset: a TOML file that says what was measured, on which joint, and which
+// column of which log is what. Nothing in it is guessed.
+//
+//   schema = "tribolog-dataset-1"
+//   [robot]       name; serial, operator, measured_on, note (optional)
+//                 description (file of the arm, relative to the manifest; robot_file.h; optional)
+//   [joint]       name, gear_ratio (motor angle / joint angle)
+//   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "none" (neither torque
+//                 nor current was recorded: the motion alone is checked)
+//                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
+//                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
+//   [payload]     mass_kg, note (optional)
+//   [temperature] degC (optional)
+//   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
+//   [known_gravity] amplitude_Nm (joint side), q_peak_deg (optional; of the joint, as from its
+//                 design: a candidate beside those identified)
+//   [[known_load]] amplitude_Nm (joint side), angles (columns of the log); phase_deg = 0,
+//                 unit = "rad" of those columns, roles = [...] (all), note (optional; any number):
+//                 amplitude cos(sum of the angles + phase) is subtracted when reading
+//   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
+//                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
+//                 angle and speed: side = "joint" (default) | "motor"
+//   [log]         decimal_comma = false; delimiter = "comma" | "semicolon" | "tab" | "spaces"
+//   (found
+//                 out unless stated; optional)
+//   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
+//                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
+//                 the torque at constant speed is meant
+//   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
+//                 user accepts (limit_tables.h; optional)
+//   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
+//                 "break_away", file (relative to the manifest); from_s, to_s (of a clock that
+//                 counts from 1970: since its first reading), columns, note (optional)
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ingest/manifest/manifest_columns.h"
+#include "ingest/text/text_log_rules.h"
+#include "joint/dataset.h"
+
+namespace tribolog {
+
+struct RecordingEntry {
+  Role role{};
+  std::string file;  ///< As written.
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  ColumnEntries columns;  ///< Time, angle and effort (unless its kind is none) are there.
+  std::string note;
+  Location where;
+};
+
+struct ManifestFile {
+  Manifest manifest;
+  double effort_sign{1.0};
+  TextLogRules text_logs;
+  std::vector<RecordingEntry> recordings;  ///< One or more.
+};
+
+inline constexpr std::uint64_t largest_manifest_bytes = 1 << 20;
+
+/// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
+ManifestFile read_manifest(const std::string& path);
+
+/// The same from a text. @param file its name, for messages.
+ManifestFile parse_manifest(std::string_view text, const std::string& file);
+
+}  // namespace tribolog

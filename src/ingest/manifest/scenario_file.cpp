@@ -1,0 +1,139 @@
+#include "ingest/manifest/scenario_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "error.h"
+#include "files/file_contents.h"
+#include "ingest/closest_match.h"
+#include "ingest/manifest/experiment_tables.h"
+#include "ingest/manifest/friction_tables.h"
+#include "ingest/manifest/key_guard.h"
+#include "ingest/manifest/robot_file.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
+constexpr double most_samples = 2e7;  ///< Of one recording; a gigabyte of memory.
+
+std::string required_name(const TomlTable& table) {
+  std::string name = table.text("name");
+  if (name.empty()) table.refuse("name", {"is empty", "", "a name", ""});
+  return name;
+}
+
+/// The description is copied beside the recordings: its name must be none of theirs.
+std::string read_copied_description_name(const TomlTable& robot) {
+  std::string name = read_description_name(robot);
+  const std::filesystem::path file(name);
+  if (!name.empty() && (file.extension() != ".toml" || file.filename() == "dataset.toml")) {
+    robot.refuse("description", {"cannot be copied beside the recordings", in_quotes(name),
+                                 "a name that ends in .toml and is not dataset.toml", ""});
+  }
+  return name;
+}
+
+void read_joint(const TomlTable& joint, Scenario& scenario) {
+  scenario.joint = required_name(joint);
+  scenario.gear_ratio = joint.number("gear_ratio", Sign::positive);
+  scenario.motor_inertia_kgm2 = joint.number("motor_inertia_kgm2", Sign::not_negative);
+  scenario.arm_inertia_kgm2 = joint.number("arm_inertia_kgm2", Sign::not_negative);
+  joint.refuse_unknown_keys();
+}
+
+/// A misplaced point in a speed or a rate asks for more samples than there is memory for.
+void refuse_endless(const TomlTable& table, double duration_s, double sample_rate_Hz) {
+  const double samples = duration_s * sample_rate_Hz;
+  if (samples <= most_samples) return;
+  throw InputError(table.where(), {"the experiment has too many samples", "",
+                                   "no more than 20 million in one recording",
+                                   "is it too slow, too long, or sampled too fast?"});
+}
+
+void read_experiments(const TomlTable& top, Scenario& scenario) {
+  const auto sweep = [&](const char* key) -> std::optional<SweepExperiment> {
+    const auto table = top.find_table(key);
+    if (!table) return std::nullopt;
+    const SweepExperiment e = read_sweep(*table);
+    const double strokes = e.both_directions ? 2 : 1;
+    refuse_endless(*table, strokes * std::abs(e.to_rad - e.from_rad) / e.speed_rad_s,
+                   e.sample_rate_Hz);
+    return e;
+  };
+  scenario.rough_sweep = sweep("rough_sweep");
+  scenario.precise_sweep = sweep("precise_sweep");
+  for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
+    for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
+      refuse_endless(table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+      if (scenario.oscillation) {
+        scenario.further_oscillations.push_back(e);
+      } else {
+        scenario.oscillation = e;
+      }
+    }
+  }
+  if (const auto table = top.find_table("break_away")) {
+    const BreakAwayExperiment e = read_break_away(*table);
+    refuse_endless(*table, e.largest_torque_Nm / e.rate_Nm_s, e.sample_rate_Hz);
+    scenario.break_away = e;
+  }
+  if (const auto table = top.find_table("constant_speed")) {
+    scenario.constant_speed = read_constant_speed(*table);
+    const ConstantSpeedExperiment& e = *scenario.constant_speed;
+    for (const double motor_speed : e.motor_speeds_rad_s) {
+      const double speed = motor_speed / scenario.gear_ratio;
+      const double plateau_s = std::min(e.largest_travel_rad / speed, e.longest_plateau_s);
+      refuse_endless(*table, 2 * plateau_s + 8 * speed / e.acceleration_rad_s2, e.sample_rate_Hz);
+    }
+  }
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view text, const std::string& file) {
+  const TomlTable top = TomlTable::parse(text, file);
+  (void)top.choice("schema", {"tribolog-scenario-1"});
+  Scenario scenario;
+  scenario.name = required_name(top);
+  const TomlTable robot = top.table("robot");
+  scenario.robot = required_name(robot);
+  scenario.serial = robot.text_or("serial", "");
+  scenario.robot_description = read_copied_description_name(robot);
+  robot.refuse_unknown_keys();
+  read_joint(top.table("joint"), scenario);
+  scenario.load = read_load(top.table("load"));
+  if (const auto surrogate = top.find_table("surrogate")) {
+    scenario.surrogate_distance_m =
+        surrogate->number_or("distance_m", scenario.surrogate_distance_m, Sign::positive);
+    surrogate->refuse_unknown_keys();
+  }
+  const JointFriction friction = read_friction(top.table("friction"));
+  scenario.presliding = friction.presliding;
+  scenario.sliding = friction.sliding;
+  read_experiments(top, scenario);
+  if (const auto noise = top.find_table("noise")) scenario.noise = read_noise(*noise);
+  top.refuse_unknown_keys();
+  if (!scenario.rough_sweep && !scenario.precise_sweep && !scenario.oscillation &&
+      !scenario.constant_speed && !scenario.break_away) {
+    throw InputError(
+        {file, 0, 0},
+        {"no experiment is stated", "",
+         "[rough_sweep], [precise_sweep], [oscillation], [constant_speed] or [break_away]", ""});
+  }
+  return scenario;
+}
+
+Scenario read_scenario(const std::string& path) {
+  Scenario scenario = parse_scenario(read_file(path, largest_scenario_bytes), path);
+  if (!scenario.robot_description.empty()) {
+    const std::filesystem::path file =
+        std::filesystem::path(path).parent_path() / scenario.robot_description;
+    scenario.robot_description_text = read_file(file.string(), largest_robot_bytes);
+    (void)parse_robot(scenario.robot_description_text, file.string());
+  }
+  return scenario;
+}
+
+}  // namespace tribolog

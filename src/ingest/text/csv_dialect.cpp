@@ -1,0 +1,106 @@
+#include "ingest/text/csv_dialect.h"
+
+#include <algorithm>
+
+#include "ingest/text/csv_lines.h"
+#include "ingest/text/number_field.h"
+
+namespace tribolog {
+namespace {
+
+/// Number of columns that a row has under a delimiter; quotes are respected, broken ones ignored.
+std::size_t count_columns(std::string_view row, Delimiter delimiter) {
+  std::size_t columns = 0;
+  bool in_field = false;
+  bool within_quotes = false;
+  for (const char c : row) {
+    if (c == '"') within_quotes = !within_quotes;
+    if (delimiter == Delimiter::spaces) {
+      const bool blank = !within_quotes && (c == ' ' || c == '\t');
+      if (!blank && !in_field) ++columns;
+      in_field = !blank;
+    } else if (!within_quotes && c == static_cast<char>(delimiter)) {
+      ++columns;
+    }
+  }
+  return delimiter == Delimiter::spaces ? columns : columns + 1;
+}
+
+struct Fit {
+  Delimiter delimiter{};
+  std::size_t columns{};     ///< Of the header.
+  std::size_t rows_alike{};  ///< Sampled rows with as many; one trailing delimiter is forgiven.
+};
+
+Fit fit_of(Delimiter delimiter, const std::vector<std::string_view>& rows) {
+  Fit fit{delimiter, count_columns(rows.front(), delimiter), 0};
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t columns = count_columns(rows[i], delimiter);
+    const bool has_trailing = trimmed(rows[i]).ends_with(static_cast<char>(delimiter));
+    if (columns == fit.columns || (has_trailing && columns == fit.columns + 1)) ++fit.rows_alike;
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::string to_string(Delimiter delimiter) {
+  switch (delimiter) {
+    case Delimiter::comma:
+      return "commas";
+    case Delimiter::semicolon:
+      return "semicolons";
+    case Delimiter::tab:
+      return "tabs";
+    case Delimiter::spaces:
+      return "spaces";
+  }
+  return "unknown";
+}
+
+Delimiter sniff_delimiter(std::string_view text, const std::string& file, DecimalMark mark) {
+  constexpr std::size_t sampled_rows = 20;
+  std::vector<std::string_view> rows;
+  RowCursor cursor(text);
+  long header_line = 0;
+  while (rows.size() < sampled_rows && cursor.next()) {
+    if (rows.empty()) header_line = cursor.line();
+    rows.push_back(cursor.row());
+  }
+  if (rows.empty()) return Delimiter::comma;
+  std::vector<Fit> fits;
+  for (const Delimiter d : {Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
+    if (d == Delimiter::comma && mark == DecimalMark::comma) continue;
+    if (const Fit fit = fit_of(d, rows); fit.columns > 1) fits.push_back(fit);
+  }
+  if (fits.empty()) {
+    const Fit spaces = fit_of(Delimiter::spaces, rows);
+    const bool is_one_name = rows.size() > 1 && spaces.rows_alike == 0 && spaces.columns == 2 &&
+                             count_columns(rows[1], Delimiter::spaces) == 1;  // "tau [Nm]"
+    const Delimiter alone = mark == DecimalMark::comma ? Delimiter::semicolon : Delimiter::comma;
+    return spaces.columns > 1 && !is_one_name ? Delimiter::spaces : alone;
+  }
+  std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
+    return a.rows_alike != b.rows_alike ? a.rows_alike > b.rows_alike : a.columns > b.columns;
+  });
+  if (fits.size() > 1 && fits[1].rows_alike == fits[0].rows_alike && fits[0].rows_alike > 0) {
+    throw InputError({file, header_line, 0},
+                     {"it is not clear what separates the columns", "",
+                      to_string(fits[0].delimiter) + " or " + to_string(fits[1].delimiter),
+                      "write the log with one of them only"});
+  }
+  return fits[0].delimiter;
+}
+
+ColumnHeader read_header_field(const std::string& field) {
+  ColumnHeader header{field, field, ""};
+  const char close = field.empty() ? '\0' : field.back();
+  if (close != ']' && close != ')') return header;
+  const std::size_t open = field.rfind(close == ']' ? '[' : '(');
+  if (open == std::string::npos || open == 0) return header;
+  header.name = trimmed(std::string_view(field).substr(0, open));
+  header.unit = trimmed(std::string_view(field).substr(open + 1, field.size() - open - 2));
+  return header;
+}
+
+}  // namespace tribolog

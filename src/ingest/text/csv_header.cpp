@@ -1,0 +1,142 @@
+#include "ingest/text/csv_header.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "files/utf8.h"
+#include "ingest/closest_match.h"
+#include "ingest/text/clock_field.h"
+#include "ingest/units.h"
+
+namespace tribolog {
+namespace {
+
+[[noreturn]] void refuse(const Location& line, std::size_t column,
+                         const InputError::Problem& problem) {
+  throw InputError({line.file, line.line, static_cast<long>(column)}, problem);
+}
+
+void refuse_other_encodings(const Field& field, const Location& line) {
+  const auto broken = first_broken_utf8(field.text);
+  if (!broken) return;
+  refuse(line, field.column + *broken,
+         {"column name is not UTF-8",
+          fmt::format("byte 0x{:02X}", static_cast<unsigned char>(field.text[*broken])), "",
+          "convert the file: iconv -f LATIN1 -t UTF-8"});
+}
+
+std::vector<std::string> names_of(const std::vector<Field>& header) {
+  std::vector<std::string> names;
+  for (const Field& field : header) {
+    if (!field.text.empty()) names.push_back(field.text);
+  }
+  return names;
+}
+
+/// 2 of "#2".
+std::optional<std::size_t> position_in(const std::string& name) {
+  if (name.size() < 2 || name.front() != '#') return std::nullopt;
+  std::size_t position = 0;
+  const auto read = std::from_chars(name.data() + 1, name.data() + name.size(), position);
+  const bool is_whole = read.ec == std::errc() && read.ptr == name.data() + name.size();
+  return is_whole ? std::optional(position) : std::nullopt;
+}
+
+}  // namespace
+
+bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark) {
+  bool any = false;
+  for (const Field& field : row) {
+    const FieldKind kind = read_number(field.text, mark).kind;
+    // A time of day with its date is no column's name.
+    if (kind == FieldKind::text && !read_iso_time(field.text)) return false;
+    any = any || kind != FieldKind::gap;
+  }
+  return any;
+}
+
+std::vector<Field> names_by_position(std::size_t columns) {
+  std::vector<Field> names;
+  for (std::size_t k = 1; k <= columns; ++k) names.push_back({fmt::format("#{}", k), 1});
+  return names;
+}
+
+std::string_view without_brackets(std::string_view unit) {
+  const bool is_bracketed = unit.size() > 2 && ((unit.front() == '[' && unit.back() == ']') ||
+                                                (unit.front() == '(' && unit.back() == ')'));
+  return is_bracketed ? unit.substr(1, unit.size() - 2) : unit;
+}
+
+bool holds_units(const std::vector<Field>& row, DecimalMark mark) {
+  std::size_t known = 0;
+  std::size_t stated = 0;
+  for (const Field& field : row) {
+    if (field.text.empty() || field.text == "-") continue;
+    if (read_number(field.text, mark).kind != FieldKind::text) return false;
+    ++stated;
+    known += is_known_unit(without_brackets(field.text)) ? 1 : 0;
+  }
+  return known > 0 && 2 * known >= stated;
+}
+
+void check_header(const std::vector<Field>& header, const Location& line) {
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const Field& field = header[i];
+    refuse_other_encodings(field, line);
+    if (field.text.empty()) continue;
+    const auto [first, is_new] = seen.emplace(field.text, i);
+    if (is_new) continue;
+    refuse(line, field.column,
+           {fmt::format("column name {} stands twice, in columns {} and {}", in_quotes(field.text),
+                        first->second + 1, i + 1),
+            "", "", "rename one of them"});
+  }
+}
+
+std::size_t find_column(const std::vector<Field>& header, const std::string& name,
+                        const std::string& hint_if_missing, const Location& line) {
+  std::vector<std::size_t> by_bare_name;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (header[i].text == name) return i;
+    if (read_header_field(header[i].text).name == name) by_bare_name.push_back(i);
+  }
+  if (by_bare_name.size() == 1) return by_bare_name.front();
+  if (const auto position = position_in(name); position && by_bare_name.empty()) {
+    if (*position >= 1 && *position <= header.size()) return *position - 1;
+    throw InputError({line.file, line.line, 0},
+                     {"there is no column " + in_quotes(name),
+                      fmt::format("{} columns", header.size()), "", hint_if_missing});
+  }
+  const std::vector<std::string> names = names_of(header);
+  if (by_bare_name.size() > 1) {
+    throw InputError({line.file, line.line, 0},
+                     {"column " + in_quotes(name) + " is ambiguous", list_of_names(names), "",
+                      "name it with what stands in its brackets"});
+  }
+  std::string hint = did_you_mean(name, names);
+  if (!hint.empty() && !hint_if_missing.empty()) hint += " ";
+  throw InputError({line.file, line.line, 0}, {"column " + in_quotes(name) + " is missing",
+                                               list_of_names(names), "", hint + hint_if_missing});
+}
+
+std::vector<Field> join_units(std::vector<Field> header) {
+  std::vector<Field> joined;
+  for (Field& field : header) {
+    const bool is_unit =
+        field.text.size() > 2 && ((field.text[0] == '[' && field.text.back() == ']') ||
+                                  (field.text[0] == '(' && field.text.back() == ')'));
+    if (is_unit && !joined.empty()) {
+      joined.back().text += " " + field.text;
+    } else {
+      joined.push_back(std::move(field));
+    }
+  }
+  return joined;
+}
+
+}  // namespace tribolog

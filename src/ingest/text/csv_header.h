@@ -1,0 +1,38 @@
+#pragma once
+// The header row of a log.
+
+#include <string>
+#include <vector>
+
+#include "error.h"
+#include "ingest/text/csv_dialect.h"
+#include "ingest/text/number_field.h"
+
+namespace tribolog {
+
+/// Whether a first row holds numbers and gaps only, a number at least: no header.
+bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark);
+
+/// "#1", "#2" and so on, for a log without header.
+std::vector<Field> names_by_position(std::size_t columns);
+
+/// "Nm" of "[Nm]" and "(Nm)".
+std::string_view without_brackets(std::string_view unit);
+
+/// Whether a row under the header states units: most of its fields are known ones, none a number.
+bool holds_units(const std::vector<Field>& row, DecimalMark mark);
+
+/// Refuses a header with broken UTF-8 or with the same name twice.
+/// @throw InputError at the field in question.
+void check_header(const std::vector<Field>& header, const Location& line);
+
+/// Index of the column with this name; the full text counts first, then the name without its unit,
+/// then, of "#2", the position.
+/// @throw InputError if there is none (listing those that are, and the closest) or several.
+std::size_t find_column(const std::vector<Field>& header, const std::string& name,
+                        const std::string& hint_if_missing, const Location& line);
+
+/// Under blanks as delimiter "tau [Nm]" falls into two fields; joins them again.
+std::vector<Field> join_units(std::vector<Field> header);
+
+}  // namespace tribolog

@@ -1,0 +1,143 @@
+#include "ingest/text/csv_lines.h"
+
+#include <algorithm>
+#include <array>
+
+#include "error.h"
+
+namespace tribolog {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct BinaryFormat {
+  std::string_view start;
+  std::string_view name;
+};
+
+constexpr std::array formats = {
+    BinaryFormat{"\x1f\x8b"sv, "gzip"},
+    BinaryFormat{"BZh"sv, "bzip2"},
+    BinaryFormat{"\xfd"
+                 "7zXZ"sv,
+                 "xz"},
+    BinaryFormat{"\x28\xb5\x2f\xfd"sv, "zstd"},
+    BinaryFormat{"PK\x03\x04"sv, "zip (also .xlsx and .npz)"},
+    BinaryFormat{"\x89PNG"sv, "PNG"},
+    BinaryFormat{"\x7f"
+                 "ELF"sv,
+                 "ELF"},
+    BinaryFormat{"\x89MCAP"sv, "MCAP"},
+    BinaryFormat{"#ROSBAG V"sv, "rosbag"},
+    BinaryFormat{"\x89HDF"sv, "HDF5"},
+    BinaryFormat{"PAR1"sv, "Parquet"},
+    BinaryFormat{"SQLite format 3"sv, "SQLite (also .db3 bags)"},
+    BinaryFormat{"\x93NUMPY"sv, "NumPy"},
+    BinaryFormat{"MATLAB 5.0 MAT"sv, "MATLAB"},
+};
+
+[[noreturn]] void refuse(const std::string& file, const std::string& what,
+                         const std::string& hint) {
+  throw InputError({file, 0, 0}, {what, "", "a text file of columns", hint});
+}
+
+bool is_utf16(std::string_view bytes) {
+  const bool has_mark = bytes.starts_with("\xff\xfe"sv) || bytes.starts_with("\xfe\xff"sv);
+  return has_mark || (bytes.size() >= 4 && (bytes[0] == 0) != (bytes[1] == 0) &&
+                      (bytes[0] == 0) == (bytes[2] == 0) && (bytes[1] == 0) == (bytes[3] == 0));
+}
+
+/// Neither blank nor a comment.
+bool is_row(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] != '#';
+}
+
+}  // namespace
+
+std::string_view start_of_text(std::string_view bytes, const std::string& file) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  if (bytes.empty()) throw InputError({file, 0, 0}, {"file is empty", "", "", ""});
+  for (const BinaryFormat& format : formats) {
+    if (!bytes.starts_with(format.start)) continue;
+    refuse(file, "is a binary file: " + std::string(format.name), "export or unpack it as CSV");
+  }
+  if (is_utf16(bytes)) {
+    refuse(file, "looks like UTF-16 (byte 0)", "convert it: iconv -f UTF-16 -t UTF-8");
+  }
+  refuse_nul(bytes, 0, file);
+  return bytes;
+}
+
+void refuse_long_line(const std::string& file, long line) {
+  throw InputError({file, line, 0},
+                   {"line is longer than 1 MiB", "", "a text file of columns", ""});
+}
+
+bool RowCursor::next() {
+  while (!rest_.empty()) {
+    next_line();
+    if (is_row(row_)) return true;
+  }
+  return false;
+}
+
+void RowCursor::pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf) {
+  rest_.remove_prefix(bytes);
+  walked_ += bytes;
+  line_ += static_cast<long>(lines);
+  kinds_ |= (any_lf ? 1U : 0U) | (any_cr_lf ? 2U : 0U);
+}
+
+void RowCursor::read_on(std::size_t bytes) {
+  if (!may_go_on() || rest_.size() >= bytes) return;
+  row_ = {};
+  rest_ = window_->read_on(rest_, bytes);
+}
+
+std::size_t RowCursor::next_lf() {
+  // Once for each LF, not once for each line: lines may end with CR alone.
+  if (lf_at_ && *lf_at_ >= walked_) return *lf_at_ - walked_;
+  const std::size_t found = rest_.find('\n', std::max(searched_, walked_) - walked_);
+  if (found == std::string_view::npos) {
+    lf_at_.reset();
+    searched_ = walked_ + rest_.size();
+    return rest_.size();
+  }
+  lf_at_ = walked_ + found;
+  searched_ = *lf_at_ + 1;
+  return found;
+}
+
+void RowCursor::next_line() {
+  ++line_;
+  row_ = {};
+  std::size_t end = next_lf();
+  std::size_t cr = rest_.substr(0, end).find('\r');
+  // A CR at the very end may be followed by LF; and the line behind tells whether this is the last.
+  while (may_go_on() && (cr == std::string_view::npos || cr + 1 >= rest_.size()) &&
+         end + 1 >= rest_.size()) {
+    if (rest_.size() > longest_line_bytes) {
+      refuse_long_line(window_->file(), line_);
+    }
+    rest_ = window_->read_on(rest_, std::max(2 * rest_.size(), longest_line_bytes));
+    end = next_lf();
+    cr = rest_.substr(0, end).find('\r');
+  }
+  std::size_t next = end < rest_.size() ? end + 1 : end;
+  if (cr != std::string_view::npos) {
+    const bool is_cr_lf = cr + 1 == end && next > end;
+    end = cr;
+    if (!is_cr_lf) next = cr + 1;
+    kinds_ |= is_cr_lf ? 2U : 4U;
+  } else if (next > end) {
+    kinds_ |= 1U;
+  }
+  has_line_end_ = next > end;
+  row_ = rest_.substr(0, end);
+  rest_.remove_prefix(next);
+  walked_ += next;
+}
+
+}  // namespace tribolog

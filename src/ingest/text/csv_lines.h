@@ -1,0 +1,70 @@
+#pragma once
+// A log as lines of text.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ingest/text/text_window.h"
+
+namespace tribolog {
+
+/// Refuses what does not start as a text of lines and returns it without its byte order mark.
+/// @throw InputError: the file is empty, UTF-16, holds a NUL byte, or starts as a known binary
+/// format does (gzip, zip,
+///        PNG, ELF, MCAP, rosbag, HDF5, Parquet, SQLite, NumPy, MATLAB).
+std::string_view start_of_text(std::string_view first_bytes, const std::string& file);
+
+/// A longer line is refused: memory stays bounded whatever stands in a file.
+inline constexpr std::size_t longest_line_bytes = std::size_t{1} << 20;
+/// @throw InputError that says so.
+[[noreturn]] void refuse_long_line(const std::string& file, long line);
+
+/// Walks the rows of a text: lines that are neither blank nor comments (`#`). A line ends with LF,
+/// CR LF or CR, also mixed.
+class RowCursor {
+ public:
+  /// Over a text that is in memory as a whole.
+  explicit RowCursor(std::string_view text) : rest_(text) {}
+  /// The text is the start of this window, which is read on as need be.
+  void go_on_in(TextWindow& window) { window_ = &window; }
+
+  /// Goes to the next row. @return false at the end of the text.
+  /// @throw InputError for a line of more than a mebibyte, and whatever the window throws.
+  bool next();
+  /// Goes on to `bytes` further on, behind as many whole lines.
+  /// @param any_lf, any_cr_lf how they end.
+  void pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf);
+  /// Reads on until what is behind the row is as long, or the text ends; row() is then empty.
+  void read_on(std::size_t bytes);
+
+  /// What is behind the row, as far as it is in memory.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+  [[nodiscard]] std::string_view row() const { return row_; }
+  [[nodiscard]] long line() const { return line_; }  ///< Of the row; counts from 1.
+  [[nodiscard]] bool has_line_end() const { return has_line_end_; }
+  [[nodiscard]] std::uint64_t bytes_walked() const { return walked_; }
+  [[nodiscard]] bool is_last() const { return rest_.empty(); }
+  /// More than one kind of line end so far.
+  [[nodiscard]] bool mixed_line_ends() const { return (kinds_ & (kinds_ - 1)) != 0; }
+
+ private:
+  void next_line();
+  [[nodiscard]] bool may_go_on() const { return window_ != nullptr && !window_->at_end(); }
+  /// The next LF in the rest; its size where there is none. Looked for once.
+  [[nodiscard]] std::size_t next_lf();
+
+  TextWindow* window_{nullptr};
+  std::string_view rest_;
+  std::string_view row_;
+  std::uint64_t walked_{0};
+  std::optional<std::uint64_t> lf_at_;  ///< Counted as walked_ is, as far as one was found
+  std::uint64_t searched_{0};           ///< up to here.
+  long line_{0};
+  bool has_line_end_{false};
+  unsigned kinds_{0};
+};
+
+}  // namespace tribolog

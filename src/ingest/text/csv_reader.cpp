@@ -1,0 +1,183 @@
+#include "ingest/text/csv_reader.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "ingest/closest_match.h"
+#include "ingest/text/clock_field.h"
+#include "ingest/text/csv_header.h"
+#include "ingest/text/csv_lines.h"
+#include "ingest/text/csv_rows.h"
+
+namespace tribolog {
+namespace {
+
+/// The names, and units from a row of their own below them.
+struct Header {
+  std::vector<Field> fields;
+  std::string row;  ///< Empty: the log has none.
+  std::vector<std::string> units;
+};
+
+std::vector<Field> fields_of(const RowCursor& cursor, const LogTable& table, Delimiter delimiter) {
+  return split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
+}
+
+/// Goes on to the last row of the header; stays in front of the first row where there is none.
+Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
+                  const TextLogRules& rules, CsvTable& table) {
+  RowCursor first = cursor;
+  (void)first.next();
+  const Location line{table.file, first.line(), 0};
+  Header header;
+  header.fields = fields_of(first, table, table.delimiter);
+  if (holds_numbers_only(header.fields, rules.decimal_mark)) {
+    const bool by_position = std::all_of(columns.begin(), columns.end(), [](const WantedColumn& c) {
+      return c.name.starts_with('#');
+    });
+    if (!by_position) {
+      throw InputError({line.file, line.line, 1},
+                       {"no column names: the first row holds numbers", "", "",
+                        "put a first line with the columns' names, without '#', or ask for columns "
+                        "by their position: \"#1\", \"#2\""});
+    }
+    header.fields = names_by_position(header.fields.size());
+    table.notes.emplace_back("no column names; columns are taken by their position");
+    return header;
+  }
+  if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));
+  header.row = first.row();
+  check_header(header.fields, line);
+  cursor = first;
+  RowCursor second = cursor;
+  if (!second.next() || second.row().size() > longest_line_bytes) return header;
+  const std::vector<Field> below = fields_of(second, table, table.delimiter);
+  if (below.size() != header.fields.size() || !holds_units(below, rules.decimal_mark)) {
+    return header;
+  }
+  for (const Field& field : below) header.units.emplace_back(without_brackets(field.text));
+  table.notes.emplace_back("units are taken from the row under the header");
+  cursor = second;
+  return header;
+}
+
+RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns,
+                  const TextLogRules& rules, const Location& line, CsvTable& table) {
+  RowLayout layout;
+  layout.header_row = header.row;
+  layout.header = header.fields;
+  layout.mark = rules.decimal_mark;
+  layout.slots.assign(layout.header.size(), -1);
+  for (const Field& field : layout.header) table.header.push_back(field.text);
+  for (const WantedColumn& wanted : columns) {
+    const std::size_t index = find_column(layout.header, wanted.name, wanted.if_missing, line);
+    if (layout.slots[index] >= 0) {
+      throw InputError({table.file, line.line, static_cast<long>(layout.header[index].column)},
+                       {"column " + in_quotes(wanted.name) + " is asked for twice", "", "", ""});
+    }
+    layout.slots[index] = static_cast<int>(table.columns.size());
+    layout.readings.push_back(wanted.reading);
+    LogColumn column;
+    column.header = read_header_field(layout.header[index].text);
+    if (column.header.unit.empty() && !header.units.empty()) {
+      column.header.unit = header.units[index];
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return layout;
+}
+
+/// What the fields of a column are in the first rows.
+struct Sample {
+  std::size_t numbers{}, times{}, texts{};
+};
+
+std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const TextLogRules& rules,
+                                const CsvTable& table) {
+  constexpr std::size_t sampled_rows = 20;
+  std::vector<Sample> samples(columns);
+  for (std::size_t row = 0; row < sampled_rows && cursor.next(); ++row) {
+    if (cursor.row().size() > longest_line_bytes || !cursor.has_line_end()) break;
+    const std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
+    for (std::size_t k = 0; k < std::min(columns, fields.size()); ++k) {
+      const FieldKind kind = read_number(fields[k].text, rules.decimal_mark).kind;
+      if (kind == FieldKind::number) ++samples[k].numbers;
+      if (kind != FieldKind::text) continue;
+      ++(read_iso_time(fields[k].text) ? samples[k].times : samples[k].texts);
+    }
+  }
+  return samples;
+}
+
+/// All columns that can be read, by their position; the others in a note.
+std::vector<WantedColumn> readable_columns(const RowCursor& cursor, const Header& header,
+                                           const TextLogRules& rules, CsvTable& table) {
+  const std::vector<Sample> samples = sample_rows(cursor, header.fields.size(), rules, table);
+  std::vector<WantedColumn> columns;
+  std::vector<std::string> others;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Sample& s = samples[k];
+    if (s.texts > 0 || (s.numbers == 0) == (s.times == 0)) {
+      if (!header.fields[k].text.empty()) others.push_back(header.fields[k].text);
+      continue;
+    }
+    const auto reading = s.times > 0 ? ColumnReading::iso_time : ColumnReading::number;
+    columns.push_back({fmt::format("#{}", k + 1), "", reading});
+  }
+  if (!others.empty()) {
+    table.notes.push_back("columns that hold no numbers are not read: " + list_of_names(others));
+  }
+  return columns;
+}
+
+/// Rows to make room for; a guess from the first row's length, bounded by the file's size.
+std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
+  const std::size_t first_row = std::min(first_rows.find('\n'), first_rows.size()) + 1;
+  return bytes / std::max<std::size_t>(first_row, 8) + 1;
+}
+
+}  // namespace
+
+CsvTable read_csv(ByteSource& bytes, const std::string& file,
+                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
+  TextWindow window(bytes, file);
+  constexpr std::size_t first_bytes = 2 * longest_line_bytes;
+  const std::string_view text = start_of_text(window.read_on({}, first_bytes), file);
+  CsvTable table;
+  table.file = file;
+  table.delimiter =
+      rules.delimiter ? *rules.delimiter : sniff_delimiter(text, file, rules.decimal_mark);
+  RowCursor cursor(text);
+  RowCursor first = cursor;
+  if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
+  if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
+  const Header header = read_names(cursor, columns, rules, table);
+  const std::vector<WantedColumn> wanted =
+      columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
+  const RowLayout layout = lay_out(header, wanted, rules, {file, first.line(), 0}, table);
+  for (LogColumn& column : table.columns) {
+    column.values.reserve(likely_rows(cursor.rest(), bytes.likely_bytes()));
+  }
+  if (table.delimiter != Delimiter::comma) {
+    table.notes.push_back("columns are separated by " + to_string(table.delimiter));
+  }
+  if (rules.decimal_mark == DecimalMark::comma) {
+    table.notes.emplace_back("numbers have a decimal comma, as stated");
+  }
+  cursor.go_on_in(window);
+  read_rows(cursor, layout, table);
+  if (cursor.mixed_line_ends()) table.notes.emplace_back("line ends are mixed (LF, CR LF, CR)");
+  if (table.rows == 0) {
+    throw InputError({file, cursor.line(), 0}, {"no data rows", "", "", ""});
+  }
+  return table;
+}
+
+CsvTable read_csv(std::string_view bytes, const std::string& file,
+                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
+  MemorySource source(bytes);
+  return read_csv(source, file, columns, rules);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,150 @@
+#include "ingest/text/plain_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "parallel/parallel_for.h"
+
+#include "ingest/text/plain_number.h"
+
+namespace tribolog {
+namespace {
+
+class PlainRowReader {
+ public:
+  PlainRowReader(std::string_view text, const PlainLayout& layout)
+      : layout_(layout),
+        by_blanks_(layout.delimiter == Delimiter::spaces),
+        delimiter_(static_cast<char>(layout.delimiter)),
+        mark_(layout.mark == DecimalMark::comma ? ',' : '.'),
+        begin_(text.data()),
+        end_(text.data() + text.size()),
+        row_(layout.slots) {
+    out_.values.resize(layout.slots);
+    out_.gaps.resize(layout.slots);
+    // A guess that saves most of the growing; a row has two bytes a column at least.
+    constexpr std::size_t usual_row_bytes = 24;
+    for (auto& values : out_.values) values.reserve(text.size() / usual_row_bytes);
+  }
+
+  PlainRows read() {
+    const char* p = begin_;
+    while (p != end_) {
+      const char* const next = read_row(p);
+      if (next == nullptr) break;
+      p = next;
+      for (std::size_t k = 0; k < row_.size(); ++k) {
+        out_.values[k].push_back(row_[k]);
+        out_.gaps[k] += std::isnan(row_[k]) ? 1 : 0;
+      }
+      ++out_.rows;
+    }
+    out_.bytes = static_cast<std::size_t>(p - begin_);
+    out_.is_whole = p == end_;
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+  [[nodiscard]] bool ends_field(char c) const {
+    return c == '\n' || c == '\r' || (by_blanks_ ? is_blank(c) : c == delimiter_);
+  }
+  [[nodiscard]] const char* end_of_field(const char* p) const {
+    while (p != end_ && !ends_field(*p) && *p != '"') ++p;
+    return p;
+  }
+
+  /// @return the start of the next line, or null.
+  const char* read_row(const char* p) {
+    const std::size_t columns = layout_.columns.size();
+    const char* const first = behind_blanks(p);
+    if (first == end_ || *first == '#' || *first == '\n' || *first == '\r') return nullptr;
+    if (by_blanks_) p = first;
+    for (std::size_t i = 0; i < columns; ++i) {
+      p = read_field(p, layout_.columns[i]);
+      if (p == nullptr || p == end_) return nullptr;
+      if (by_blanks_) p = behind_blanks(p);
+      if (i + 1 == columns) return behind_line_end(p);
+      if (p == end_ || *p == '\n' || *p == '\r') return nullptr;
+      if (!by_blanks_) ++p;  // the delimiter
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] const char* behind_blanks(const char* p) const {
+    while (p != end_ && is_blank(*p)) ++p;
+    return p;
+  }
+
+  const char* behind_line_end(const char* p) {
+    if (p == end_) return nullptr;
+    if (*p == '\n') {
+      out_.any_lf = true;
+      return p + 1;
+    }
+    if (*p != '\r' || p + 1 == end_ || p[1] != '\n') return nullptr;
+    out_.any_cr_lf = true;
+    return p + 2;
+  }
+
+  /// @return the field's end, or null where it is no plain number or gap.
+  const char* read_field(const char* p, const PlainColumn& column) {
+    if (column.slot < 0) {
+      p = end_of_field(p);
+      return p != end_ && *p == '"' ? nullptr : p;
+    }
+    double& value = row_[static_cast<std::size_t>(column.slot)];
+    while (p != end_ && *p == ' ') ++p;
+    if (!column.start) {
+      const char* const behind = read_plain_number(p, end_, mark_, value);
+      if (behind != p && behind != end_ && ends_field(*behind)) return behind;
+    }
+    const char* const field_end = end_of_field(p);
+    const std::string_view field(p, static_cast<std::size_t>(field_end - p));
+    if (column.start) {
+      const auto clock =
+          column.is_iso_time ? read_iso_time(field) : read_clock_number(field, layout_.mark);
+      if (clock) value = clock->since(*column.start);
+      return clock ? field_end : nullptr;
+    }
+    const NumberField number = read_number(field, layout_.mark);
+    value = number.value;
+    const bool is_plain = number.kind == FieldKind::number || number.kind == FieldKind::gap;
+    return is_plain ? field_end : nullptr;
+  }
+
+  const PlainLayout& layout_;
+  bool by_blanks_;
+  char delimiter_;
+  char mark_;
+  const char* begin_;
+  const char* end_;
+  std::vector<double> row_;
+  PlainRows out_;
+};
+
+}  // namespace
+
+PlainRows read_plain_rows(std::string_view text, const PlainLayout& layout) {
+  return PlainRowReader(text, layout).read();
+}
+
+std::vector<PlainRows> read_side_by_side(std::string_view text, const PlainLayout& layout) {
+  constexpr std::size_t stretch_bytes = std::size_t{1} << 19;
+  constexpr std::size_t stretches = 16;
+  std::vector<std::string_view> parts;
+  while (!text.empty() && parts.size() < stretches) {
+    std::size_t bytes = std::min(stretch_bytes, text.size());
+    const std::size_t line_end = text.substr(0, bytes).rfind('\n');
+    if (line_end == std::string_view::npos) break;  // a long line, or the last one
+    bytes = line_end + 1;
+    parts.push_back(text.substr(0, bytes));
+    text.remove_prefix(bytes);
+  }
+  std::vector<PlainRows> rows(parts.size());
+  parallel_for(parts.size(), [&](std::size_t k) { rows[k] = read_plain_rows(parts[k], layout); });
+  return rows;
+}
+
+}  // namespace tribolog

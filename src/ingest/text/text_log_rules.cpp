@@ -1,0 +1,26 @@
+#include "ingest/text/text_log_rules.h"
+
+#include <array>
+
+#include "ingest/manifest/toml_table.h"
+
+namespace tribolog {
+
+TextLogRules read_text_log_rules(const TomlTable& log) {
+  constexpr std::array delimiters = {Delimiter::comma, Delimiter::semicolon, Delimiter::tab,
+                                     Delimiter::spaces};
+  TextLogRules rules;
+  if (log.flag_or("decimal_comma", false)) rules.decimal_mark = DecimalMark::comma;
+  if (log.has("delimiter")) {
+    rules.delimiter =
+        delimiters.at(log.choice("delimiter", {"comma", "semicolon", "tab", "spaces"}));
+  }
+  if (rules.decimal_mark == DecimalMark::comma && rules.delimiter == Delimiter::comma) {
+    log.refuse("delimiter", {"contradicts decimal_comma", "commas for both", "",
+                             "commas within numbers and between columns cannot be told apart"});
+  }
+  log.refuse_unknown_keys();
+  return rules;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,147 @@
+#include "ingest/arrays/json_reader.h"
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "error.h"
+#include "files/temporary_directory.h"
+#include "ingest/arrays/json_text.h"
+#include "support/damaged_files.h"
+
+namespace tribolog {
+namespace {
+
+using Names = std::vector<std::string>;
+using Values = std::vector<double>;
+
+std::vector<LogTable> read(const std::string& text) { return parse_json_log(text, "a.json"); }
+
+std::string refusal(const std::string& text) {
+  return test::refusal_of<InputError>([&] { return read(text); });
+}
+
+/// As Rhoban/bam records a pendulum on a servo.
+std::string bam_log(int rows) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  nlohmann::json log = {{"mass", 0.49},
+                        {"arm_mass", 0.0},
+                        {"length", 0.1},
+                        {"kp", 32},
+                        {"vin", 15.0},
+                        {"motor", "mx106"},
+                        {"trajectory", "lift_and_drop"}};
+  for (int i = 0; i < rows; ++i) {
+    log["entries"].push_back({{"timestamp", 0.005 * i},
+                              {"position", uniform(random)},
+                              {"speed", uniform(random)},
+                              {"load", uniform(random)},
+                              {"input_volts", 15.1},
+                              {"goal_position", uniform(random)},
+                              {"torque_enable", i % 2 == 0}});
+  }
+  return log.dump();
+}
+
+TEST(Json, BamLogsAreReadToTheBit) {
+  const std::string text = bam_log(300);
+  const test::TemporaryDirectory directory;
+  const auto tables = read_bam_json(directory.file("log.json", text));
+  ASSERT_EQ(tables.size(), 1U);
+  const LogTable& table = tables[0];
+  EXPECT_EQ(table.header, (Names{"goal_position", "input_volts", "load", "position", "speed",
+                                 "timestamp", "torque_enable"}));
+  const auto log = nlohmann::json::parse(text);
+  for (std::size_t row = 0; row < 300; ++row) {
+    const double position = log["entries"][row]["position"];
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(table.columns[3].values[row]),
+              std::bit_cast<std::uint64_t>(position));
+    ASSERT_EQ(table.columns[6].values[row], row % 2 == 0 ? 1 : 0);
+  }
+  EXPECT_EQ(table.notes, (Names{"arm_mass = 0", "kp = 32", "length = 0.1", "mass = 0.49",
+                                "vin = 15", "motor = 'mx106'", "trajectory = 'lift_and_drop'"}));
+}
+
+TEST(Json, ObjectOfArrays) {
+  const auto tables = read(R"({"t": [0, 1, 2], "arm": {"q": [[1, 2], [3, 4], [5, 6]]}, "n": 3})");
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].header, (Names{"t", "arm.q_0", "arm.q_1"}));
+  EXPECT_EQ(tables[0].columns[2].values, (Values{2, 4, 6}));
+  EXPECT_EQ(tables[0].notes, (Names{"n = 3"}));
+}
+
+TEST(Json, ArrayOfObjectsWithKeysThatComeAndGo) {
+  const auto tables =
+      read(R"([{"t": 0, "q": 1}, {"t": 1, "T": 20}, {"t": 2, "q": null, "s": "x"}])");
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].header, (Names{"t", "q", "T"}));
+  EXPECT_EQ(tables[0].columns[1].gaps, 2U);
+  EXPECT_EQ(tables[0].columns[2].gaps, 2U);
+  EXPECT_EQ(tables[0].columns[2].values[1], 20);
+  EXPECT_EQ(tables[0].notes, (Names{"'s' is not read: it holds texts"}));
+}
+
+TEST(Json, SeveralArraysOfObjectsKeepTheirNames) {
+  const auto tables = read(R"({"a": [{"t": 0}, {"t": 1}], "b": [{"t": 0}, {"t": 1}, {"t": 2}]})");
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].group, "b");
+  EXPECT_EQ(tables[0].header, (Names{"b/t"}));
+  EXPECT_EQ(tables[1].group, "a");
+}
+
+TEST(Json, NumbersThatOnlyPythonWritesAreGaps) {
+  const auto tables =
+      read(R"({"q": [1, NaN, Infinity, -Infinity, null], "a NaN": "Infinity \" NaN"})");
+  EXPECT_EQ(tables[0].columns[0].gaps, 4U);
+  EXPECT_EQ(tables[0].notes, (Names{R"(a NaN = 'Infinity " NaN')"}));
+}
+
+TEST(Json, RoundedIntegersAreNoted) {
+  EXPECT_EQ(read("[1700000000000000001, 2]")[0].notes,
+            (Names{"'value' holds integers of 2^53 and more: they are rounded"}));
+}
+
+TEST(Json, KeysOfFewRowsDoNotBlowTheTableUp) {
+  std::string text = "[";
+  for (int i = 0; i < 50'000; ++i) {
+    if (i > 0) text += ',';
+    text.append("{\"k").append(std::to_string(i)).append("\":1,\"t\":0}");
+  }
+  const auto tables = read(text + "]");
+  EXPECT_EQ(tables[0].header, (Names{"t"}));
+  EXPECT_EQ(tables[0].notes.back(), "and 49988 more that are not read");
+}
+
+TEST(Json, RefusalsSayWhere) {
+  EXPECT_EQ(refusal("{\"q\": [1, NaN, 2,\n NaN, x]}").substr(0, 23), "a.json:2:7: no JSON: sy");
+  EXPECT_EQ(refusal(R"({"q": [1, 2], "q": [3, 4]})"),
+            "a.json: key 'q' stands twice in one object; hint: rename one of them");
+  EXPECT_EQ(refusal(R"({"mass": 1, "name": "x", "ragged": [[1], [2, 3]]})"),
+            "a.json: no rows of numbers, found mass = 1; name = 'x'; 'ragged' is not read: its "
+            "lists are of different length, expected arrays of two or more numbers");
+  EXPECT_NE(refusal("[1, 1e999]").find("no JSON"), std::string::npos);
+  EXPECT_NE(refusal(""), "");
+  EXPECT_NE(refusal("[]"), "");
+  EXPECT_NE(refusal("7"), "");
+}
+
+TEST(Json, DeepNestingIsRefused) {
+  EXPECT_EQ(refusal(std::string(5'000'000, '[')), "a.json: JSON is nested more than 32 deep");
+  std::string deep = "[1, 2]";
+  for (std::size_t i = 1; i < deepest_json; ++i) deep = R"({"a": )" + deep + "}";
+  EXPECT_EQ(read(deep)[0].rows, 2U);
+  EXPECT_NE(refusal("[" + deep + "]"), "");
+}
+
+TEST(Json, DamageIsAnswered) {
+  const std::string text = bam_log(20);
+  test::expect_cuts_answered(read, text, 500);
+  test::expect_changes_answered(read, text, 500);
+}
+
+}  // namespace
+}  // namespace tribolog

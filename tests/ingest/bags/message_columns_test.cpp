@@ -1,0 +1,131 @@
+// Messages of any type as columns.
+
+#include "ingest/bags/message_columns.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+#include "support/cdr_writer.h"
+
+namespace tribolog {
+namespace {
+
+using test::CdrWriter;
+using Values = std::vector<double>;
+using Names = std::vector<std::string>;
+
+void take(MessageColumns& columns, const CdrWriter& writer) {
+  CdrReader reader(writer.message());
+  (void)columns.take_row(reader);
+}
+
+Names names_of(const std::vector<LogColumn>& columns) {
+  Names names;
+  for (const LogColumn& column : columns) names.push_back(column.header.name);
+  return names;
+}
+
+// A state as arms with torque sensors publish it: joints by name inside, arrays, a mode.
+constexpr std::string_view arm_definition =
+    "std_msgs/Header header\n"
+    "Flags flags\n"
+    "sensor_msgs/JointState measured\n"
+    "float64[2] dtau\n"
+    "geometry_msgs/Wrench[] wrenches\n"
+    "float64 time\n"
+    "uint8 MODE_IDLE=1\n"
+    "uint8 mode\n"
+    "Nothing nothing\n"
+    "float32 last\n"
+    "===\nMSG: arm_msgs/Flags\nbool[3] contact\n"
+    "===\nMSG: arm_msgs/Nothing\n# no fields\n"
+    "===\nMSG: geometry_msgs/Wrench\nVector3 force\n"
+    "===\nMSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\n";
+
+CdrWriter arm_message(double value) {
+  CdrWriter writer;
+  writer.add_header(5'000'000'006, "arm");
+  for (const std::uint8_t contact : {1, 0, 1}) writer.add(contact);
+  writer.add_header(7, "odd").add_texts({"j1", "j2"}).add_sequence<double>({value, 2});
+  writer.add_sequence<double>({}).add_sequence<double>({3, 4});
+  writer.add(5.0).add(6.0);
+  writer.add(std::uint32_t{1}).add(7.0).add(8.0);
+  writer.add(9.0).add(std::uint8_t{2}).add(std::uint8_t{0}).add(1.5F);
+  return writer;
+}
+
+TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
+  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  take(columns, arm_message(1));
+  take(columns, arm_message(-1));
+  EXPECT_EQ(columns.too_long(), 0U);
+  const std::vector<LogColumn> finished = std::move(columns).finish();
+  EXPECT_EQ(
+      names_of(finished),
+      (Names{"flags.contact[0]", "flags.contact[1]", "flags.contact[2]",
+             "measured.header.stamp.sec", "measured.header.stamp.nanosec", "measured.j1.position",
+             "measured.j2.position", "measured.j1.effort", "measured.j2.effort", "dtau[0]",
+             "dtau[1]", "wrenches[0].force.x", "wrenches[0].force.y", "time", "mode", "last"}));
+  EXPECT_EQ(finished[5].values, (Values{1, -1}));
+  EXPECT_EQ(finished[8].values, (Values{4, 4}));
+  EXPECT_EQ(finished[15].values, (Values{1.5, 1.5}));
+}
+
+TEST(MessageColumns, GivesTheStampInNanoseconds) {
+  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  const CdrWriter writer = arm_message(0);
+  CdrReader reader(writer.message());
+  EXPECT_EQ(columns.take_row(reader), 5'000'000'006);
+}
+
+TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
+  MessageColumns columns(parse_ros2msg("control_msgs/msg/DynamicJointState",
+                                       "std_msgs/Header header\nstring[] joint_names\n"
+                                       "InterfaceValue[] interface_values\n"));
+  const auto message = [](const Names& joints, double value) {
+    CdrWriter writer;
+    writer.add_header(0).add_texts(joints).add(std::uint32_t{2});
+    writer.add_texts({"position", "motor_temperature"}).add_sequence<double>({value, 40});
+    return writer.add_texts({"torque"}).add_sequence<double>({value + 1});
+  };
+  take(columns, message({"a", "b"}, 1));
+  take(columns, message({"b", "a"}, 5));
+  const std::vector<LogColumn> finished = std::move(columns).finish();
+  EXPECT_EQ(names_of(finished), (Names{"a.position", "a.motor_temperature", "b.torque",
+                                       "b.position", "b.motor_temperature", "a.torque"}));
+  EXPECT_EQ(finished[0].values.at(0), 1);
+  EXPECT_TRUE(std::isnan(finished[0].values.at(1)));
+  EXPECT_EQ(finished[0].gaps, 1U);
+  EXPECT_EQ(finished[3].values.at(1), 5);
+  EXPECT_EQ(finished[5].values.at(1), 6);
+}
+
+TEST(MessageColumns, LeavesOutImagesAndCountsWhatIsTooLong) {
+  MessageColumns columns(parse_ros2msg("pkg/Image", "uint32 width\nuint8[] data\nfloat64 gain\n"));
+  const std::vector<std::uint8_t> pixels(100'000, 3);
+  take(columns, CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5));
+  take(columns, CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5).add(1.0));
+  EXPECT_EQ(columns.long_arrays(), Names{"data"});
+  EXPECT_EQ(columns.too_long(), 1U);
+  EXPECT_EQ(names_of(std::move(columns).finish()), (Names{"width", "gain"}));
+}
+
+TEST(MessageColumns, KeepsTheNumberOfColumnsBounded) {
+  MessageColumns columns(
+      parse_ros2msg("sensor_msgs/JointState", "string[] name\nfloat64[] position\n"));
+  const auto message = [](int first, int last) {
+    Names names;
+    for (int i = first; i < last; ++i) names.push_back(std::to_string(i));
+    return CdrWriter().add_texts(names).add_sequence(Values(names.size(), 1));
+  };
+  take(columns, message(0, 5000));
+  EXPECT_FALSE(columns.has_too_many_columns());
+  take(columns, message(4999, 50'000));
+  EXPECT_TRUE(columns.has_too_many_columns());
+  EXPECT_EQ(std::move(columns).finish().size(), 5000U);
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,91 @@
+// Columns known by their names.
+
+#include "ingest/layout/log_layout.h"
+
+#include <gtest/gtest.h>
+
+#include "ingest/layout/name_pattern.h"
+#include "ingest/text/csv_dialect.h"
+
+namespace tribolog {
+namespace {
+
+LogLayout layout_of(const std::vector<std::string>& names) {
+  std::vector<ColumnHeader> header;
+  for (const std::string& name : names) header.push_back(read_header_field(name));
+  return guess_layout(header);
+}
+
+TEST(NamePattern, FindsTheJoint) {
+  EXPECT_EQ(joint_in_name("actual_q_0", "actual_q_{}"), "0");
+  EXPECT_EQ(joint_in_name("State.tau_j[3]", "state.tau_J[{}]"), "3");
+  EXPECT_EQ(joint_in_name("left.elbow.position", "{}.position"), "left.elbow");
+  EXPECT_EQ(joint_in_name("TIME", "time"), "");
+  EXPECT_FALSE(joint_in_name("actual_q_", "actual_q_{}"));
+  EXPECT_FALSE(joint_in_name("actual_qd_0", "actual_q_{}"));
+  EXPECT_FALSE(joint_in_name("", "{}"));
+}
+
+TEST(LogLayout, KnowsUrsRealTimeLog) {
+  const LogLayout l =
+      layout_of({"timestamp", "target_q_0", "actual_q_0", "actual_q_5", "actual_qd_0",
+                 "actual_current_0", "target_moment_0", "joint_temperatures_0", "safety_status"});
+  EXPECT_EQ(l.logger, "UR RTDE");
+  EXPECT_EQ(l.joints(), (std::vector<std::string>{"0", "5"}));
+  ASSERT_NE(l.find(Quantity::angle, "0"), nullptr);
+  EXPECT_EQ(l.find(Quantity::angle, "0")->column, 2U) << "the measured one, not the target";
+  ASSERT_NE(l.find(Quantity::current, "0"), nullptr);
+  EXPECT_EQ(l.find(Quantity::current, "0")->effort.kind, EffortKind::motor_current);
+  EXPECT_EQ(l.find(Quantity::torque, "0"), nullptr) << "a model's value is no measurement";
+  EXPECT_EQ(l.find(Quantity::temperature, "0")->unit, "degC");
+  EXPECT_EQ(l.columns.size(), 8U);
+}
+
+TEST(LogLayout, KnowsThatFrankaMeasuresBehindTheGearAndCountsMilliseconds) {
+  const LogLayout l = layout_of({"time", "success_rate", "state.q[0]", "state.q_d[0]",
+                                 "state.dq[0]", "state.tau_J[0]", "cmd.tau_J_d[0]"});
+  EXPECT_EQ(l.logger, "libfranka");
+  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
+  const ColumnMeaning* torque = l.find(Quantity::torque, "0");
+  ASSERT_NE(torque, nullptr);
+  EXPECT_EQ(torque->effort.side, Side::joint);
+  EXPECT_NE(torque->effort.remark.find("behind the gear"), std::string::npos);
+}
+
+TEST(LogLayout, KnowsTheOthersToo) {
+  EXPECT_EQ(layout_of({"index", "time", "mp1", "ip1", "mt1", "et1"}).logger, "KUKA FRI");
+  EXPECT_EQ(layout_of({"index", "time", "mp1", "mt1"}).find(Quantity::angular_speed, "1"), nullptr);
+  EXPECT_EQ(layout_of({"times", "positions_0", "torques_0"}).logger, "FloBaRoID");
+  const LogLayout ros = layout_of({"time", "elbow.position", "elbow.velocity", "elbow.effort"});
+  EXPECT_EQ(ros.logger, "joint states");
+  // Nobody can tell amperes from newton metres here.
+  EXPECT_FALSE(ros.find(Quantity::torque, "elbow")->effort.kind);
+  EXPECT_EQ(layout_of({"timestamp", "joint1.pos", "joint1.effort"}).logger, "LeRobot");
+}
+
+TEST(LogLayout, ReadsOtherNamesWordByWord) {
+  const LogLayout l = layout_of({"t_ms", "q_deg", "dq_rad_s", "i_A", "tau [mNm]", "temp", "note"});
+  EXPECT_TRUE(l.logger.empty());
+  EXPECT_EQ(l.joints(), std::vector<std::string>{""});
+  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
+  EXPECT_EQ(l.find(Quantity::angle, "")->unit, "deg");
+  EXPECT_EQ(l.find(Quantity::angular_speed, "")->unit, "rad/s");
+  EXPECT_EQ(l.find(Quantity::current, "")->unit, "A");
+  EXPECT_EQ(l.find(Quantity::torque, "")->unit, "mNm");
+  EXPECT_FALSE(l.find(Quantity::temperature, "")->unit_is_stated);
+  EXPECT_EQ(l.columns.size(), 6U);
+}
+
+TEST(LogLayout, NumbersBehindTheWordAreJoints) {
+  const LogLayout l = layout_of({"Time", "q1_rad", "q2_rad", "tau1_Nm", "current_2", "pos[3]"});
+  EXPECT_EQ(l.joints(), (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_NE(l.find(Quantity::torque, "1"), nullptr);
+  EXPECT_NE(l.find(Quantity::current, "2"), nullptr);
+}
+
+TEST(LogLayout, SaysNothingOfWhatItDoesNotKnow) {
+  EXPECT_TRUE(layout_of({"quality", "tick", "id", "", "status", "information"}).columns.empty());
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,339 @@
+#include "ingest/manifest/manifest_file.h"
+
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+#include "friction/waiboer.h"
+
+namespace tribolog {
+namespace {
+
+const std::string minimal = R"(schema = "tribolog-dataset-1"
+[robot]
+name = "R"
+[joint]
+name = "J"
+gear_ratio = 100
+[effort]
+kind = "motor_torque"
+side = "motor"
+[columns]
+time = {name = "t", unit = "s"}
+angle = {name = "q", unit = "rad"}
+effort = {name = "tau", unit = "Nm"}
+[[recording]]
+role = "oscillation"
+file = "a.csv"
+)";
+
+/// The minimal manifest with one piece of text replaced.
+std::string with(const std::string& piece, const std::string& replacement) {
+  std::string text = minimal;
+  const std::size_t at = text.find(piece);
+  if (at == std::string::npos) throw std::logic_error("no such piece: " + piece);
+  return text.replace(at, piece.size(), replacement);
+}
+
+std::string refusal(const std::string& text) {
+  return test::refusal_of<InputError>([&] { return parse_manifest(text, "m.toml"); });
+}
+
+TEST(Manifest, MinimalOneIsEnough) {
+  const ManifestFile m = parse_manifest(minimal, "m.toml");
+  EXPECT_EQ(m.manifest.robot, "R");
+  EXPECT_EQ(m.manifest.joint, "J");
+  EXPECT_EQ(m.manifest.drive.gear_ratio(), 100);
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::motor_torque);
+  EXPECT_EQ(m.manifest.drive.side(), Side::motor);
+  EXPECT_EQ(m.manifest.surrogate_distance_m, 0.5);
+  EXPECT_EQ(m.manifest.gravity_m_s2, 9.81);
+  EXPECT_EQ(m.effort_sign, 1.0);
+  ASSERT_EQ(m.recordings.size(), 1U);
+  EXPECT_EQ(m.recordings[0].role, Role::oscillation);
+  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::joint);
+  EXPECT_FALSE(m.recordings[0].columns.speed.has_value());
+}
+
+TEST(Manifest, FullOneIsReadWhole) {
+  const ManifestFile m = parse_manifest(R"(schema = "tribolog-dataset-1"
+[robot]
+name = "Größe <b>"
+serial = "S1"
+description = "arms/one.toml"
+operator = "O"
+measured_on = "2026-11-21"
+note = "N"
+[joint]
+name = "3"
+gear_ratio = 50.5
+[effort]
+kind = "motor_current"
+side = "joint"
+torque_constant_Nm_A = 10.5
+sign = -1
+[payload]
+mass_kg = 2.5
+note = "gripper"
+[temperature]
+degC = 21.5
+[surrogate]
+distance_m = 0.4
+gravity_m_s2 = 9.8
+[columns]
+time = {name = "t", unit = "ms"}
+angle = {name = "q", unit = "deg", side = "motor"}
+speed = {name = "dq", unit = "rpm", side = "motor"}
+effort = {name = "i", unit = "mA"}
+[reference.waiboer]
+asperity_torque_Nm = 1
+stribeck_speed_rad_s = 2
+stribeck_power = 0.5
+viscous_coefficient = 0.1
+viscous_power = 0.6
+[[recording]]
+role = "rough_sweep"
+file = "a.csv"
+from_s = 5
+to_s = 62.3
+note = "warm"
+[[recording]]
+role = "constant_speed"
+file = "b.csv"
+columns = {angle = {name = "q1", unit = "rad"}}
+)",
+                                        "m.toml");
+  EXPECT_EQ(m.manifest.robot, "Größe <b>");
+  EXPECT_EQ(m.manifest.serial, "S1");
+  EXPECT_EQ(m.manifest.robot_description, "arms/one.toml");
+  EXPECT_EQ(m.manifest.operator_name, "O");
+  EXPECT_EQ(m.manifest.measured_on, "2026-11-21");
+  EXPECT_EQ(m.manifest.note, "N");
+  EXPECT_EQ(m.manifest.drive.torque_constant_Nm_A(), 10.5);
+  EXPECT_EQ(m.effort_sign, -1.0);
+  EXPECT_EQ(m.manifest.payload_kg, 2.5);
+  EXPECT_EQ(m.manifest.payload, "gripper");
+  EXPECT_EQ(m.manifest.temperature_C, 21.5);
+  EXPECT_EQ(m.manifest.surrogate_distance_m, 0.4);
+  EXPECT_EQ(m.manifest.gravity_m_s2, 9.8);
+  ASSERT_TRUE(m.manifest.reference);
+  EXPECT_EQ(m.manifest.reference->name(), "waiboer");
+  EXPECT_EQ(m.manifest.reference->named_parameters(),
+            named(WaiboerFriction::Parameters{1, 2, 0.5, 0.1, 0.6, 1e6}));
+  ASSERT_EQ(m.recordings.size(), 2U);
+  EXPECT_EQ(m.recordings[0].from_s, 5.0);
+  EXPECT_EQ(m.recordings[0].note, "warm");
+  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::motor);
+  EXPECT_EQ(m.recordings[1].columns.angle->name, "q1");
+  EXPECT_EQ(m.recordings[1].columns.angle->side, Side::joint);
+  EXPECT_EQ(m.recordings[1].columns.effort->name, "i");
+}
+
+TEST(Manifest, NeverGuessesWhatTheEffortIs) {
+  const std::string hint =
+      "; hint: state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same "
+      "column "
+      "is ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
+      "neither was recorded";
+  EXPECT_EQ(refusal(with("[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n", "")),
+            "m.toml:1:1: key 'effort' is missing" + hint);
+  EXPECT_EQ(refusal(with("kind = \"motor_torque\"\n", "")),
+            "m.toml:7:1: key 'effort.kind' is missing" + hint);
+  EXPECT_EQ(refusal(with("\"motor_torque\"", "\"effort\"")),
+            "m.toml:8:8: key 'effort.kind': not known, found 'effort', expected one of "
+            "'motor_current', 'motor_torque', 'joint_torque', 'none'" +
+                hint);
+  EXPECT_EQ(refusal(with("side = \"motor\"\n", "")),
+            "m.toml:7:1: key 'effort.side' is missing; hint: \"motor\": before the gear, or "
+            "\"joint\": after it");
+}
+
+TEST(Manifest, WantsATorqueConstantForACurrentOnly) {
+  EXPECT_EQ(refusal(with("\"motor_torque\"", "\"motor_current\"")),
+            "m.toml:7:1: key 'effort.torque_constant_Nm_A' is missing, expected newton metres per "
+            "ampere, on the side stated; hint: without it a current cannot become a torque");
+  EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\ntorque_constant_Nm_A = 2")),
+            "m.toml:10:24: key 'effort.torque_constant_Nm_A': torque constant 2 N·m/A is given for "
+            "an effort of kind motor_torque; it belongs to motor_current");
+}
+
+TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
+  EXPECT_EQ(refusal(with("\"Nm\"", "\"A\"")),
+            "m.toml:13:32: key 'columns.effort.unit': contradicts effort.kind, found 'A', a "
+            "current, expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated "
+            "rightly?");
+  EXPECT_EQ(refusal(with("\"rad\"", "\"grad\"")),
+            "m.toml:12:29: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg; "
+            "hint: did you mean 'rad'?");
+}
+
+TEST(Manifest, RefusesWhatIsMissing) {
+  EXPECT_EQ(refusal(""), "m.toml:1:1: key 'schema' is missing; hint: one of 'tribolog-dataset-1'");
+  EXPECT_EQ(refusal(with("dataset-1", "dataset-2")),
+            "m.toml:1:10: key 'schema': not known, found 'tribolog-dataset-2', expected one of "
+            "'tribolog-dataset-1'; hint: did you mean 'tribolog-dataset-1'?");
+  EXPECT_EQ(refusal(with("name = \"R\"", "name = \" \"")),
+            "m.toml:3:8: key 'robot.name': is empty, expected a name; hint: the report and the "
+            "archive go by the robot's name");
+  EXPECT_EQ(refusal(with("gear_ratio = 100\n", "")),
+            "m.toml:4:1: key 'joint.gear_ratio' is missing; hint: motor angle / joint angle; 1 for "
+            "a direct drive");
+  EXPECT_EQ(refusal(with("gear_ratio = 100", "gear_ratio = 0")),
+            "m.toml:6:14: key 'joint.gear_ratio': not usable, found 0, expected a number > 0");
+  EXPECT_EQ(
+      refusal(with("effort = {name = \"tau\", unit = \"Nm\"}\n", "")),
+      "m.toml:13:1: no column is stated for the effort, expected effort = {name = ..., unit = "
+      "...} in [columns]; hint: without torque or current nothing can be identified; where neither "
+      "was recorded, effort.kind = \"none\" checks the motion alone");
+  EXPECT_EQ(refusal(with(", unit = \"s\"", "")),
+            "m.toml:11:8: key 'columns.time.unit' is missing; hint: one of s, ms, us, ns");
+  EXPECT_EQ(
+      refusal(with("[[recording]]\nrole = \"oscillation\"\nfile = \"a.csv\"\n", "")),
+      "m.toml: no [[recording]] is stated, expected one or more; hint: each with role and file");
+}
+
+TEST(Manifest, RefusesUnknownKeysEverywhere) {
+  EXPECT_EQ(refusal(with("[joint]", "serail = \"S\"\n[joint]")),
+            "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
+  EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
+            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'name', 'unit'");
+  EXPECT_EQ(refusal(minimal + "form_s = 5\n"),
+            "m.toml:17:10: unknown key 'recording.form_s'; hint: did you mean 'from_s'?");
+  EXPECT_EQ(refusal(minimal + "[extras]\n").substr(0, 34), "m.toml:17:1: unknown key 'extras';");
+}
+
+TEST(Manifest, RefusesImpossibleValues) {
+  EXPECT_EQ(refusal(minimal + "from_s = 5\nto_s = 5\n"),
+            "m.toml:18:8: key 'recording.to_s': window is empty, found 5..5 s, expected from_s < "
+            "to_s");
+  EXPECT_EQ(refusal(with("side = \"motor\"", "side = \"motor\"\nsign = 2")),
+            "m.toml:10:8: key 'effort.sign': not usable, found 2, expected 1 or -1");
+  EXPECT_EQ(
+      refusal(with("\"oscillation\"", "\"oscilation\"")),
+      "m.toml:15:8: key 'recording.role': not known, found 'oscilation', expected one of "
+      "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away'; hint: did "
+      "you mean 'oscillation'?");
+  EXPECT_EQ(
+      refusal(minimal + "[reference.waiboer]\nasperity_torque_Nm = 1\n"
+                        "stribeck_speed_rad_s = 1\nstribeck_power = 1\n"
+                        "viscous_coefficient = 1\nviscous_power = 1\n"),
+      "m.toml:22:17: key 'reference.waiboer.viscous_power': viscous power 1 is not allowed; it "
+      "must be < 1");
+}
+
+TEST(Manifest, KnownCurveIsOneOfAnyModel) {
+  const std::string dahl =
+      "[reference.dahl]\nstiffness_Nm_rad = 400\ncoulomb_Nm = 0.6\n"
+      "viscous_Nms_rad = 0.01\n";
+  const auto curve = parse_manifest(minimal + dahl, "m.toml").manifest.reference;
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->name(), "dahl");
+  EXPECT_DOUBLE_EQ(curve->torque_Nm(-10), -0.7);
+  EXPECT_EQ(refusal(minimal + dahl +
+                    "[reference.threshold_speed]\ncoulomb_Nm = 1\nstatic_Nm = 1\n"
+                    "stribeck_decay_s_rad = 0\nviscous_Nms_rad = 0\n"),
+            "m.toml:17:1: key 'reference.dahl': is a second known curve, expected one, "
+            "'threshold_speed'");
+  EXPECT_EQ(refusal(minimal + "[reference.dahl]\nstiffness_Nm_rad = 400\n"),
+            "m.toml:17:1: key 'reference.dahl.coulomb_Nm' is missing; hint: Tc > 0");
+  EXPECT_EQ(refusal(minimal + "[reference.waibor]\n"),
+            "m.toml:17:1: unknown key 'reference.waibor'; hint: did you mean 'waiboer'?");
+  EXPECT_FALSE(parse_manifest(minimal + "[reference]\n", "m.toml").manifest.reference);
+}
+
+TEST(Manifest, RefusesTextThatIsNotUtf8) {
+  EXPECT_EQ(refusal(with("\"R\"", "\"\xff\"")).substr(0, 9), "m.toml:3:");
+}
+
+TEST(Manifest, RefusesADescriptionThatIsNoFile) {
+  const auto described = [](const std::string& value) {
+    return with("name = \"R\"", "name = \"R\"\ndescription = " + value);
+  };
+  EXPECT_EQ(
+      refusal(described("\"\"")),
+      "m.toml:4:15: key 'robot.description': is no name of a file, found '', expected the file "
+      "that describes the arm; hint: examples/paper/am100ib.toml is one");
+  EXPECT_NE(refusal(described("\"a\\u0000b.toml\"")).find("m.toml:4:15: key 'robot.description'"),
+            std::string::npos);
+  EXPECT_NE(refusal(described("7")).find("m.toml:4:15: key 'robot.description': wrong type"),
+            std::string::npos);
+}
+
+TEST(Manifest, IntervalsAreThoseStated) {
+  const ManifestFile none = parse_manifest(minimal, "m.toml");
+  EXPECT_FALSE(none.manifest.intervals.resamples);
+  EXPECT_FALSE(none.manifest.intervals.seed);
+  const ManifestFile both = parse_manifest(
+      with("[columns]", "[intervals]\nresamples = 500\nseed = 42\n[columns]"), "m.toml");
+  EXPECT_EQ(both.manifest.intervals.resamples, 500U);
+  EXPECT_EQ(both.manifest.intervals.seed, 42U);
+  const ManifestFile off =
+      parse_manifest(with("[columns]", "[intervals]\nresamples = 0\n[columns]"), "m.toml");
+  EXPECT_EQ(off.manifest.intervals.resamples, 0U);
+}
+
+TEST(Manifest, ResamplesThatGiveNoIntervalAreRefusedAtTheirPlace) {
+  EXPECT_EQ(refusal(with("[columns]", "[intervals]\nresamples = 20\n[columns]")),
+            "m.toml:11:13: key 'intervals.resamples': not usable, found 20, expected 0 (closed "
+            "forms alone), or 100 to 1000000");
+  EXPECT_NE(refusal(with("[columns]", "[intervals]\nresample = 200\n[columns]")).find("resamples"),
+            std::string::npos);
+}
+
+TEST(ManifestLimits, AreReadWithTheirNumbers) {
+  const ManifestFile m = parse_manifest(
+      minimal +
+          "[[limit]]\nquantity = \"coulomb_joint_Nm\"\nmax = 15\nhalf_width_percent = 5\n"
+          "[[limit]]\nquantity = \"q_peak_deg\"\nmin = -23\nmax = -21\n",
+      "m.toml");
+  ASSERT_EQ(m.manifest.limits.size(), 2U);
+  EXPECT_EQ(m.manifest.limits[0].quantity, "coulomb_joint_Nm");
+  EXPECT_EQ(m.manifest.limits[0].max, 15);
+  EXPECT_EQ(m.manifest.limits[0].half_width_percent, 5);
+  EXPECT_FALSE(m.manifest.limits[0].min);
+  EXPECT_EQ(m.manifest.limits[1].min, -23);
+}
+
+TEST(ManifestLimits, ThatCannotBeMeantAreRefused) {
+  const auto limit = [](const std::string& keys) {
+    return refusal(minimal + "[[limit]]\n" + keys);
+  };
+  EXPECT_NE(
+      limit("quantity = \"colomb_joint_Nm\"\nmax = 1\n").find("did you mean 'coulomb_joint_Nm'"),
+      std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\n").find("no number"), std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nmin = 2\nmax = 1\n").find("min <= max"),
+            std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nhalf_width = 0\n").find("> 0"),
+            std::string::npos);
+  EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nmaximum = 1\n").find("unknown key"),
+            std::string::npos);
+}
+
+TEST(ManifestEffort, MayBeNoneWhereNothingWasRecorded) {
+  std::string text = with("kind = \"motor_torque\"\nside = \"motor\"", "kind = \"none\"");
+  const std::string column = "effort = {name = \"tau\", unit = \"Nm\"}\n";
+  EXPECT_NE(refusal(text).find("contradicts effort.kind"), std::string::npos);
+  text.erase(text.find(column), column.size());
+  const ManifestFile m = parse_manifest(text, "m.toml");
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::none);
+  EXPECT_FALSE(m.recordings[0].columns.effort);
+}
+
+TEST(ManifestEffort, OfVoltageOrDutyCycleIsRefusedInOneLine) {
+  for (const char* kind : {"motor_voltage", "voltage", "pwm", "duty"}) {
+    const std::string message =
+        refusal(with("kind = \"motor_torque\"", "kind = \"" + std::string(kind) + "\""));
+    EXPECT_NE(message.find("a voltage or duty cycle is no torque"), std::string::npos) << message;
+    EXPECT_NE(message.find("m.toml:8:"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+  for (const char* unit : {"V", "mV", "%", "PWM"}) {
+    const std::string message =
+        refusal(with("unit = \"Nm\"", "unit = \"" + std::string(unit) + "\""));
+    EXPECT_NE(message.find("a voltage or duty cycle is no torque"), std::string::npos) << message;
+    EXPECT_NE(message.find("present current"), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

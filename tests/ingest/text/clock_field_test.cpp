@@ -1,0 +1,56 @@
+// Time stamps to the nanosecond.
+
+#include "ingest/text/clock_field.h"
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+double between(std::string_view from, std::string_view to,
+               std::optional<ClockReading> (*read)(std::string_view)) {
+  const auto a = read(from);
+  const auto b = read(to);
+  EXPECT_TRUE(a && b) << from << " " << to;
+  return a && b ? b->since(*a) : 0;
+}
+
+double iso(std::string_view from, std::string_view to) { return between(from, to, read_iso_time); }
+
+double number(std::string_view from, std::string_view to) {
+  return between(from, to, [](std::string_view f) { return read_clock_number(f); });
+}
+
+TEST(ClockField, KeepsNanosecondsOfNumbersThatNoDoubleHolds) {
+  EXPECT_EQ(number("1700000000123456789", "1700000000123456790"), 1);
+  EXPECT_NEAR(number("1700000000.123456789", "1700000000.123456790"), 1e-9, 1e-17);
+  EXPECT_NEAR(number("-1.25", "1.5"), 2.75, 1e-15);
+  EXPECT_EQ(number(" -3 ", "+0"), 3) << "a sign in front";
+}
+
+TEST(ClockField, ReadsIsoTimesInTheirUsualSpellings) {
+  const char* const start = "1970-01-01T00:00:00Z";
+  EXPECT_EQ(iso(start, "1970-01-02T00:00:01Z"), 86401);
+  EXPECT_EQ(iso(start, "2000-03-01 00:00:00"), 951868800);  // a leap year of the century
+  EXPECT_NEAR(iso("2026-03-01T08:15:00.000000001Z", "2026-03-01T08:15:00,000000003Z"), 2e-9, 1e-17);
+  EXPECT_EQ(iso("2026-03-01T08:15:00Z", "2026-03-01T09:15:00+01:00"), 0);
+  EXPECT_EQ(iso("2026-03-01T08:15:00Z", "2026-03-01T07:45:00-0030"), 0);
+  EXPECT_EQ(iso("2026-12-31T23:59:59.5Z", "2027-01-01T00:00:00.25Z"), 0.75);
+}
+
+TEST(ClockField, TakesNothingElse) {
+  for (const char* field : {"", "2026-03-01", "2026-02-30T00:00:00Z", "2026-03-01T24:00:00Z",
+                            "2026-03-01T08:15:00.Z", "2026-03-01T08:15:00Zulu", "08:15:00",
+                            "2026-03-01T08:15:00+1", "26-03-01T08:15:00", "\xff\xfe"}) {
+    EXPECT_FALSE(read_iso_time(field)) << field;
+  }
+  for (const char* field :
+       {"", "-", "1e9", "1.5.5", "1,5", "0x10", "12345678901234567890", "nan"}) {
+    EXPECT_FALSE(read_clock_number(field)) << field;
+  }
+  EXPECT_TRUE(read_clock_number("1,5", DecimalMark::comma));
+  EXPECT_FALSE(read_clock_number("1.5", DecimalMark::comma));
+}
+
+}  // namespace
+}  // namespace tribolog

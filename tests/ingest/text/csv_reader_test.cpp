@@ -1,0 +1,196 @@
+// Logs that are read, with all their peculiarities.
+
+#include "ingest/text/csv_reader.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+CsvTable read(std::string_view text, const std::vector<WantedColumn>& columns = {{"t"}, {"tau"}}) {
+  return read_csv(text, "run.csv", columns);
+}
+
+using Values = std::vector<double>;
+using Notes = std::vector<std::string>;
+
+void expect_two_rows(std::string_view text) {
+  const CsvTable table = read(text);
+  EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
+  EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
+  EXPECT_EQ(table.rows, 2U);
+}
+
+TEST(CsvReader, ReadsTheColumnsAskedForInTheOrderAskedFor) {
+  const CsvTable table = read("t,q,tau,text\n0,7,1.25,a\n0.5,8,-3,b\n", {{"tau"}, {"t"}});
+  EXPECT_EQ(table.columns.at(0).values, (Values{1.25, -3}));
+  EXPECT_EQ(table.columns.at(1).values, (Values{0, 0.5}));
+  EXPECT_EQ(table.header, (std::vector<std::string>{"t", "q", "tau", "text"}));
+  EXPECT_TRUE(table.notes.empty());
+}
+
+TEST(CsvReader, TakesEveryLineEndAndTheByteOrderMark) {
+  expect_two_rows("t,tau\n0,1.25\n0.5,-3\n");
+  expect_two_rows("t,tau\r\n0,1.25\r\n0.5,-3\r\n");
+  expect_two_rows("t,tau\r0,1.25\r0.5,-3\r");
+  expect_two_rows("\xef\xbb\xbft,tau\n0,1.25\n0.5,-3");
+  EXPECT_EQ(read("t,tau\r\n0,1\n1,2\r\n").notes, (Notes{"line ends are mixed (LF, CR LF, CR)"}));
+  EXPECT_TRUE(read("t,tau\r\n0,1\r\n").notes.empty());
+}
+
+TEST(CsvReader, TakesEveryDelimiterAndStatesIt) {
+  expect_two_rows("t;tau\n0;1.25\n0.5;-3\n");
+  expect_two_rows("t\ttau\n0\t1.25\n0.5\t-3\n");
+  expect_two_rows("t  tau\n0   1.25 \n 0.5 -3\n");
+  expect_two_rows("t, tau\n0, 1.25\n 0.5 ,-3 \n");
+  EXPECT_EQ(read("t;tau\n0;1\n").notes, (Notes{"columns are separated by semicolons"}));
+}
+
+TEST(CsvReader, SkipsCommentsAndBlankLinesAndKeepsCountOfLines) {
+  const CsvTable table = read("# a log\n\nt,tau\n# units: s, Nm\n0,1.25\n\n  \n0.5,-3\n1,1\n");
+  EXPECT_EQ(table.rows, 3U);
+  EXPECT_EQ(table.line_of(0), 5);
+  EXPECT_EQ(table.line_of(1), 8);
+  EXPECT_EQ(table.line_of(2), 9);
+}
+
+TEST(CsvReader, FindsColumnsByNameWithAndWithoutUnit) {
+  const CsvTable table = read("\"t [s]\",tau (Nm)\n0,1\n", {{"t"}, {"tau (Nm)"}});
+  EXPECT_EQ(table.columns.at(0).header.unit, "s");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+  expect_two_rows("t [s] tau [Nm]\n0 1.25\n0.5 -3\n");  // blanks in the header only
+  // As a robot's own logger names them: brackets that are no units.
+  EXPECT_EQ(read("time, state.q[0], state.q[1]\n0, 1, 2\n", {{"time"}, {"state.q[1]"}})
+                .columns.at(1)
+                .values,
+            Values{2});
+}
+
+TEST(CsvReader, CountsGapsByColumn) {
+  const CsvTable table = read("t,tau,x\n0,nan,\n1,,\n,3,\n3,inf,\n4,5,\n");
+  EXPECT_EQ(table.columns.at(0).gaps, 1U);
+  EXPECT_EQ(table.columns.at(1).gaps, 3U);
+  EXPECT_TRUE(std::isnan(table.columns.at(1).values.at(3)));
+  EXPECT_EQ(table.columns.at(1).values.at(4), 5);
+  EXPECT_EQ(table.rows, 5U);
+}
+
+TEST(CsvReader, ReadsQuotedFields) {
+  expect_two_rows("\"t\",\"a, b\",tau\n\"0\",\"x, y\",1.25\n0.5,,\"-3\"\n");
+}
+
+TEST(CsvReader, IgnoresADelimiterAfterTheLastColumn) {
+  expect_two_rows("t,tau,\n0,1.25,\n0.5,-3,\n");
+  expect_two_rows("t,tau,\n0,1.25\n0.5,-3\n");
+  expect_two_rows("t,tau\n0,1.25,\n0.5,-3,\n");
+  EXPECT_EQ(read("t,tau\n0,1.25,\n0.5,-3,\n").notes,
+            (Notes{"rows end with a delimiter; the empty column is ignored"}));
+}
+
+TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
+  for (const char* rest : {"2", "2,", "2,-", "2,1.5e", "2,\"1", "2,n"}) {
+    const CsvTable table = read(std::string("t,x,tau\n0,0,1.25\n0.5,0,-3\n2,") + rest);
+    EXPECT_EQ(table.rows, 2U) << rest;
+    EXPECT_EQ(table.cut_rows, 1U) << rest;
+    ASSERT_EQ(table.notes.size(), 1U) << rest;
+  }
+  EXPECT_EQ(read("t,tau\n0,1\n2").notes,
+            (Notes{"file ends inside a row at byte 11 (log truncated?); the row is left out"}));
+  EXPECT_EQ(read("t,tau\n0,1\n2,3").cut_rows, 0U) << "only the line end is missing";
+}
+
+TextLogRules with_decimal_comma() {
+  TextLogRules rules;
+  rules.decimal_mark = DecimalMark::comma;
+  return rules;
+}
+
+TEST(CsvReader, ReadsDecimalCommasWhereTheyAreStated) {
+  for (const char* text :
+       {"t;tau\n0;1,25\n0,5;-3\n", "t\ttau\n0\t1,25\n0,5\t-3,0\n", "t tau\n0 1,25\n5e-1 -3\n"}) {
+    const CsvTable table = read_csv(text, "run.csv", {{"t"}, {"tau"}}, with_decimal_comma());
+    EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
+    EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
+  }
+  EXPECT_EQ(read_csv("tau\n1,25\n", "f", {{"tau"}}, with_decimal_comma()).columns[0].values,
+            Values{1.25});
+}
+
+TEST(CsvReader, TakesTheDelimiterThatIsStated) {
+  TextLogRules rules;
+  rules.delimiter = Delimiter::semicolon;
+  // As many commas as semicolons: unstated, nobody can tell.
+  const CsvTable table = read_csv("a,b;tau\n1,2;3\n", "f", {{"tau"}}, rules);
+  EXPECT_EQ(table.columns[0].values, Values{3});
+}
+
+TEST(CsvReader, TakesColumnsByTheirPosition) {
+  const CsvTable headless = read("0,7,1.25\n0.5,8,-3\n", {{"#3"}, {"#1"}});
+  EXPECT_EQ(headless.columns.at(0).values, (Values{1.25, -3}));
+  EXPECT_EQ(headless.columns.at(1).values, (Values{0, 0.5}));
+  EXPECT_EQ(headless.rows, 2U);
+  EXPECT_EQ(headless.line_of(0), 1);
+  EXPECT_EQ(headless.notes, (Notes{"no column names; columns are taken by their position"}));
+  EXPECT_EQ(read("t,q,tau\n0,7,1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
+  EXPECT_EQ(read("# t q tau\n\n0 7 1.25\n", {{"#3"}}).columns.at(0).values, Values{1.25});
+}
+
+TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
+  const CsvTable table = read("t,q,tau\n[ms],,Nm\n0,7,1.25\n", {{"t"}, {"tau"}});
+  EXPECT_EQ(table.columns.at(0).header.unit, "ms");
+  EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
+  EXPECT_EQ(table.rows, 1U);
+  EXPECT_EQ(table.line_of(0), 3);
+  EXPECT_EQ(table.notes, (Notes{"units are taken from the row under the header"}));
+}
+
+TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
+  const CsvTable table = read(
+      "when,state,q,empty,tau\n2026-03-01T08:15:00Z,run,1,,nan\n2026-03-01T08:15:01Z,stop,2,,3\n",
+      {});
+  ASSERT_EQ(table.columns.size(), 3U);
+  EXPECT_EQ(table.columns[0].header.name, "when");
+  EXPECT_EQ(table.columns[0].values, (Values{0, 1}));
+  EXPECT_EQ(table.columns[1].header.name, "q");
+  EXPECT_EQ(table.columns[2].values[1], 3);
+  EXPECT_EQ(table.notes, (Notes{"columns that hold no numbers are not read: 'state', 'empty'"}));
+  EXPECT_EQ(read("0 1 2\n3 4 5\n", {}).columns.size(), 3U);
+}
+
+TEST(CsvReader, KeepsTheNanosecondsOfAClockThatCountsFrom1970) {
+  std::vector<WantedColumn> time = {{"t", "", ColumnReading::clock}};
+  const CsvTable ns = read("t\n1700000000123456789\n1700000000123456790\nnan\n", time);
+  EXPECT_EQ(ns.columns[0].values[1] - ns.columns[0].values[0], 1);
+  EXPECT_EQ(ns.columns[0].origin, 1700000000123456789.0);
+  EXPECT_EQ(ns.columns[0].gaps, 1U);
+  const CsvTable s = read("t\n1700000000.25\n1.70000000075e9\n", time);
+  EXPECT_EQ(s.columns[0].values, (Values{0.25, 0.75}));
+  const CsvTable own = read("t\n0.1\n1.1\n", time);
+  EXPECT_EQ(own.columns[0].values, (Values{0.1, 1.1}));
+  EXPECT_EQ(own.columns[0].origin, 0);
+}
+
+TEST(CsvReader, ReadsIsoTimes) {
+  const std::vector<WantedColumn> wanted = {{"t", "", ColumnReading::iso_time}, {"tau"}};
+  const CsvTable table =
+      read("t,tau\n2026-03-01T08:15:00.250Z,1\n,2\n2026-03-01T08:15:01Z,3\n2026-03-01T08:15:02Z,4",
+           wanted);
+  EXPECT_EQ(table.columns[0].values[0], 0.25);
+  EXPECT_TRUE(std::isnan(table.columns[0].values[1]));
+  EXPECT_EQ(table.columns[0].values[2], 1);
+  EXPECT_EQ(table.columns[0].values[3], 2);
+  EXPECT_EQ(read("2026-03-01T08:15:00Z,1\n2026-03-01T08:15:09Z,3\n",
+                 {{"#1", "", ColumnReading::iso_time}})
+                .columns[0]
+                .values[1],
+            9);
+}
+
+TEST(CsvReader, TakesNumbersTooSmallForADoubleAsZero) {
+  EXPECT_EQ(read("t,tau\n1e-400,-1e-999\n").columns.at(0).values, Values{0});
+}
+
+}  // namespace
+}  // namespace tribolog
