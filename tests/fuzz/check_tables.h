@@ -18,7 +18,8 @@ inline void require(bool holds) {
 
 /// Rows and gaps that agree; nothing infinite.
 inline void check_columns(const LogTable& table) {
-  require(table.rows > 0 && table.columns.size() <= table.header.size());
+  require((table.rows > 0 || !table.refusal.empty()) &&
+          table.columns.size() <= table.header.size());
   for (const LogColumn& column : table.columns) {
     require(column.values.size() == table.rows);
     std::size_t gaps = 0;
