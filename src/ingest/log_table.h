@@ -42,6 +42,10 @@ struct LogTable {
   std::vector<std::pair<std::size_t, long>> line_breaks;
 };
 
+/// From this reading on a clock is taken to count from 1970 in whatever unit: no joint is recorded
+/// for three years.
+inline constexpr double counts_from_1970 = 1e8;
+
 /// What a column's fields are.
 enum class ColumnReading {
   number,
