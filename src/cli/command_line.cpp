@@ -38,10 +38,12 @@ The manifest says, for example:
   name = "J3"
   gear_ratio = 100
   [effort]                      # never guessed: it must be stated
-  kind = "motor_current"        # or "motor_torque", "joint_torque"; "none": the log has no
-                                # torque, and what its motion shows is checked
+  kind = "motor_current"        # or "motor_torque", "joint_torque"; "target_torque": a
+                                # controller's value; "none": the log has no torque, and what
+                                # its motion shows is checked
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
+  confirmed = true              # false: kind and side are a proposal; the report warns
   [columns]
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }

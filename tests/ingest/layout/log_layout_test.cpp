@@ -37,6 +37,7 @@ TEST(LogLayout, KnowsUrsRealTimeLog) {
   ASSERT_NE(l.find(Quantity::current, "0"), nullptr);
   EXPECT_EQ(l.find(Quantity::current, "0")->effort.kind, EffortKind::motor_current);
   EXPECT_EQ(l.find(Quantity::torque, "0"), nullptr) << "a model's value is no measurement";
+  EXPECT_EQ(l.columns[6].effort.kind, EffortKind::target_torque);
   EXPECT_EQ(l.find(Quantity::temperature, "0")->unit, "degC");
   EXPECT_EQ(l.columns.size(), 8U);
 }
