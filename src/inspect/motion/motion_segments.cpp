@@ -36,7 +36,7 @@ double spread(const std::vector<double>& values) {
 
 class MotionCutter {
  public:
-  explicit MotionCutter(const MotionTrace& trace) : trace_(trace) {}
+  explicit MotionCutter(const AngleTrace& trace) : trace_(trace) {}
 
   std::vector<MotionSegment> cut() {
     if (trace_.size() < 2) return {};
@@ -233,7 +233,7 @@ class MotionCutter {
     in_order_of_time();
   }
 
-  const MotionTrace& trace_;
+  const AngleTrace& trace_;
   double floor_{};
   double range_{};
   std::vector<StrokeGroup> oscillations_;
@@ -261,7 +261,7 @@ std::string to_string(MotionKind kind) {
   return "";
 }
 
-std::vector<MotionSegment> cut_by_motion(const MotionTrace& trace) {
+std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace) {
   return MotionCutter(trace).cut();
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "inspect/motion/motion_trace.h"
+#include "inspect/motion/angle_trace.h"
 
 namespace tribolog {
 
@@ -54,6 +54,6 @@ inline constexpr double widest_oscillation_rad = 0.2;
 /// Segments in the order of time, from the first sample to the last. Strokes of constant speed are
 /// `constant_speed`, slow ones too: which of them are sweeps is seen only beside the other ones
 /// (recording_roles.h).
-std::vector<MotionSegment> cut_by_motion(const MotionTrace& trace);
+std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace);
 
 }  // namespace tribolog

@@ -19,9 +19,9 @@ double ratio(double a, double b) { return std::min(a, b) / std::max(a, b); }
 
 class Grouping {
  public:
-  Grouping(const MotionTrace& trace, const StrokeFamily& family, double widest_oscillation_rad)
+  Grouping(const AngleTrace& trace, const StrokeFamily& family, double widest_oscillation_rad)
       : trace_(trace), family_(family), widest_oscillation_rad_(widest_oscillation_rad) {
-    for (const Stroke& stroke : family) shapes_.push_back(shape_of(trace, stroke));
+    for (const AngleStroke& stroke : family) shapes_.push_back(shape_of(trace, stroke));
   }
 
   std::vector<StrokeGroup> groups() {
@@ -39,13 +39,13 @@ class Grouping {
   }
 
  private:
-  [[nodiscard]] double seconds(const Stroke& s) const {
+  [[nodiscard]] double seconds(const AngleStroke& s) const {
     return trace_.t_s[s.last] - trace_.t_s[s.first];
   }
 
   [[nodiscard]] bool come_after_each_other(std::size_t a, std::size_t b) const {
-    const Stroke& before = family_[a];
-    const Stroke& behind = family_[b];
+    const AngleStroke& before = family_[a];
+    const AngleStroke& behind = family_[b];
     const double rest = trace_.t_s[behind.first] - trace_.t_s[before.last];
     return before.travel_rad * behind.travel_rad < 0 &&
            rest <= longest_rest * std::min(seconds(before), seconds(behind));
@@ -122,7 +122,7 @@ class Grouping {
     }
   }
 
-  const MotionTrace& trace_;
+  const AngleTrace& trace_;
   const StrokeFamily& family_;
   double widest_oscillation_rad_;
   std::vector<StrokeShape> shapes_;
@@ -133,7 +133,7 @@ class Grouping {
 
 double StrokeGroup::travel_rad() const {
   std::vector<double> travels;
-  for (const Stroke& stroke : strokes) travels.push_back(std::abs(stroke.travel_rad));
+  for (const AngleStroke& stroke : strokes) travels.push_back(std::abs(stroke.travel_rad));
   return median(std::move(travels));
 }
 
@@ -143,7 +143,7 @@ double StrokeGroup::speed_rad_s() const {
   return median(std::move(speeds));
 }
 
-std::vector<StrokeGroup> group_strokes(const MotionTrace& trace, const StrokeFamily& family,
+std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
                                        double widest_oscillation_rad) {
   return Grouping(trace, family, widest_oscillation_rad).groups();
 }

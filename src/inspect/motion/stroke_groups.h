@@ -9,9 +9,9 @@
 namespace tribolog {
 
 struct StrokeGroup {
-  std::vector<Stroke> strokes;      ///< In the order of time.
-  std::vector<StrokeShape> shapes;  ///< Of each.
-  bool is_steady{};                 ///< More than half of them.
+  std::vector<AngleStroke> strokes;  ///< In the order of time.
+  std::vector<StrokeShape> shapes;   ///< Of each.
+  bool is_steady{};                  ///< More than half of them.
   /// Most of a chain of strokes without rest belongs to none: mixed sines, for example.
   bool is_irregular{};
 
@@ -25,7 +25,7 @@ struct StrokeGroup {
 /// and time agree within 0.7 to 1.4 from one stroke to the next, speed of steady ones within 8 %; a
 /// rest between is at most half as long as the shorter stroke. A half stroke at the start or the
 /// end of a sine belongs to it, and so does a smaller one with which a narrow oscillation begins.
-std::vector<StrokeGroup> group_strokes(const MotionTrace& trace, const StrokeFamily& family,
+std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
                                        double widest_oscillation_rad);
 
 }  // namespace tribolog

@@ -5,7 +5,7 @@
 // a controller logs is not trusted: some are two-point differences, which at low speed are steps of
 // the encoder.
 
-#include "inspect/motion/motion_trace.h"
+#include "inspect/motion/angle_trace.h"
 #include "inspect/motion/strokes.h"
 
 namespace tribolog {
@@ -18,6 +18,6 @@ struct StrokeShape {
   bool is_steady{};
 };
 
-StrokeShape shape_of(const MotionTrace& trace, const Stroke& stroke);
+StrokeShape shape_of(const AngleTrace& trace, const AngleStroke& stroke);
 
 }  // namespace tribolog

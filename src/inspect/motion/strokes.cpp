@@ -68,7 +68,7 @@ double spread(const std::vector<double>& q, std::size_t first, std::size_t last)
 
 class StrokeFinder {
  public:
-  StrokeFinder(const MotionTrace& trace, double noise_floor_rad)
+  StrokeFinder(const AngleTrace& trace, double noise_floor_rad)
       : trace_(trace), floor_(noise_floor_rad) {}
 
   std::vector<StrokeFamily> find() {
@@ -217,7 +217,7 @@ class StrokeFinder {
     family_.push_back({*begun_, last, trace_.q_rad[last] - trace_.q_rad[*begun_], follows_on_});
   }
 
-  const MotionTrace& trace_;
+  const AngleTrace& trace_;
   double floor_;
   std::vector<std::pair<std::size_t, std::size_t>> stretches_;
   std::vector<StrokeFamily> families_;
@@ -233,7 +233,7 @@ class StrokeFinder {
 
 }  // namespace
 
-std::vector<StrokeFamily> find_strokes(const MotionTrace& trace, double noise_floor_rad) {
+std::vector<StrokeFamily> find_strokes(const AngleTrace& trace, double noise_floor_rad) {
   return StrokeFinder(trace, noise_floor_rad).find();
 }
 

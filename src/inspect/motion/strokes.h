@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "inspect/motion/motion_trace.h"
+#include "inspect/motion/angle_trace.h"
 
 namespace tribolog {
 
-struct Stroke {
+struct AngleStroke {
   std::size_t first{};  ///< Sample with which it leaves its stand or turns.
   std::size_t last{};   ///< Sample with which it comes to its stand or turns.
   double travel_rad{};  ///< Signed.
@@ -24,10 +24,10 @@ struct Stroke {
 };
 
 /// Strokes of one scale within one stretch of time, in the order of time.
-using StrokeFamily = std::vector<Stroke>;
+using StrokeFamily = std::vector<AngleStroke>;
 
 /// @param noise_floor_rad changes below it are no motion.
 /// @return families, larger scales first; none in a trace at rest.
-std::vector<StrokeFamily> find_strokes(const MotionTrace& trace, double noise_floor_rad);
+std::vector<StrokeFamily> find_strokes(const AngleTrace& trace, double noise_floor_rad);
 
 }  // namespace tribolog

@@ -25,7 +25,7 @@ struct Line {
   double rate{};
 };
 
-Line fit(const MotionTrace& trace, std::size_t first, std::size_t last) {
+Line fit(const AngleTrace& trace, std::size_t first, std::size_t last) {
   double t_mean = 0;
   double y_mean = 0;
   const auto n = static_cast<double>(last - first + 1);
@@ -43,12 +43,12 @@ Line fit(const MotionTrace& trace, std::size_t first, std::size_t last) {
   return {y_mean - rate * t_mean, rate};
 }
 
-double off_line(const MotionTrace& trace, const Line& line, std::size_t i) {
+double off_line(const AngleTrace& trace, const Line& line, std::size_t i) {
   return std::abs(trace.effort[i] - line.at_first - line.rate * trace.t_s[i]);
 }
 
 /// The part of a rise of the effort, from turn to turn, that is a ramp.
-std::optional<TorqueRamp> ramp_in(const MotionTrace& trace, std::size_t turn, std::size_t end,
+std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, std::size_t turn, std::size_t end,
                                   double floor, double floor_rad) {
   const double rise = trace.effort[end] - trace.effort[turn];
   const auto reached = [&](double share) {
@@ -83,7 +83,7 @@ std::optional<TorqueRamp> ramp_in(const MotionTrace& trace, std::size_t turn, st
 
 }  // namespace
 
-std::vector<TorqueRamp> find_torque_ramps(const MotionTrace& trace, std::size_t first,
+std::vector<TorqueRamp> find_torque_ramps(const AngleTrace& trace, std::size_t first,
                                           std::size_t last, double floor_rad) {
   std::vector<TorqueRamp> ramps;
   if (trace.effort.empty() || last < first + fewest_samples) return ramps;

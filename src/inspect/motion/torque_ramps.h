@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "inspect/motion/motion_trace.h"
+#include "inspect/motion/angle_trace.h"
 
 namespace tribolog {
 
@@ -19,7 +19,7 @@ struct TorqueRamp {
 /// @param first, last stretch looked at.
 /// @param floor_rad noise floor of the angle.
 /// @return ramps that rise by a tenth of the effort's range or more; none without effort.
-std::vector<TorqueRamp> find_torque_ramps(const MotionTrace& trace, std::size_t first,
+std::vector<TorqueRamp> find_torque_ramps(const AngleTrace& trace, std::size_t first,
                                           std::size_t last, double floor_rad);
 
 }  // namespace tribolog

@@ -4,7 +4,7 @@
 
 namespace tribolog {
 
-Way::Way(const MotionTrace& trace, std::size_t first, std::size_t last)
+Way::Way(const AngleTrace& trace, std::size_t first, std::size_t last)
     : trace_(&trace),
       first_(first),
       last_(last),

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "inspect/motion/motion_trace.h"
+#include "inspect/motion/angle_trace.h"
 
 namespace tribolog {
 
@@ -12,7 +12,7 @@ namespace tribolog {
 /// wiggles.
 class Way {
  public:
-  Way(const MotionTrace& trace, std::size_t first, std::size_t last);
+  Way(const AngleTrace& trace, std::size_t first, std::size_t last);
 
   [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] std::size_t last() const { return last_; }
@@ -27,7 +27,7 @@ class Way {
   [[nodiscard]] std::vector<std::size_t> passages(double band_rad) const;
 
  private:
-  const MotionTrace* trace_;
+  const AngleTrace* trace_;
   std::size_t first_;
   std::size_t last_;
   double sign_;

@@ -6,7 +6,7 @@
 
 namespace tribolog {
 
-struct MotionTrace {
+struct AngleTrace {
   std::vector<double> t_s;    ///< Strictly increasing.
   std::vector<double> q_rad;  ///< Angle; no gaps.
   /// Torque or current in any unit, of the same length, without gaps; empty: none was recorded.
