@@ -75,8 +75,8 @@ void tell_proposal(const ManifestProposal& proposal, Console& console) {
   console.say(fmt::format("joint {}: {}",
                           proposal.joint.empty() ? "without a name" : in_quotes(proposal.joint),
                           proposal.roles.is_makeshift
-                              ? "no motion that a stage reads; all of the first log is named as a "
-                                "rough_sweep for the time being"
+                              ? "no motion that a stage reads; each log is named as a rough_sweep "
+                                "for the time being"
                               : roles));
   if (!proposal.moves_too.empty()) {
     console.say("others that move too: " + list_of_names(proposal.moves_too, 8));

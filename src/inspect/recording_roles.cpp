@@ -18,6 +18,7 @@ constexpr double wider_than_runs = 1.25;
 constexpr double half_as_wide = 0.5;   // of two speeds the slower one sweeps
 constexpr double precise_share = 0.1;  // of the rough sweep's range
 constexpr double slowest_by_far = 2.5;
+constexpr double like_shortest_run = 0.3;
 constexpr double whole_share = 0.015;  // of the recording: what a window would cut off
 
 struct Candidate {
@@ -52,7 +53,9 @@ class RoleChooser {
     if (proposal_.recordings.empty() && !joint_.empty()) {
       proposal_.is_makeshift = true;
       proposal_.without_role.clear();
-      proposal_.recordings.push_back({joint_.front(), Role::rough_sweep, {}, {}, ""});
+      for (const JointInLog& of : joint_) {
+        proposal_.recordings.push_back({of, Role::rough_sweep, {}, {}, ""});
+      }
     }
     return std::move(proposal_);
   }
@@ -117,11 +120,21 @@ class RoleChooser {
       return s.kind == MotionKind::varying;
     });
     const bool is_stroke = only != segments.end() && only->strokes == 1 && only->direction != 0;
-    if (is_stroke && !steady_.empty()) {
+    if (is_stroke && is_like_runs(*only)) {
       add(of, *only, Role::constant_speed);
     } else {
       proposal_.without_role.push_back(of.log);
     }
+  }
+
+  /// Most logs hold runs, and it travels about as far as the shortest of them.
+  [[nodiscard]] bool is_like_runs(const MotionSegment& s) const {
+    if (2 * steady_.size() < joint_.size() || steady_.empty()) return false;
+    const auto shortest = std::min_element(
+        steady_.begin(), steady_.end(), [](const Candidate& a, const Candidate& b) {
+          return a.segment->travel_rad() < b.segment->travel_rad();
+        });
+    return s.travel_rad() >= like_shortest_run * shortest->segment->travel_rad();
   }
 
   void add(const JointInLog& of, const MotionSegment& s, Role role) {
@@ -142,7 +155,15 @@ class RoleChooser {
   RoleProposal proposal_;
 };
 
-std::string degrees(double rad) { return fmt::format("{:.4g}°", degrees_per_rad * rad); }
+/// So many decimals that the travel shows three digits.
+std::string degrees(double rad, double travel_rad) {
+  const double travel_deg = degrees_per_rad * travel_rad;
+  const double digits = travel_deg > 0 ? std::ceil(2 - std::log10(travel_deg)) : 2;
+  const int decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0));
+  const double shown = degrees_per_rad * rad;
+  const double half_a_digit = 0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}°", std::abs(shown) < half_a_digit ? 0.0 : shown, decimals);
+}
 
 }  // namespace
 
@@ -152,11 +173,13 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
 }
 
 std::string describe(const MotionSegment& s) {
-  const std::string range = degrees(s.lowest_rad) + " to " + degrees(s.highest_rad);
+  const double travel = s.travel_rad();
+  const std::string range = degrees(s.lowest_rad, travel) + " to " + degrees(s.highest_rad, travel);
+  const double middle = (s.lowest_rad + s.highest_rad) / 2;
   const std::string speed = fmt::format("{:.3g} deg/s", degrees_per_rad * s.speed_rad_s);
   switch (s.kind) {
     case MotionKind::rest:
-      return fmt::format("at {}", degrees((s.lowest_rad + s.highest_rad) / 2));
+      return fmt::format("at {:.4g}°", degrees_per_rad * middle);
     case MotionKind::constant_speed:
       return s.direction != 0 ? fmt::format("{}{}, {}", s.direction < 0 ? "-" : "+", speed, range)
                               : fmt::format("±{}, {} strokes, {}", speed, s.strokes, range);
@@ -166,12 +189,13 @@ std::string describe(const MotionSegment& s) {
           s.frequency_Hz > 0 ? fmt::format("{:.3g} Hz, {:.3g} cycles, ", s.frequency_Hz, s.cycles())
                              : fmt::format("{} strokes, ", s.strokes);
       if (s.kind == MotionKind::slow_sweep) return often + range + ", up to " + speed;
-      return fmt::format("{}±{} about {}", often, degrees(s.travel_rad() / 2),
-                         degrees((s.lowest_rad + s.highest_rad) / 2));
+      return fmt::format("{}±{} about {:.4g}°", often, degrees(travel / 2, travel),
+                         degrees_per_rad * middle);
     }
     case MotionKind::break_away_ramp:
-      return fmt::format("{:+.3g} a second, {}", s.effort_rate,
-                         s.joint_slid ? "the joint slides at its end" : "the joint does not slide");
+      return fmt::format("effort {} by {:.3g} a second, the joint moves {:.2g}°{}",
+                         s.effort_rate < 0 ? "falls" : "rises", std::abs(s.effort_rate),
+                         degrees_per_rad * travel, s.joint_slid ? ", mostly at the end" : "");
     case MotionKind::varying:
       return range;
   }

@@ -30,7 +30,7 @@ struct ProposedRecording {
 struct RoleProposal {
   std::vector<ProposedRecording> recordings;  ///< In the order of logs and of time.
   std::vector<std::size_t> without_role;      ///< Logs in which nothing was found to use.
-  /// Nothing in any log is a motion that a stage reads: the one recording is all of the first log.
+  /// Nothing in any log is a motion that a stage reads: each log is named whole, as a sweep.
   bool is_makeshift{};
 };
 

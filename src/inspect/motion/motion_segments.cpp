@@ -115,6 +115,15 @@ class MotionCutter {
     segments_.push_back(s);
   }
 
+  /// The torque also rises while a run begins; creep and slips under a ramp are shorter than it.
+  [[nodiscard]] bool starts_a_motion(const TorqueRamp& ramp) const {
+    return std::any_of(others_.begin(), others_.end(), [&](const StrokeGroup& group) {
+      return (group.is_steady || group.strokes.size() > 1) && group.first() < ramp.last &&
+             ramp.first < group.last() &&
+             seconds(group.first(), group.last()) > seconds(ramp.first, ramp.last);
+    });
+  }
+
   /// Where no oscillation is: a ramp's creep and slips look like strokes.
   void add_ramps() {
     std::vector<MotionSegment> taken = segments_;
@@ -123,6 +132,7 @@ class MotionCutter {
     std::size_t first = 0;
     const auto look_until = [&](std::size_t last) {
       for (const TorqueRamp& ramp : find_torque_ramps(trace_, first, last, floor_)) {
+        if (starts_a_motion(ramp)) continue;
         MotionSegment s = segment(MotionKind::break_away_ramp, ramp.first, ramp.last);
         s.effort_rate = ramp.rate;
         s.joint_slid = ramp.joint_slid;

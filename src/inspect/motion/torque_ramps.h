@@ -18,7 +18,8 @@ struct TorqueRamp {
 
 /// @param first, last stretch looked at.
 /// @param floor_rad noise floor of the angle.
-/// @return ramps that rise by a tenth of the effort's range or more; none without effort.
+/// @return ramps of a second or longer that rise by 3 % of the effort's range or more, and by a
+/// tenth where the joint does not move; none without effort.
 std::vector<TorqueRamp> find_torque_ramps(const AngleTrace& trace, std::size_t first,
                                           std::size_t last, double floor_rad);
 
