@@ -118,11 +118,18 @@ class ManifestText {
     text_ += "\n[log]\ndecimal_comma = true\n";
   }
 
-  [[nodiscard]] std::string column(const std::string& key, const ColumnSurvey& column, bool turns,
-                                   bool with_comments) const {
+  /// With the table in front where a log has several.
+  [[nodiscard]] std::string name_in_log(const JointInLog& of, const std::string& column) const {
+    const bool is_only = logs_[of.log].tables.size() == 1 || table(of).group.empty();
+    return toml_text(is_only ? column : table(of).group + "/" + column);
+  }
+
+  [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
+                                   bool turns, bool with_comments) const {
+    const ColumnSurvey& column = table(of).columns[index];
     const ColumnMeaning& meaning = *column.meaning;
-    std::string entry = fmt::format("{} = {{ name = {}, unit = {}", key, toml_text(column.name),
-                                    toml_text(meaning.unit));
+    std::string entry = fmt::format("{} = {{ name = {}, unit = {}", key,
+                                    name_in_log(of, column.name), toml_text(meaning.unit));
     const bool at_motor =
         turns && (has_word(column.name, "motor") || has_word(column.name, "rotor"));
     if (at_motor) entry += ", side = \"motor\"";
@@ -136,10 +143,10 @@ class ManifestText {
     return entry + comment(note);
   }
 
-  [[nodiscard]] std::string time_column(const TableSurvey& t, bool with_comments) const {
-    const ClockSurvey& clock = *t.clock;
-    std::string entry = fmt::format("time = {{ name = {}, unit = {} }}", toml_text(clock.column),
-                                    toml_text(clock.unit));
+  [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
+    const ClockSurvey& clock = *table(of).clock;
+    std::string entry = fmt::format("time = {{ name = {}, unit = {} }}",
+                                    name_in_log(of, clock.column), toml_text(clock.unit));
     if (!with_comments || clock.unit_is_stated) return entry;
     return entry +
            comment(fmt::format("unit guessed: it makes {:.4g} samples a second", clock.rate_Hz()));
@@ -149,13 +156,13 @@ class ManifestText {
                                                     bool with_comments) const {
     const TableSurvey& t = table(of);
     const JointSurvey& j = joint(of);
-    std::vector<std::string> lines{time_column(t, with_comments),
-                                   column("angle", t.columns[j.angle], true, with_comments)};
-    if (j.speed) lines.push_back(column("speed", t.columns[*j.speed], true, with_comments));
+    std::vector<std::string> lines{time_column(of, with_comments),
+                                   column(of, "angle", j.angle, true, with_comments)};
+    if (j.speed) lines.push_back(column(of, "speed", *j.speed, true, with_comments));
     const auto effort = effort_.column_of(j);
-    if (effort) lines.push_back(column("effort", t.columns[*effort], false, with_comments));
+    if (effort) lines.push_back(column(of, "effort", *effort, false, with_comments));
     if (j.temperature && t.columns[*j.temperature].meaning->quantity == Quantity::temperature) {
-      lines.push_back(column("temperature", t.columns[*j.temperature], false, with_comments));
+      lines.push_back(column(of, "temperature", *j.temperature, false, with_comments));
     }
     return lines;
   }

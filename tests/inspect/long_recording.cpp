@@ -58,7 +58,7 @@ LongRecording long_recording(const Scenario& scenario, std::size_t keep, double 
     const double still_s = travels ? TravelMotion::Plan{}.rest_s : 0;
     out.truth.push_back({r.name, r.role, start_s + still_s, trace.t_s.back() - still_s});
   }
-  hold(rest_s, trace.q_rad.back(), trace.q_rad.back(), trace.effort.back());
+  hold(rest_s, trace.q_rad.back(), trace.q_rad.back(), last_level(trace.effort));
   return out;
 }
 

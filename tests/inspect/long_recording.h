@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "inspect/motion/motion_segments.h"
-#include "joint/recording.h"
 
+#include "joint/recording.h"
 #include "simulate/scenario.h"
 
 namespace tribolog::test {

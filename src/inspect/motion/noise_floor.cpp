@@ -18,6 +18,8 @@ constexpr double largest_correlation_of_noise = -0.25;
 constexpr std::size_t samples_in_window = 64;
 /// From this share of equal neighbours on a signal comes in steps, though not in whole ones.
 constexpr double least_share_of_equals = 0.1;
+/// Fewer changes between standing and moving, in shares of the samples, are starts of motions.
+constexpr double fewest_changes = 0.01;
 
 struct Window {
   double squares{};  ///< Of neighbouring differences.
@@ -72,7 +74,8 @@ double step_from_stand(const std::vector<double>& signal) {
     if (here == 0) ++equals;
     if ((here == 0) != (before == 0)) steps_seen.push_back(std::max(here, before));
   }
-  if (steps_seen.empty() ||
+  const double fewest = std::max(10.0, fewest_changes * static_cast<double>(signal.size()));
+  if (static_cast<double>(steps_seen.size()) < fewest ||
       static_cast<double>(equals) < least_share_of_equals * static_cast<double>(signal.size())) {
     return 0;
   }
