@@ -158,7 +158,7 @@ std::string motion_text(const TableSurvey& table) {
       still.push_back(joint.name.empty() ? table.columns[joint.angle].name : joint.name);
       continue;
     }
-    text += "\n  " + joint_title(table, joint) + "\n";
+    text += fmt::format("\n  {}\n", joint_title(table, joint));
     TextTable rows(4);
     rows.add({"from s", "to s", "kind", ""});
     for (const MotionSegment& s : joint.segments) {
@@ -240,7 +240,7 @@ std::string clock_in_short(const ClockSurvey& c) {
   std::string words;
   if (c.repeated > 0) words += fmt::format(" {} repeated", c.repeated);
   if (c.back > 0) words += fmt::format(" {} back", c.back);
-  if (!c.gaps.empty()) words += " " + plural(c.gaps.size(), "gap");
+  if (!c.gaps.empty()) words += fmt::format(" {}", plural(c.gaps.size(), "gap"));
   return words.empty() ? "even" : words.substr(1);
 }
 
@@ -292,7 +292,8 @@ std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& j
       done[j] = true;
       alike.push_back(&logs[j]);
     }
-    text += (text.empty() ? "" : "\n") + (alike.size() == 1 ? block(logs[k]) : block(alike, joint));
+    if (!text.empty()) text += '\n';
+    text += alike.size() == 1 ? block(logs[k]) : block(alike, joint);
   }
   return text;
 }

@@ -9,7 +9,7 @@ namespace tribolog {
 namespace {
 
 constexpr double steady_share = 0.87;
-constexpr double even_share = 0.95;    // of halves that agree
+constexpr double even_share = 0.9;     // of halves that agree
 constexpr double slowest_share = 0.6;  // of any tenth of the middle half: slower is a pause
 
 bool agree(double a, double b) { return std::min(a, b) >= even_share * std::max(a, b); }

@@ -77,6 +77,20 @@ TEST(LogLayout, ReadsOtherNamesWordByWord) {
   EXPECT_EQ(l.columns.size(), 6U);
 }
 
+TEST(LogLayout, ReadsWordsInAnyOrder) {
+  const LogLayout l = layout_of(
+      {"elapsed_ms", "elbow_position", "elbow_velocity", "motorCurrent_elbow_A", "tau_target_Nm",
+       "q_goal_rad", "torque_enable", "position_error", "Strom [mA]", "u_motor_V", "temp_C"});
+  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"elbow"});
+  ASSERT_NE(l.find(Quantity::current, "elbow"), nullptr);
+  EXPECT_EQ(l.find(Quantity::current, "elbow")->column, 3U);
+  EXPECT_EQ(l.find(Quantity::torque, ""), nullptr) << "a set point, a switch";
+  EXPECT_EQ(l.find(Quantity::current, "")->column, 8U) << "by its unit alone";
+  EXPECT_EQ(l.find(Quantity::temperature, "")->unit, "degC");
+  EXPECT_EQ(l.columns.size(), 8U);
+}
+
 TEST(LogLayout, NumbersBehindTheWordAreJoints) {
   const LogLayout l = layout_of({"Time", "q1_rad", "q2_rad", "tau1_Nm", "current_2", "pos[3]"});
   EXPECT_EQ(l.joints(), (std::vector<std::string>{"1", "2", "3"}));
