@@ -167,7 +167,7 @@ std::string motion_text(const TableSurvey& table) {
     }
     text += rows.text(page_width);
   }
-  if (!still.empty()) text += "\n" + paragraph("at rest", list_of_names(still));
+  if (!still.empty()) text += fmt::format("\n{}", paragraph("at rest", list_of_names(still)));
   return text;
 }
 
