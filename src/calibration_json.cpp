@@ -28,7 +28,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["schema"] = "tribolog-calibration-1";
   all["units"] = units;
   all["robot"] = robot(c.manifest);
-  all["drive"] = drive(c.manifest.drive);
+  all["drive"] = drive(c.manifest);
   all["verdict"] = verdict(c.judgement);
   all["data_checks"] = data_checks(c.data_checks);
   all["inputs"] = inputs(c.inputs);

@@ -16,10 +16,12 @@ Json robot(const Manifest& m) {
           {"temperature_C", number(m.temperature_C)}};
 }
 
-Json drive(const Drive& d) {
+Json drive(const Manifest& m) {
+  const Drive& d = m.drive;
   return {{"gear_ratio", number(d.gear_ratio())},
           {"effort_kind", to_string(d.kind())},
           {"effort_side", to_string(d.side())},
+          {"effort_confirmed", m.effort_is_confirmed},
           {"torque_constant_Nm_A", number(d.torque_constant_Nm_A())},
           {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
 }

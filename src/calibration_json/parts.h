@@ -15,7 +15,7 @@ namespace tribolog::json {
 Json verdict(const Judgement& judgement);
 Json data_checks(const DataChecksResult& result);
 Json robot(const Manifest& m);
-Json drive(const Drive& d);
+Json drive(const Manifest& d);
 Json inputs(const std::vector<InputFile>& files);
 Json provenance_json(const Provenance& p);
 Json cog(const CogSweepResult& r, double gear_ratio);

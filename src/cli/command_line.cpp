@@ -38,10 +38,12 @@ The manifest says, for example:
   name = "J3"
   gear_ratio = 100
   [effort]                      # never guessed: it must be stated
-  kind = "motor_current"        # or "motor_torque", "joint_torque"; "none": the log has no
-                                # torque, and what its motion shows is checked
+  kind = "motor_current"        # or "motor_torque", "joint_torque"; "target_torque": a
+                                # controller's value; "none": the log has no torque, and what
+                                # its motion shows is checked
   side = "motor"                # or "joint": where the torque acts
   torque_constant_Nm_A = 0.35   # for motor_current
+  confirmed = true              # false: kind and side are a proposal; the report warns
   [columns]
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }
@@ -103,6 +105,29 @@ void add_truth_runs(CLI::App& command, std::size_t& truth_runs) {
       ->capture_default_str();
 }
 
+const std::map<std::string, Side> sides{{"motor", Side::motor}, {"joint", Side::joint}};
+
+void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
+  command.add_option("FILE", logs.files, "logs of any format")->required();
+  command.add_option("--joint", logs.joint,
+                     "the joint, by its name in the logs; default: the one "
+                     "that moves most");
+  command.add_option("--gear-ratio", logs.gear_ratio, "motor angle / joint angle")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--torque-constant", logs.torque_constant_Nm_A,
+                  "N·m per ampere, of a motor current")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option_function<std::string>(
+          "--effort-side", [&logs](const std::string& word) { logs.effort_side = sides.at(word); },
+          "side of the gear on which the effort acts: motor, joint")
+      ->check(CLI::IsMember(sides))
+      ->type_name("SIDE");
+  command.add_option("--robot", logs.robot, "the robot's name");
+  command.add_flag("--decimal-comma", logs.decimal_comma, "text logs have decimal commas");
+}
+
 void add_study(CLI::App& command, StudyCommandOptions& study) {
   constexpr std::size_t most = 1'000'000;
   command.add_option("SCENARIO", study.scenario,
@@ -149,6 +174,25 @@ ExitStatus run_command_line(int argc, char** argv) {
   app.add_flag("-q,--quiet", quiet, "print errors only");
   app.add_flag("--version", version, "print the versions of the program and of what it stands on");
   app.fallthrough();
+
+  InspectOptions inspect;
+  CLI::App* inspect_command =
+      app.add_subcommand("inspect", "what a log holds: columns, clock, motion, a manifest for it");
+  add_inspected_logs(*inspect_command, inspect.logs);
+  inspect_command->add_option("--json", inspect.json, "file for all of it (JSON)");
+  inspect_command->footer(
+      "\nGuesses are marked as such. Speeds are slopes of the angle between marks of its travel;\n"
+      "the logged speed is not trusted. A log that is refused does not keep the others from\n"
+      "being shown; the exit status is 3 then.");
+
+  InitOptions init;
+  CLI::App* init_command = app.add_subcommand("init", "write the manifest that inspect proposes");
+  add_inspected_logs(*init_command, init.logs);
+  init_command->add_option("-o,--output", init.output, "manifest (TOML) to write")->required();
+  init_command->add_flag("--force", init.force, "replace a manifest that exists");
+  init_command->footer(
+      "\nGear ratio and torque constant are seldom in a log: state them here, or in the file.\n"
+      "Its comments say what was guessed.");
 
   SimulateOptions simulate;
   CLI::App* simulate_command =
@@ -233,6 +277,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   const std::vector<std::string> arguments(argv, argv + argc);
   report.figures = !no_figures;
   if (version) return run_version(console);
+  if (*inspect_command) return run_inspect(inspect, console);
+  if (*init_command) return run_init(init, console);
   if (*simulate_command) return run_simulate(simulate, console);
   if (*identify_command) return run_identify(identify, arguments, console);
   if (*figures_command) return run_figures(figures, console);

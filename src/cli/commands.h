@@ -65,6 +65,32 @@ struct StudyCommandOptions {
   int processes{2};
 };
 
+/// What inspect and init are told of the logs.
+struct InspectedLogs {
+  std::vector<std::string> files;
+  std::optional<std::string> joint;  ///< Absent: the one that moves most.
+  std::optional<double> gear_ratio;
+  std::optional<double> torque_constant_Nm_A;
+  std::optional<Side> effort_side;
+  std::optional<std::string> robot;
+  bool decimal_comma{false};
+};
+
+struct InspectOptions {
+  InspectedLogs logs;
+  std::string json;  ///< All of it as JSON; empty: only the text.
+};
+
+struct InitOptions {
+  InspectedLogs logs;
+  std::string output;  ///< The manifest.
+  bool force{false};   ///< Replaces one that exists.
+};
+
+/// Says what logs hold, and proposes a manifest.
+ExitStatus run_inspect(const InspectOptions& options, Console& console);
+/// Writes the proposed manifest.
+ExitStatus run_init(const InitOptions& options, Console& console);
 /// @param arguments the whole command line, for the provenance.
 ExitStatus run_simulate(const SimulateOptions& options, Console& console);
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,

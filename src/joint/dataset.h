@@ -44,6 +44,9 @@ struct Manifest {
   std::string measured_on;  ///< Free text or ISO date, as given.
   std::string note;
   Drive drive{1.0, EffortKind::motor_torque, Side::motor};
+  /// false: kind and side of the effort were proposed from the log's columns (`tribolog init`), and
+  /// nobody confirmed them.
+  bool effort_is_confirmed{true};
   std::string payload;  ///< Words.
   std::optional<double> payload_kg;
   std::optional<double> temperature_C;

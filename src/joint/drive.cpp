@@ -16,6 +16,8 @@ std::string to_string(EffortKind kind) {
       return "motor_torque";
     case EffortKind::joint_torque:
       return "joint_torque";
+    case EffortKind::target_torque:
+      return "target_torque";
     case EffortKind::none:
       return "none";
   }

@@ -11,6 +11,7 @@ enum class EffortKind {
   motor_current,  ///< Ampere; needs a torque constant (drive gain).
   motor_torque,   ///< Newton metre made by the motor.
   joint_torque,   ///< Newton metre at the joint, e.g. from a torque sensor.
+  target_torque,  ///< Newton metre that a controller asks for or its model computes: not measured.
   none,           ///< No torque and no current was recorded: only the motion is known.
 };
 

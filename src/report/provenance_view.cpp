@@ -57,6 +57,8 @@ std::string effort_in_words(const Drive& drive) {
       return "torque made by the motor, " + side;
     case EffortKind::joint_torque:
       return "torque at the joint, " + side;
+    case EffortKind::target_torque:
+      return "target torque of a controller or its model, no measurement, " + side;
     case EffortKind::none:
       return "not recorded";
   }
@@ -80,7 +82,8 @@ std::string load_in_words(const KnownLoad& load) {
 Table manifest_table(const Manifest& m) {
   Table table = two_columns("table-manifest", "What the manifest states", "Fact");
   add(table, "Gear ratio n", as_stated(m.drive.gear_ratio()));
-  add(table, "Effort column", effort_in_words(m.drive));
+  add(table, "Effort column",
+      effort_in_words(m.drive) + (m.effort_is_confirmed ? "" : ": proposed, nobody confirmed it"));
   if (m.drive.torque_constant_Nm_A()) {
     add(table, "Torque constant", with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
   }

@@ -29,7 +29,7 @@ constexpr std::array ur_rtde = {
     KnownColumn{"target_qd_{}", angular_speed, "rad/s", true},
     KnownColumn{"target_current_{}", current, "A", true, EffortKind::motor_current, Side::motor,
                 a_model},
-    KnownColumn{"target_moment_{}", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+    KnownColumn{"target_moment_{}", torque, "Nm", true, EffortKind::target_torque, Side::joint,
                 a_model},
     KnownColumn{"joint_temperatures_{}", temperature, "degC"}};
 
@@ -42,7 +42,7 @@ constexpr std::array libfranka = {
     KnownColumn{"state.q_d[{}]", angle, "rad", true},
     KnownColumn{"state.dq_d[{}]", angular_speed, "rad/s", true},
     KnownColumn{"cmd.q_d[{}]", angle, "rad", true},
-    KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+    KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, EffortKind::target_torque, Side::joint,
                 "a command, no measurement"}};
 
 constexpr std::array kuka_fri = {
@@ -50,7 +50,7 @@ constexpr std::array kuka_fri = {
     KnownColumn{"ip{}", angle, "rad", true},
     KnownColumn{"mt{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
                 behind_the_gear},
-    KnownColumn{"et{}", torque, "Nm", true, EffortKind::joint_torque, Side::joint,
+    KnownColumn{"et{}", torque, "Nm", true, EffortKind::target_torque, Side::joint,
                 "the controller's estimate of the outer torque, no measurement of the drive"}};
 
 constexpr std::array flobaroid = {

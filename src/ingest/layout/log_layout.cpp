@@ -6,6 +6,7 @@
 
 #include "ingest/layout/known_loggers.h"
 #include "ingest/layout/name_pattern.h"
+#include "ingest/layout/name_words.h"
 
 namespace tribolog {
 namespace {
@@ -47,10 +48,12 @@ struct Ending {
   std::string_view unit;
 };
 constexpr std::array endings = {
-    Ending{"rad_s", "rad/s"}, Ending{"deg_s", "deg/s"}, Ending{"rpm", "rpm"},  Ending{"rad", "rad"},
-    Ending{"mrad", "mrad"},   Ending{"deg", "deg"},     Ending{"Nm", "Nm"},    Ending{"mNm", "mNm"},
-    Ending{"mA", "mA"},       Ending{"A", "A"},         Ending{"ns", "ns"},    Ending{"us", "us"},
-    Ending{"ms", "ms"},       Ending{"s", "s"},         Ending{"degC", "degC"}};
+    Ending{"rad_s", "rad/s"}, Ending{"deg_s", "deg/s"}, Ending{"rpm", "rpm"},
+    Ending{"rad", "rad"},     Ending{"mrad", "mrad"},   Ending{"deg", "deg"},
+    Ending{"Nm", "Nm"},       Ending{"mNm", "mNm"},     Ending{"mA", "mA"},
+    Ending{"A", "A"},         Ending{"ns", "ns"},       Ending{"us", "us"},
+    Ending{"ms", "ms"},       Ending{"s", "s"},         Ending{"degC", "degC"},
+    Ending{"C", "degC"}};
 
 std::string_view si_unit(Quantity quantity) {
   switch (quantity) {
@@ -108,6 +111,19 @@ const std::string& name_of(const ColumnHeader& header) {
   return is_known_unit(header.unit) ? header.name : header.full;
 }
 
+/// "_rad" at the end of "q_motor_rad", of whatever quantity; empty: none.
+std::string_view unit_at_end(std::string& name) {
+  for (const Ending& e : endings) {
+    const std::size_t length = e.ending.size() + 1;
+    if (name.size() <= length || !name.ends_with(e.ending)) continue;
+    if (name[name.size() - length] != '_') continue;
+    name.resize(name.size() - length);
+    return e.unit;
+  }
+  return "";
+}
+
+/// A word, a joint's number and a unit; or else words in any order.
 std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
   for (const Word& w : words) {
     std::string name = name_of(header);
@@ -121,9 +137,14 @@ std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
     meaning.joint = *joint;
     meaning.unit = ending.value_or(si_unit(w.quantity));
     meaning.unit_is_stated = ending.has_value();
-    return meaning;
+    if (find_si_factor(w.quantity, header.unit) || !is_known_unit(header.unit)) return meaning;
   }
-  return std::nullopt;
+  std::string name = name_of(header);
+  const bool has_unit = is_known_unit(header.unit);
+  const std::string unit(has_unit ? std::string_view(header.unit) : unit_at_end(name));
+  auto meaning = meaning_by_words(name, unit);
+  if (meaning && unit.empty()) meaning->unit = si_unit(meaning->quantity);
+  return meaning;
 }
 
 std::optional<ColumnMeaning> by_logger(const ColumnHeader& header, const KnownLogger& logger) {

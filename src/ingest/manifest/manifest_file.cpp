@@ -19,8 +19,8 @@ namespace {
 
 const std::string effort_hint =
     "state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same column is "
-    "ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
-    "neither was recorded";
+    "ampere on one robot and newton metre on another, so it is never guessed; \"target_torque\" "
+    "where it is a controller's value, \"none\" where nothing was recorded";
 
 std::string required_name(const TomlTable& table, const std::string& hint) {
   std::string name = table.text("name", hint);
@@ -47,7 +47,8 @@ Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
       joint.number("gear_ratio", Sign::positive, "motor angle / joint angle; 1 for a direct drive");
   refuse_voltage_kind(effort);
   const auto kind = static_cast<EffortKind>(effort.choice(
-      "kind", {"motor_current", "motor_torque", "joint_torque", "none"}, effort_hint));
+      "kind", {"motor_current", "motor_torque", "joint_torque", "target_torque", "none"},
+      effort_hint));
   if (kind == EffortKind::none) return {gear_ratio, kind, Side::motor};
   const auto side = static_cast<Side>(effort.choice(
       "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
@@ -161,6 +162,7 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   const TomlTable effort = top.table("effort", effort_hint);
   result.manifest.drive = read_drive(joint, effort);
   if (result.manifest.drive.kind() != EffortKind::none) result.effort_sign = read_sign(effort);
+  result.manifest.effort_is_confirmed = effort.flag_or("confirmed", true);
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);

@@ -37,6 +37,7 @@ TEST(LogLayout, KnowsUrsRealTimeLog) {
   ASSERT_NE(l.find(Quantity::current, "0"), nullptr);
   EXPECT_EQ(l.find(Quantity::current, "0")->effort.kind, EffortKind::motor_current);
   EXPECT_EQ(l.find(Quantity::torque, "0"), nullptr) << "a model's value is no measurement";
+  EXPECT_EQ(l.columns[6].effort.kind, EffortKind::target_torque);
   EXPECT_EQ(l.find(Quantity::temperature, "0")->unit, "degC");
   EXPECT_EQ(l.columns.size(), 8U);
 }
@@ -74,6 +75,20 @@ TEST(LogLayout, ReadsOtherNamesWordByWord) {
   EXPECT_EQ(l.find(Quantity::torque, "")->unit, "mNm");
   EXPECT_FALSE(l.find(Quantity::temperature, "")->unit_is_stated);
   EXPECT_EQ(l.columns.size(), 6U);
+}
+
+TEST(LogLayout, ReadsWordsInAnyOrder) {
+  const LogLayout l = layout_of(
+      {"elapsed_ms", "elbow_position", "elbow_velocity", "motorCurrent_elbow_A", "tau_target_Nm",
+       "q_goal_rad", "torque_enable", "position_error", "Strom [mA]", "u_motor_V", "temp_C"});
+  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"elbow"});
+  ASSERT_NE(l.find(Quantity::current, "elbow"), nullptr);
+  EXPECT_EQ(l.find(Quantity::current, "elbow")->column, 3U);
+  EXPECT_EQ(l.find(Quantity::torque, ""), nullptr) << "a set point, a switch";
+  EXPECT_EQ(l.find(Quantity::current, "")->column, 8U) << "by its unit alone";
+  EXPECT_EQ(l.find(Quantity::temperature, "")->unit, "degC");
+  EXPECT_EQ(l.columns.size(), 8U);
 }
 
 TEST(LogLayout, NumbersBehindTheWordAreJoints) {

@@ -131,16 +131,15 @@ columns = {angle = {name = "q1", unit = "rad"}}
 TEST(Manifest, NeverGuessesWhatTheEffortIs) {
   const std::string hint =
       "; hint: state kind = \"motor_current\", \"motor_torque\" or \"joint_torque\": the same "
-      "column "
-      "is ampere on one robot and newton metre on another, so it is never guessed; \"none\" where "
-      "neither was recorded";
+      "column is ampere on one robot and newton metre on another, so it is never guessed; "
+      "\"target_torque\" where it is a controller's value, \"none\" where nothing was recorded";
   EXPECT_EQ(refusal(with("[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n", "")),
             "m.toml:1:1: key 'effort' is missing" + hint);
   EXPECT_EQ(refusal(with("kind = \"motor_torque\"\n", "")),
             "m.toml:7:1: key 'effort.kind' is missing" + hint);
   EXPECT_EQ(refusal(with("\"motor_torque\"", "\"effort\"")),
             "m.toml:8:8: key 'effort.kind': not known, found 'effort', expected one of "
-            "'motor_current', 'motor_torque', 'joint_torque', 'none'" +
+            "'motor_current', 'motor_torque', 'joint_torque', 'target_torque', 'none'" +
                 hint);
   EXPECT_EQ(refusal(with("side = \"motor\"\n", "")),
             "m.toml:7:1: key 'effort.side' is missing; hint: \"motor\": before the gear, or "
@@ -307,6 +306,27 @@ TEST(ManifestLimits, ThatCannotBeMeantAreRefused) {
             std::string::npos);
   EXPECT_NE(limit("quantity = \"coulomb_joint_Nm\"\nmaximum = 1\n").find("unknown key"),
             std::string::npos);
+}
+
+TEST(ManifestEffort, MayBeOnlyProposed) {
+  EXPECT_TRUE(parse_manifest(with("", ""), "m.toml").manifest.effort_is_confirmed);
+  const std::string text = with("side = \"motor\"", "side = \"motor\"\nconfirmed = false");
+  EXPECT_FALSE(parse_manifest(text, "m.toml").manifest.effort_is_confirmed);
+  EXPECT_NE(refusal(with("side = \"motor\"", "side = \"motor\"\nconfirmed = \"no\""))
+                .find("effort.confirmed"),
+            std::string::npos);
+}
+
+TEST(ManifestEffort, OfAModelIsATorqueOnTheSideStated) {
+  const ManifestFile m =
+      parse_manifest(with("kind = \"motor_torque\"", "kind = \"target_torque\""), "m.toml");
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::target_torque);
+  EXPECT_EQ(m.manifest.drive.side(), Side::motor);
+  EXPECT_EQ(to_string(m.manifest.drive.kind()), "target_torque");
+  EXPECT_NE(
+      refusal(with("kind = \"motor_torque\"", "kind = \"target_torque\"\ntorque_constant_Nm_A = 2"))
+          .find("belongs to motor_current"),
+      std::string::npos);
 }
 
 TEST(ManifestEffort, MayBeNoneWhereNothingWasRecorded) {

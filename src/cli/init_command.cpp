@@ -1,0 +1,28 @@
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/inspection.h"
+#include "files/atomic_file.h"
+
+namespace tribolog {
+
+ExitStatus run_init(const InitOptions& options, Console& console) {
+  namespace fs = std::filesystem;
+  if (!options.force && fs::exists(fs::symlink_status(options.output))) {
+    throw OutputError(printable(options.output, 400) +
+                      ": exists, and is left as it is; --force replaces it");
+  }
+  check_output_can_be_written(options.output, options.logs.files);
+  const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
+  const std::string directory = fs::path(options.output).parent_path().string();
+  const ManifestProposal proposal =
+      propose_manifest(logs, proposal_options(options.logs, directory));
+  write_file_atomically(options.output, proposal.text);
+  tell_proposal(proposal, console);
+  console.say("manifest: " + printable(options.output, 400));
+  return status_of(logs);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,148 @@
+#include "ingest/layout/name_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tribolog {
+namespace {
+
+struct Word {
+  std::string_view word;
+  Quantity quantity;
+};
+
+using enum Quantity;
+
+constexpr std::array quantity_words = {Word{"time", time},
+                                       Word{"timestamp", time},
+                                       Word{"stamp", time},
+                                       Word{"t", time},
+                                       Word{"zeit", time},
+                                       Word{"elapsed", time},
+                                       Word{"qd", angular_speed},
+                                       Word{"dq", angular_speed},
+                                       Word{"vel", angular_speed},
+                                       Word{"velocity", angular_speed},
+                                       Word{"velocities", angular_speed},
+                                       Word{"speed", angular_speed},
+                                       Word{"omega", angular_speed},
+                                       Word{"dtheta", angular_speed},
+                                       Word{"qdot", angular_speed},
+                                       Word{"q", angle},
+                                       Word{"angle", angle},
+                                       Word{"pos", angle},
+                                       Word{"position", angle},
+                                       Word{"positions", angle},
+                                       Word{"theta", angle},
+                                       Word{"phi", angle},
+                                       Word{"winkel", angle},
+                                       Word{"tau", torque},
+                                       Word{"torque", torque},
+                                       Word{"torques", torque},
+                                       Word{"effort", torque},
+                                       Word{"moment", torque},
+                                       Word{"trq", torque},
+                                       Word{"i", current},
+                                       Word{"iq", current},
+                                       Word{"current", current},
+                                       Word{"cur", current},
+                                       Word{"curr", current},
+                                       Word{"amps", current},
+                                       Word{"temp", temperature},
+                                       Word{"temperature", temperature}};
+
+constexpr std::array target_words = {"target", "goal",    "cmd",  "command",   "commanded",
+                                     "des",    "desired", "ref",  "reference", "setpoint",
+                                     "set",    "d",       "plan", "planned"};
+// Of no joint, and of no signal that is looked for.
+constexpr std::array other_words = {
+    "error",        "err",    "enable", "enabled", "flag",    "status", "state",   "mode",
+    "limit",        "max",    "min",    "id",      "index",   "count",  "counter", "gain",
+    "kp",           "kd",     "ki",     "offset",  "diff",    "delta",  "dt",      "acc",
+    "acceleration", "ddq",    "qdd",    "x",       "y",       "z",      "std",     "var",
+    "rate",         "period", "bus",    "cov",     "residual"};
+// Said of any joint.
+constexpr std::array empty_words = {
+    "actual",  "act",      "measured", "meas",  "mes",       "motor",    "joint", "axis",
+    "j",       "m",        "raw",      "est",   "estimated", "filtered", "filt",  "encoder",
+    "enc",     "drive",    "actuator", "robot", "data",      "value",    "ist",   "angular",
+    "present", "feedback", "fb",       "link",  "sensor"};
+
+template <typename List>
+bool holds(const List& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_small(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
+
+constexpr std::array quantities = {time, angle, angular_speed, torque, current, temperature};
+
+std::optional<Quantity> quantity_of_unit(std::string_view unit) {
+  for (const Quantity quantity : quantities) {
+    if (find_si_factor(quantity, unit)) return quantity;
+  }
+  return std::nullopt;
+}
+
+std::optional<Quantity> quantity_of_word(const std::string& word) {
+  const auto it = std::find_if(quantity_words.begin(), quantity_words.end(),
+                               [&](const Word& w) { return w.word == word; });
+  if (it == quantity_words.end()) return std::nullopt;
+  return it->quantity;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_name(std::string_view name) {
+  std::vector<std::string> words;
+  char before = ' ';
+  for (const char c : name) {
+    const bool is_letter = is_capital(c) || is_small(c);
+    const bool was_letter = is_capital(before) || is_small(before);
+    if (!is_letter && !is_digit(c)) {
+      before = ' ';
+      continue;
+    }
+    const bool goes_on = (is_digit(c) && is_digit(before)) ||
+                         (is_letter && was_letter && !(is_capital(c) && is_small(before)));
+    if (!goes_on) words.emplace_back();
+    words.back() += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    before = c;
+  }
+  return words;
+}
+
+std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string_view unit) {
+  const std::optional<Quantity> of_unit = quantity_of_unit(unit);
+  ColumnMeaning meaning;
+  bool is_told = false;
+  std::string number;
+  std::string others;
+  for (const std::string& word : words_of_name(name)) {
+    if (holds(other_words, word)) return std::nullopt;
+    const auto quantity = quantity_of_word(word);
+    if (quantity && (!of_unit || quantity == of_unit) && !is_told) {
+      meaning.quantity = *quantity;
+      is_told = true;
+    } else if (holds(target_words, word)) {
+      meaning.is_target = true;
+    } else if (is_digit(word.front())) {
+      number = word;
+    } else if (!quantity && !holds(empty_words, word)) {
+      others += (others.empty() ? "" : "_") + word;
+    }
+  }
+  if (!is_told && !of_unit) return std::nullopt;
+  if (!is_told) meaning.quantity = *of_unit;
+  if (meaning.quantity == time) number.clear();
+  // Words that name no quantity beside a unit that does may be any language's: "Strom", "Moment".
+  const bool names_joint = is_told && meaning.quantity != time;
+  meaning.joint = !number.empty() ? number : names_joint ? others : "";
+  meaning.unit = unit;
+  meaning.unit_is_stated = of_unit.has_value();
+  return meaning;
+}
+
+}  // namespace tribolog

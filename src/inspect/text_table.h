@@ -1,0 +1,29 @@
+#pragma once
+// Rows of text under each other in aligned columns, for a terminal.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tribolog {
+
+/// Places that a UTF-8 text takes, one for each character.
+std::size_t places(const std::string& text);
+
+class TextTable {
+ public:
+  /// @param indent blanks before each row.
+  explicit TextTable(std::size_t indent) : indent_(indent) {}
+
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  /// Columns two blanks apart, flush left. The last one is broken at blanks so that no row is
+  /// longer than `width` places, if it can be.
+  [[nodiscard]] std::string text(std::size_t width = 100) const;
+
+ private:
+  std::size_t indent_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace tribolog

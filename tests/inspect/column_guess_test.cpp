@@ -1,0 +1,68 @@
+// Columns without names that tell, by their numbers.
+
+#include "inspect/column_guess.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+LogTable table_of(const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
+  LogTable table;
+  for (const auto& [name, values] : columns) {
+    LogColumn column;
+    column.header = {name, name, ""};
+    column.values = values;
+    table.columns.push_back(std::move(column));
+    table.rows = values.size();
+  }
+  return table;
+}
+
+TEST(ColumnGuess, FindsClockAngleAndSpeed) {
+  std::vector<double> t, q, v, i;
+  for (int k = 0; k < 500; ++k) {
+    t.push_back(0.01 * k);
+    q.push_back(std::sin(t.back()));
+    v.push_back(57.29578 * std::cos(t.back()));
+    i.push_back(std::cos(t.back()) > 0 ? 1.5 : -1.5);
+  }
+  const LogTable table = table_of({{"#1", i}, {"#2", t}, {"#3", v}, {"#4", q}});
+  const auto guesses = guess_by_numbers(table, {});
+  ASSERT_EQ(guesses.size(), 3U);
+  EXPECT_EQ(guesses[0].meaning.column, 1U);
+  EXPECT_EQ(guesses[0].meaning.quantity, Quantity::time);
+  EXPECT_EQ(guesses[1].meaning.column, 3U);
+  EXPECT_EQ(guesses[1].meaning.quantity, Quantity::angle);
+  EXPECT_EQ(guesses[2].meaning.column, 2U);
+  EXPECT_EQ(guesses[2].meaning.quantity, Quantity::angular_speed);
+  for (const auto& guess : guesses) EXPECT_FALSE(guess.reason.empty());
+}
+
+TEST(ColumnGuess, WhatTheNamesTellIsNotGuessedAgain) {
+  LogLayout layout;
+  ColumnMeaning angle;
+  angle.quantity = Quantity::angle;
+  angle.column = 1;
+  ColumnMeaning time;
+  time.quantity = Quantity::time;
+  layout.columns = {time, angle};
+  const LogTable table = table_of({{"t", {0, 1, 2, 3}}, {"q", {0, 1, 2, 3}}});
+  EXPECT_TRUE(guess_by_numbers(table, layout).empty());
+}
+
+TEST(ColumnGuess, NothingIsMadeOfNoise) {
+  const LogTable table = table_of({{"a", {1, 1, 1}}, {"b", {NAN, NAN, NAN}}});
+  EXPECT_TRUE(guess_by_numbers(table, {}).empty());
+}
+
+TEST(ColumnGuess, ThirtyTurnsOfRadiansAreDegrees) {
+  EXPECT_TRUE(looks_like_degrees({-90, 90}));
+  EXPECT_FALSE(looks_like_degrees({-3.1, 3.1}));
+  EXPECT_FALSE(looks_like_degrees({}));
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,200 @@
+// Segments against simulated truth, and logs in which there is nothing to cut.
+
+#include "inspect/motion/motion_segments.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "inspect/long_recording.h"
+
+#include "simulate/random_stream.h"
+
+namespace tribolog {
+namespace {
+
+using std::numbers::pi;
+using test::long_recording;
+using test::LongRecording;
+using test::TrueSegment;
+
+/// What is asked for: ends within so much of a segment's length.
+constexpr double end_share = 0.02;
+
+MotionKind kind_of(Role role) {
+  if (role == Role::oscillation) return MotionKind::oscillation;
+  if (role == Role::break_away) return MotionKind::break_away_ramp;
+  return MotionKind::constant_speed;  // slow ones too: see recording_roles.h
+}
+
+const MotionSegment* nearest(const std::vector<MotionSegment>& segments, const TrueSegment& truth) {
+  const MotionSegment* best = nullptr;
+  double most = 0;
+  for (const MotionSegment& s : segments) {
+    const double common = std::min(s.to_s, truth.to_s) - std::max(s.from_s, truth.from_s);
+    if (common > most) {
+      most = common;
+      best = &s;
+    }
+  }
+  return best;
+}
+
+void expect_truth(const LongRecording& recording) {
+  const std::vector<MotionSegment> segments = cut_by_motion(recording.trace);
+  std::vector<const MotionSegment*> found;
+  for (const TrueSegment& truth : recording.truth) {
+    SCOPED_TRACE(truth.name);
+    const MotionSegment* s = nearest(segments, truth);
+    ASSERT_NE(s, nullptr);
+    EXPECT_EQ(to_string(s->kind), to_string(kind_of(truth.role)));
+    const double tolerance_s = end_share * (truth.to_s - truth.from_s);
+    EXPECT_NEAR(s->from_s, truth.from_s, tolerance_s);
+    EXPECT_NEAR(s->to_s, truth.to_s, tolerance_s);
+    found.push_back(s);
+  }
+  for (const MotionSegment& s : segments) {
+    const bool is_experiment = s.kind != MotionKind::rest && s.kind != MotionKind::varying;
+    const bool is_known = std::find(found.begin(), found.end(), &s) != found.end();
+    EXPECT_TRUE(is_known || !is_experiment)
+        << to_string(s.kind) << " invented at " << s.from_s << " to " << s.to_s;
+  }
+}
+
+TEST(MotionSegments, OneNoisyRecordingOfEverythingIsCutIntoItsExperiments) {
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    expect_truth(long_recording(test::everything(seed), 1, 2));
+}
+
+TEST(MotionSegments, AlsoWithoutNoise) {
+  Scenario scenario = test::everything(1);
+  scenario.noise = {};
+  expect_truth(long_recording(scenario, 1, 2));
+}
+
+TEST(MotionSegments, AlsoAtTheRateOfASlowBus) {
+  expect_truth(long_recording(test::everything(4), 8, 3));  // 125 Hz
+}
+
+TEST(MotionSegments, SegmentsFollowOnEachOther) {
+  const LongRecording recording = long_recording(test::everything(5), 4, 2);
+  const std::vector<MotionSegment> segments = cut_by_motion(recording.trace);
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    EXPECT_GE(segments[k].first, segments[k - 1].last);
+    EXPECT_DOUBLE_EQ(segments[k].from_s, recording.trace.t_s[segments[k].first]);
+  }
+}
+
+/// A sine between rests, with the steps of an encoder and white noise.
+AngleTrace resting_sine(double amplitude_rad, double frequency_Hz, double cycles, double rate_Hz,
+                        double step_rad, double noise_rad) {
+  AngleTrace trace;
+  RandomStream noise(7, 0);
+  const double rest_s = 5;
+  const double sine_s = cycles / frequency_Hz;
+  const auto n = static_cast<std::size_t>((2 * rest_s + sine_s) * rate_Hz);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i) / rate_Hz;
+    const double into = std::clamp(t - rest_s, 0.0, sine_s);
+    double q = amplitude_rad * std::sin(2 * pi * frequency_Hz * into) + noise_rad * noise.normal();
+    if (step_rad > 0) q = step_rad * std::round(q / step_rad);
+    trace.t_s.push_back(t);
+    trace.q_rad.push_back(q);
+  }
+  return trace;
+}
+
+const MotionSegment* only_motion(const std::vector<MotionSegment>& segments) {
+  const MotionSegment* found = nullptr;
+  for (const MotionSegment& s : segments) {
+    if (s.kind == MotionKind::rest) continue;
+    EXPECT_EQ(found, nullptr) << to_string(s.kind) << " at " << s.from_s;
+    found = &s;
+  }
+  return found;
+}
+
+struct SineCase {
+  double amplitude_rad, frequency_Hz, cycles, rate_Hz, step_rad, noise_rad;
+  MotionKind kind;
+};
+
+class Sines : public testing::TestWithParam<SineCase> {};
+
+TEST_P(Sines, AreToldByTheirWidth) {
+  const SineCase c = GetParam();
+  const auto segments = cut_by_motion(
+      resting_sine(c.amplitude_rad, c.frequency_Hz, c.cycles, c.rate_Hz, c.step_rad, c.noise_rad));
+  const MotionSegment* s = only_motion(segments);
+  ASSERT_NE(s, nullptr);
+  EXPECT_EQ(to_string(s->kind), to_string(c.kind));
+  const double sine_s = c.cycles / c.frequency_Hz;
+  EXPECT_NEAR(s->from_s, 5, end_share * sine_s);
+  EXPECT_NEAR(s->to_s, 5 + sine_s, end_share * sine_s);
+  EXPECT_NEAR(s->frequency_Hz, c.frequency_Hz, 0.02 * c.frequency_Hz);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    MotionSegments, Sines,
+    testing::Values(SineCase{1.04, 0.1, 6, 100, 1e-4, 0, MotionKind::slow_sweep},
+                    SineCase{1.5, 0.02, 2, 10, 0, 0, MotionKind::slow_sweep},
+                    SineCase{0.5, 0.2, 5, 1000, 0, 1e-4, MotionKind::slow_sweep},
+                    SineCase{1.0, 0.05, 4, 3, 0, 0, MotionKind::slow_sweep},
+                    SineCase{1e-4, 1, 10, 1000, 5e-7, 0, MotionKind::oscillation},
+                    SineCase{1e-4, 1, 10, 500, 0, 1e-6, MotionKind::oscillation},
+                    SineCase{0.02, 2, 20, 200, 1e-4, 1e-5, MotionKind::oscillation}));
+
+TEST(MotionSegments, RunsAtManySpeedsWithoutStopAreCutByTheirSpeed) {
+  AngleTrace trace;
+  double q = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double speed = 0.1 * (1 + i / 1000);
+    trace.t_s.push_back(0.01 * i);
+    trace.q_rad.push_back(q);
+    q += 0.01 * speed;
+  }
+  std::vector<double> speeds;
+  for (const MotionSegment& s : cut_by_motion(trace)) {
+    if (s.kind == MotionKind::constant_speed) speeds.push_back(s.speed_rad_s);
+  }
+  ASSERT_EQ(speeds.size(), 5U);
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    EXPECT_NEAR(speeds[k], 0.1 * static_cast<double>(k + 1), 1e-3);
+  }
+}
+
+TEST(MotionSegments, ALogAtRestIsOneRest) {
+  AngleTrace trace;
+  for (int i = 0; i < 1000; ++i) {
+    trace.t_s.push_back(0.01 * i);
+    trace.q_rad.push_back(0.3);
+  }
+  const auto segments = cut_by_motion(trace);
+  ASSERT_EQ(segments.size(), 1U);
+  EXPECT_EQ(segments[0].kind, MotionKind::rest);
+}
+
+TEST(MotionSegments, NoiseIsNoMotion) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    RandomStream noise(seed, 0);
+    AngleTrace trace;
+    for (int i = 0; i < 5000; ++i) {
+      trace.t_s.push_back(0.001 * i);
+      trace.q_rad.push_back(1e-3 * noise.normal());
+      trace.effort.push_back(noise.normal());
+    }
+    for (const MotionSegment& s : cut_by_motion(trace)) {
+      EXPECT_TRUE(s.kind == MotionKind::rest) << to_string(s.kind) << ", seed " << seed;
+    }
+  }
+}
+
+TEST(MotionSegments, TooFewSamplesAreNothing) {
+  EXPECT_TRUE(cut_by_motion({}).empty());
+  EXPECT_TRUE(cut_by_motion({{0}, {1}, {}}).empty());
+  EXPECT_LE(cut_by_motion({{0, 1}, {0, 1}, {}}).size(), 1U);
+}
+
+}  // namespace
+}  // namespace tribolog
