@@ -2,47 +2,23 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string_view>
 
 #include <fmt/format.h>
 
-#include "export/shortest_number.h"
+#include "export/toml_text.h"
 
 namespace tribolog {
 namespace {
 
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
-/// A basic string of TOML.
-std::string toml_text(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(byte));
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted += '"';
-}
-
-std::string toml_value(double value) { return number(value); }
+std::string toml_value(double value) { return toml_number(value); }
 
 std::string toml_value(std::uint64_t value) { return fmt::format("{}", value); }
 
 std::string toml_value(const std::vector<MaxwellElement>& elements) {
   std::string text = "[";
   for (const MaxwellElement& one : elements) {
-    text += fmt::format("\n  {{stiffness_Nm_rad = {}, share = {}}},", number(one.stiffness_Nm_rad),
-                        number(one.share));
+    text += fmt::format("\n  {{stiffness_Nm_rad = {}, share = {}}},",
+                        toml_number(one.stiffness_Nm_rad), toml_number(one.share));
   }
   return text += "\n]";
 }
@@ -92,10 +68,11 @@ std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>&
   }
   text += fmt::format("note = {}\n", toml_text("simulated: " + scenario.name));
   text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", toml_text(scenario.joint),
-                      number(scenario.gear_ratio));
+                      toml_number(scenario.gear_ratio));
   text += "\n[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n";
   text += fmt::format("\n[surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
-                      number(scenario.surrogate_distance_m), number(scenario.load.gravity_m_s2()));
+                      toml_number(scenario.surrogate_distance_m),
+                      toml_number(scenario.load.gravity_m_s2()));
   text +=
       "\n[columns]\n"
       "time = {name = \"t_s\", unit = \"s\"}\n"

@@ -1,0 +1,15 @@
+#pragma once
+// Values as TOML writes them.
+
+#include <string>
+#include <string_view>
+
+namespace tribolog {
+
+/// The shortest that reads back to the same double. @param value finite.
+std::string toml_number(double value);
+
+/// A basic string, in quotes and escaped.
+std::string toml_text(std::string_view text);
+
+}  // namespace tribolog
