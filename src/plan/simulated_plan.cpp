@@ -8,21 +8,10 @@
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
+#include "simulate/motor_side.h"
 
 namespace tribolog {
 namespace {
-
-class MotorSide final : public Motion {
- public:
-  MotorSide(const Motion& joint, double gear_ratio) : joint_(joint), n_(gear_ratio) {}
-  [[nodiscard]] double angle(double t) const override { return n_ * joint_.angle(t); }
-  [[nodiscard]] double speed(double t) const override { return n_ * joint_.speed(t); }
-  [[nodiscard]] double acceleration(double t) const override { return n_ * joint_.acceleration(t); }
-
- private:
-  const Motion& joint_;
-  double n_;
-};
 
 class Follower {
  public:
