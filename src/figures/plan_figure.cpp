@@ -115,11 +115,12 @@ ReportFigure motion_figure(const ExperimentPlan& plan) {
   }
   out.caption =
       fmt::format("{} in all: {}.", duration_text(plan.duration_s()), figures::listed(parts));
-  out.how_to_read =
-      "Coloured: what is recorded and identified; grey: travel and rest between. The oscillations "
-      "are too small to be seen at this scale" +
-      std::string(has_ramps ? "; during the ramps the set angle stands while the torque rises."
-                            : ".");
+  out.how_to_read = "Coloured: what is recorded and identified; grey: travel and rest between.";
+  if (!plan.positions_rad.empty()) {
+    out.how_to_read += " The oscillations are too small to be seen at this scale.";
+  }
+  if (has_ramps)
+    out.how_to_read += " During the ramps the set angle stands while the torque rises.";
   out.alt = fmt::format("{} panels over {}: joint angle, motor speed{}.", has_ramps ? 3 : 2,
                         duration_text(plan.duration_s()), has_ramps ? " and ramp torque" : "");
   return out;

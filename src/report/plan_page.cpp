@@ -163,10 +163,11 @@ void fill_verdict(const ExperimentPlan& plan, TemplateValues& values) {
     findings.add_section("FINDING").set("TEXT", text);
   };
   for (const PlannedPart& part : plan.parts) {
-    if (part.why.empty()) continue;
+    if (part.why.empty() || part.state == PartState::later) continue;
     add(fmt::format("{}: {}: {}. What would help: {}.", capital(part_title(part.role)),
                     to_string(part.state), part.why, part.help));
   }
+  if (plan.is_first_of_two()) add(as_sentence(next_plan_words()));
   for (const std::string& remark : plan.remarks) add(as_sentence(remark));
 }
 

@@ -52,6 +52,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 
+std::string next_plan_words() {
+  return "parts about the gravity peak wait for its angle: record this plan, identify it, and plan "
+         "again with --calibration and the calibration";
+}
+
 std::string plan_sentence(const ExperimentPlan& plan) {
   if (plan.segments.empty()) return "nothing can be measured within these limits";
   std::size_t recordings = 0;
@@ -77,10 +82,11 @@ std::vector<std::string> plan_lines(const ExperimentPlan& plan) {
         fmt::format("  {:<24} {}", part_title(part.role),
                     is_there ? fmt::format("{}: {}", duration_text(part.duration_s), part.motion)
                              : to_string(part.state)));
-    if (part.why.empty()) continue;
+    if (part.why.empty() || part.state == PartState::later) continue;
     lines.push_back(fmt::format("  {:<24} {}{}; what would help: {}", "",
                                 is_there ? to_string(part.state) + ": " : "", part.why, part.help));
   }
+  if (plan.is_first_of_two()) lines.push_back("  note: " + next_plan_words());
   for (const std::string& remark : plan.remarks) lines.push_back("  note: " + remark);
   return lines;
 }
@@ -148,11 +154,6 @@ std::vector<std::string> plan_instructions(const ExperimentPlan& plan) {
         "point within the rest that follows. A drive that cannot be led by torque leaves the ramps "
         "out, with their entries in dataset.toml.",
         ramp->ramp->largest_travel_rad * degrees_per_rad));
-  }
-  if (plan.is_first_of_two()) {
-    all.emplace_back(
-        "When this plan is recorded and identified, tribolog plan with --calibration and the "
-        "calibration plans the rest.");
   }
   return all;
 }

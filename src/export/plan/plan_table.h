@@ -18,6 +18,9 @@ std::string duration_text(double seconds);
 /// What is planned and for how long, or that nothing can be: one sentence.
 std::string plan_sentence(const ExperimentPlan& plan);
 
+/// Of a first plan of two: how the second is made.
+std::string next_plan_words();
+
 /// The plan as lines of text: its parts, why some are limited or not there, and remarks.
 std::vector<std::string> plan_lines(const ExperimentPlan& plan);
 
