@@ -163,6 +163,31 @@ void add_study(CLI::App& command, StudyCommandOptions& study) {
       "shows the biases in seconds.");
 }
 
+void add_plan(CLI::App& command, PlanCommandOptions& plan) {
+  constexpr std::size_t most = 10'000;
+  command.add_option("JOINT", plan.joint, "file of the joint (TOML)")->required();
+  command.add_option("-o,--output", plan.directory, "directory to write to")->required();
+  command.add_option("--calibration", plan.calibration,
+                     "calibration (JSON) of this joint, from an earlier plan");
+  command
+      .add_option("--runs", plan.runs,
+                  "simulations behind the intervals to expect; 0: none are made")
+      ->check(CLI::Range(std::size_t{0}, most))
+      ->capture_default_str();
+  command.add_option("--seed", plan.seed, "seed of their noise")->capture_default_str();
+  command.add_option("--threads", plan.threads, "0: all cores; changes no number")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
+      ->capture_default_str();
+  add_processes(command, plan.processes);
+  command.footer(
+      "\nFrom the joint's limits of angle, speed, acceleration and torque, and what is known of\n"
+      "gravity, friction, encoder and ripple: the sweeps, oscillations, runs and ramps to carry\n"
+      "out, and the intervals to expect, by simulation. Writes plan.html, plan.json,\n"
+      "setpoints.csv (time, angle, speed; torque of the ramps) and dataset.toml, with which\n"
+      "`tribolog report` takes the log that is recorded. What the limits do not allow is said,\n"
+      "with the number and what would help. examples/plan/joint.toml shows every key.");
+}
+
 }  // namespace
 
 ExitStatus run_command_line(int argc, char** argv) {
@@ -260,6 +285,11 @@ ExitStatus run_command_line(int argc, char** argv) {
       "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
       "table and equation against what is printed. Status 1 if a check does not hold.");
 
+  CLI::App* plan_command =
+      app.add_subcommand("plan", "plan the experiment on a joint, and what to expect of it");
+  PlanCommandOptions plan;
+  add_plan(*plan_command, plan);
+
   CLI::App* study_command =
       app.add_subcommand("study", "Monte-Carlo study: where the method can be trusted");
   StudyCommandOptions study;
@@ -290,6 +320,7 @@ ExitStatus run_command_line(int argc, char** argv) {
     return run_models(models, arguments, console);
   }
   if (*paper_command) return run_paper(paper, arguments, console);
+  if (*plan_command) return run_plan(plan, arguments, console);
   if (*study_command) return run_study_command(study, arguments, console);
   std::cout << app.help();
   return ExitStatus::usage;

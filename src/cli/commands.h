@@ -48,6 +48,16 @@ struct ModelsOptions {
   int processes{2};
 };
 
+struct PlanCommandOptions {
+  std::string joint;  ///< File of the joint (TOML).
+  std::string directory;
+  std::string calibration;  ///< Of the joint, from an earlier plan; empty: none.
+  std::size_t runs{20};     ///< Simulations behind the expected intervals; 0: none.
+  unsigned long long seed{1};
+  std::size_t threads{0};  ///< 0: all cores.
+  int processes{2};
+};
+
 struct PaperOptions {
   std::string output;  ///< The page (HTML).
   int processes{2};
@@ -101,6 +111,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
 /// Lists the friction models with what each can show, or compares them in one page.
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console);
+/// The experiment to run on a joint: table, figure, set points, manifest, expected intervals.
+ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::string>& arguments,
+                    Console& console);
 /// Regenerates the paper and checks it: status 1 if a check fails.
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console);

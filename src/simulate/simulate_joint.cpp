@@ -13,7 +13,7 @@
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
 #include "simulate/friction_response.h"
-#include "simulate/motion.h"
+#include "simulate/motor_side.h"
 
 namespace tribolog {
 namespace {
@@ -35,19 +35,6 @@ double driving_torque(const Scenario& s, double q, double ddq, double friction) 
   return s.motor_inertia_kgm2 * s.gear_ratio * ddq + friction +
          (s.arm_inertia_kgm2 * ddq + s.load.torque_Nm(q)) / s.gear_ratio;
 }
-
-/// A motion of the joint as its motor sees it.
-class MotorSide final : public Motion {
- public:
-  MotorSide(const Motion& joint, double gear_ratio) : joint_(joint), n_(gear_ratio) {}
-  [[nodiscard]] double angle(double t) const override { return n_ * joint_.angle(t); }
-  [[nodiscard]] double speed(double t) const override { return n_ * joint_.speed(t); }
-  [[nodiscard]] double acceleration(double t) const override { return n_ * joint_.acceleration(t); }
-
- private:
-  const Motion& joint_;
-  double n_;
-};
 
 /// Friction torque of sliding, by the static law or by the dynamic model.
 std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, double dt,

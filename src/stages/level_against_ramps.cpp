@@ -6,18 +6,29 @@
 #include <fmt/format.h>
 
 namespace tribolog {
+namespace {
+
+/// Friction that the joint holds in one direction, beyond the scatter of its ramps. Of single
+/// readings the largest would be their noise.
+double surely_held(const BreakAwayResult& ramps, bool is_rising) {
+  const std::optional<Estimate>& mean = is_rising ? ramps.rising_Nm : ramps.falling_Nm;
+  double held = mean ? mean->low : 0;
+  for (const BreakAwayRamp& ramp : ramps.ramps) {
+    const bool is_in_mean = mean && ramp.broke_away;
+    if (ramp.is_rising == is_rising && !is_in_mean) held = std::max(held, ramp.friction_Nm);
+  }
+  return held;
+}
+
+}  // namespace
 
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   const auto level = fit.shown("static_Nm");
   if (!level || ramps.ramps.empty()) return fit;
   // Gravity that was not taken off helps one direction by what it hinders the other: the smaller
   // of the two is held in any case.
-  double rising = 0;
-  double falling = 0;
-  for (const BreakAwayRamp& ramp : ramps.ramps) {
-    double& held = ramp.is_rising ? rising : falling;
-    held = std::max(held, ramp.friction_Nm);
-  }
+  const double rising = surely_held(ramps, true);
+  const double falling = surely_held(ramps, false);
   const double held = rising > 0 && falling > 0 ? std::min(rising, falling) : 0;
   if (!(level->high < held)) return fit;
   for (LuGreParameter& p : fit.parameters) {

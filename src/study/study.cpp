@@ -20,18 +20,6 @@
 namespace tribolog {
 namespace {
 
-/// The noise of one run: its own seed, and ripple at phases of its own.
-Noise noise_of_run(const Noise& stated, std::uint64_t seed, std::size_t run) {
-  RandomStream random(seed, run);
-  Noise noise = stated;
-  constexpr double whole_numbers = 0x1p53;
-  noise.seed = static_cast<std::uint64_t>(random.uniform() * whole_numbers);
-  for (Noise::Ripple& ripple : noise.ripple) {
-    ripple.phase_rad = 2 * std::numbers::pi * random.uniform();
-  }
-  return noise;
-}
-
 Calibration identify_quietly(const Dataset& dataset, std::size_t resamples, std::uint64_t seed) {
   tribolog::IdentifyOptions options;
   options.resamples = resamples;
@@ -131,11 +119,25 @@ const StudiedCase& StudyResult::case_of(const StudyLevel& level) const {
 
 const StudiedCase& StudyResult::base_case() const { return cases.front(); }
 
+Noise noise_of_run(const Noise& stated, std::uint64_t seed, std::size_t run) {
+  RandomStream random(seed, run);
+  Noise noise = stated;
+  constexpr double whole_numbers = 0x1p53;
+  noise.seed = static_cast<std::uint64_t>(random.uniform() * whole_numbers);
+  for (Noise::Ripple& ripple : noise.ripple) {
+    ripple.phase_rad = 2 * std::numbers::pi * random.uniform();
+  }
+  return noise;
+}
+
 std::vector<Reading> true_readings(const Scenario& scenario) {
   Scenario ideal = scenario;
   ideal.noise = {};
-  std::vector<Reading> truths =
-      readings_of(identify_quietly(simulated_dataset(ideal), 0, ideal.noise.seed));
+  return true_readings(scenario, simulated_dataset(ideal));
+}
+
+std::vector<Reading> true_readings(const Scenario& scenario, const Dataset& ideal) {
+  std::vector<Reading> truths = readings_of(identify_quietly(ideal, 0, Noise{}.seed));
   for (Reading& truth : truths) {
     const double value = stated_truth(scenario, truth).value_or(truth.estimate.value);
     truth.estimate = {value, value, value, "known"};

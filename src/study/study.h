@@ -56,6 +56,12 @@ struct StudyResult {
 /// truth of their own: theirs is what the chain finds without any noise in the same motions, so
 /// that noise alone is judged. A name that has no truth is absent.
 std::vector<Reading> true_readings(const Scenario& scenario);
+/// The same from other motions of that joint: the dataset is of the scenario's joint, without
+/// noise.
+std::vector<Reading> true_readings(const Scenario& scenario, const Dataset& ideal);
+
+/// The noise of one run: a seed of its own, and ripple at phases of its own.
+Noise noise_of_run(const Noise& stated, std::uint64_t seed, std::size_t run);
 
 /// Called before each case with (done, all).
 using StudyProgress =

@@ -42,5 +42,25 @@ TEST(LevelAgainstRamps, StaysWhereTheyAgreeOrSayNothing) {
   EXPECT_TRUE(against_ramps(fit_with_level(5.5), ramps_that_held(12, 0)).shown("static_Nm"));
 }
 
+// Ten readings about one torque: the largest of them is noise, not friction.
+TEST(LevelAgainstRamps, StaysWhereRampsScatterAboutIt) {
+  BreakAwayResult ramps;
+  for (const double off : {-0.3, -0.1, 0.0, 0.1, 0.3}) {
+    for (const bool is_rising : {true, false}) {
+      BreakAwayRamp ramp;
+      ramp.is_rising = is_rising;
+      ramp.broke_away = true;
+      ramp.friction_Nm = 5.5 + off;
+      ramps.ramps.push_back(ramp);
+    }
+  }
+  ramps.rising_Nm = ramps.falling_Nm = symmetric_estimate(5.5, 0.28, "scatter of the ramps");
+  EXPECT_TRUE(against_ramps(fit_with_level(5.5), ramps).shown("static_Nm"));
+  // One that ended without sliding is a bound, whatever the others say.
+  ramps.ramps[0].broke_away = ramps.ramps[1].broke_away = false;
+  ramps.ramps[0].friction_Nm = ramps.ramps[1].friction_Nm = 7;
+  EXPECT_FALSE(against_ramps(fit_with_level(5.5), ramps).shown("static_Nm"));
+}
+
 }  // namespace
 }  // namespace tribolog

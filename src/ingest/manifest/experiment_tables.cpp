@@ -37,6 +37,11 @@ double read_angle(const TomlTable& table, const std::string& name, Sign sign) {
   return read_in_rad(table, name, "", sign);
 }
 
+double read_angular_rate(const TomlTable& table, const std::string& name,
+                         const std::string& after) {
+  return read_in_rad(table, name, after, Sign::positive);
+}
+
 double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad) {
   const auto [key, factor] = angle_key(table, name, "");
   return table.has(key) ? factor * table.number(key) : otherwise_rad;
@@ -46,7 +51,7 @@ SweepExperiment read_sweep(const TomlTable& table) {
   SweepExperiment e;
   e.from_rad = read_angle(table, "from");
   e.to_rad = read_angle(table, "to");
-  e.speed_rad_s = read_in_rad(table, "speed", "_s", Sign::positive);
+  e.speed_rad_s = read_angular_rate(table, "speed", "_s");
   e.both_directions = table.flag_or("both_directions", e.both_directions);
   const auto [key, factor] = angle_key(table, "acceleration", "_s2");
   if (table.has(key)) e.acceleration_rad_s2 = factor * table.number(key, Sign::positive);
@@ -92,7 +97,7 @@ ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
   e.centre_rad = read_angle(table, "centre");
   e.largest_travel_rad = read_angle(table, "largest_travel", Sign::positive);
   e.longest_plateau_s = table.number("longest_plateau_s", Sign::positive);
-  e.acceleration_rad_s2 = read_in_rad(table, "acceleration", "_s2", Sign::positive);
+  e.acceleration_rad_s2 = read_angular_rate(table, "acceleration", "_s2");
   e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
   table.refuse_unknown_keys();
   return e;

@@ -12,7 +12,10 @@ namespace tribolog {
 /// An angle given as `<name>_rad` or `<name>_deg` [rad]. @throw InputError if both or neither is.
 double read_angle(const TomlTable& table, const std::string& name, Sign sign = Sign::any);
 
-/// As above where the key may be left out.
+/// The same of a rate: `<name>_rad<after>` or `<name>_deg<after>`; after = "_s", "_s2".
+double read_angular_rate(const TomlTable& table, const std::string& name, const std::string& after);
+
+/// As read_angle() where the key may be left out.
 double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad);
 
 // Each refuses what cannot be carried out. @throw InputError at the key.

@@ -1,0 +1,128 @@
+#include "plan/expected_intervals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "parallel/parallel_for.h"
+#include "plan/simulated_plan.h"
+
+#include "pipeline.h"
+#include "simulate/simulated_dataset.h"
+#include "stages/median.h"
+#include "study/statistics.h"
+#include "study/study.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What a plan is made for, in the order of the table: the paper's single points are not.
+constexpr std::array<std::pair<const char*, const char*>, 14> wanted{
+    {{"midline", "gravity torque, mid-line of the loops"},
+     {"fit", "gravity torque, LuGre fit"},
+     {"sweep", "gravity torque, sweep"},
+     {"q_peak", "angle of the gravity peak"},
+     {"bristle_stiffness", "bristle stiffness σ₀"},
+     {"static_torque", "break-away torque T_s, LuGre fit"},
+     {"break_away", "break-away torque, ramps"},
+     {"sweep_friction", "friction of the slow sweep"},
+     {"coulomb", "Coulomb torque T_c, straight line"},
+     {"viscous", "viscous coefficient c, straight line"},
+     {"asperity_torque", "asperity torque T_a, eq. (6)"},
+     {"stribeck_speed", "Stribeck velocity ω_s, eq. (6)"},
+     {"viscous_coefficient", "viscous coefficient c_v, eq. (6)"},
+     {"viscous_power", "viscous power δ_v, eq. (6)"}}};
+
+Calibration identify_once(const Dataset& dataset, std::uint64_t seed) {
+  IdentifyOptions options;
+  options.resamples = 0;
+  options.seed = seed;
+  options.threads = 1;  // the runs themselves are spread over the cores
+  return identify(dataset, options);
+}
+
+std::vector<Reading> readings_with_ramps(const Calibration& c) {
+  std::vector<Reading> all = readings_of(c);
+  if (c.break_away.mean_Nm) {
+    all.push_back({"break_away", Quantity::static_torque, *c.break_away.mean_Nm});
+  }
+  return all;
+}
+
+/// Truths of the joint; that of the ramps, whose moment of break-away is a matter of definition, is
+/// what they give without noise.
+std::vector<Reading> truths_of(const Scenario& joint, const std::vector<IdealRecording>& ideal) {
+  const Dataset dataset = simulated_dataset(joint, with_noise(ideal, {}, joint.gear_ratio));
+  std::vector<Reading> truths = true_readings(joint, dataset);
+  const std::vector<Reading> found = readings_with_ramps(identify_once(dataset, 1));
+  if (const Reading* ramps = find_reading(found, "break_away")) truths.push_back(*ramps);
+  return truths;
+}
+
+ExpectedInterval expected(const char* name, const char* words, const Reading& truth,
+                          const std::vector<std::vector<Reading>>& runs) {
+  std::vector<Estimate> estimates;
+  std::vector<double> half_widths;
+  for (const std::vector<Reading>& readings : runs) {
+    if (const Reading* r = find_reading(readings, name)) {
+      estimates.push_back(r->estimate);
+      half_widths.push_back(r->estimate.half_width());
+    }
+  }
+  const ErrorStatistics errors = error_statistics(estimates, truth.estimate.value, runs.size());
+  ExpectedInterval e;
+  e.name = name;
+  e.quantity = truth.quantity;
+  e.words = words;
+  e.truth = truth.estimate.value;
+  e.runs = runs.size();
+  e.found = estimates.size();
+  e.inside = static_cast<std::size_t>(std::count_if(
+      estimates.begin(), estimates.end(),
+      [&](const Estimate& one) { return one.low <= e.truth && e.truth <= one.high; }));
+  e.half_width = estimates.empty() ? nan : median(half_widths);
+  e.scatter = errors.scatter;
+  return e;
+}
+
+}  // namespace
+
+const ExpectedInterval* ExpectedIntervals::find(const std::string& name) const {
+  const auto it = std::find_if(quantities.begin(), quantities.end(),
+                               [&](const ExpectedInterval& e) { return e.name == name; });
+  return it == quantities.end() ? nullptr : &*it;
+}
+
+ExpectedIntervals expect_intervals(const ExperimentPlan& plan, const ExpectationOptions& options) {
+  ExpectedIntervals out;
+  out.runs = options.runs;
+  out.seed = options.seed;
+  if (plan.segments.empty() || options.runs == 0) return out;
+  const Scenario joint = assumed_scenario(plan.joint);
+  const double rate = plan.joint.sample_rate_Hz;
+  const std::vector<IdealRecording> ideal =
+      cut_by_plan(plan, simulate_plan(plan, joint, rate), rate);
+  const std::vector<Reading> truths = truths_of(joint, ideal);
+  std::vector<std::vector<Reading>> runs(options.runs);
+  parallel_for(
+      options.runs,
+      [&](std::size_t run) {
+        const Noise noise = noise_of_run(joint.noise, options.seed, run);
+        const Dataset dataset =
+            simulated_dataset(joint, with_noise(ideal, noise, joint.gear_ratio));
+        runs[run] = readings_with_ramps(identify_once(dataset, noise.seed));
+      },
+      options.threads);
+  for (const auto& [name, words] : wanted) {
+    if (const Reading* truth = find_reading(truths, name)) {
+      out.quantities.push_back(expected(name, words, *truth, runs));
+    }
+  }
+  return out;
+}
+
+}  // namespace tribolog

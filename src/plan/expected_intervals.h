@@ -1,0 +1,45 @@
+#pragma once
+// What interval to expect of each quantity: the plan simulated with the joint that is assumed, at
+// the noise that is assumed, and identified by the whole chain, several times.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plan/experiment_plan.h"
+
+#include "study/readings.h"
+
+namespace tribolog {
+
+struct ExpectedInterval {
+  std::string name;  ///< Of the reading (study/readings.h), or "break_away".
+  Quantity quantity{Quantity::gravity};
+  std::string words;  ///< "gravity torque, mid-line"
+  double truth{};     ///< Of the assumed joint.
+  std::size_t runs{};
+  std::size_t found{};   ///< Runs in which it was identified.
+  std::size_t inside{};  ///< Of these, those whose interval holds the truth.
+  double half_width{};   ///< Median of the stated 95 % intervals; NaN if never found.
+  double scatter{};      ///< Standard deviation of what came back; NaN with fewer than two.
+};
+
+struct ExpectedIntervals {
+  std::size_t runs{};
+  std::uint64_t seed{};
+  std::vector<ExpectedInterval> quantities;  ///< What the plan's recordings can show.
+  [[nodiscard]] const ExpectedInterval* find(const std::string& name) const;
+};
+
+struct ExpectationOptions {
+  std::size_t runs{20};  ///< 0: none are simulated.
+  std::uint64_t seed{1};
+  std::size_t threads{0};  ///< 0: as many as the machine has cores. Changes no number.
+};
+
+/// @return without quantities where the plan holds no recording.
+ExpectedIntervals expect_intervals(const ExperimentPlan& plan,
+                                   const ExpectationOptions& options = {});
+
+}  // namespace tribolog

@@ -1,0 +1,29 @@
+#pragma once
+// A plan as one HTML file that needs nothing else.
+
+#include <string>
+#include <vector>
+
+#include "plan/expected_intervals.h"
+#include "plan/experiment_plan.h"
+#include "provenance.h"
+
+#include "figures/report_figure.h"
+#include "render/renderer.h"
+
+namespace tribolog {
+
+/// A plan, what to expect of it, and what it was made from.
+struct PlanReport {
+  ExperimentPlan plan;
+  ExpectedIntervals expected;
+  std::string joint_file;  ///< As named on the command line.
+  std::string joint_text;
+  Provenance provenance;
+};
+
+/// UTF-8 HTML without script or link to the outside, in the style of the report.
+std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>& figures,
+                      const std::vector<render::DrawnFigure>& drawn);
+
+}  // namespace tribolog

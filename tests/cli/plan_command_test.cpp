@@ -1,0 +1,72 @@
+// `tribolog plan`: what it writes, and how it refuses.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+const std::string example = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/joint.toml";
+
+ProgramRun plan(const ScratchDirectory& scratch, const std::string& arguments) {
+  return run_shell("cd '" + scratch.path() + "' && SOURCE_DATE_EPOCH=1700000000 " + program +
+                   "plan " + arguments);
+}
+
+TEST(PlanCommand, WritesPageNumbersSetPointsAndManifest) {
+  const ScratchDirectory scratch;
+  const ProgramRun run = plan(scratch, "'" + example + "' -o out/first --runs 2");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* name : {"plan.html", "plan.json", "setpoints.csv", "dataset.toml"}) {
+    EXPECT_TRUE(std::filesystem::exists(scratch.file(std::string("out/first/") + name))) << name;
+  }
+  for (const char* words : {"rough sweep", "micro-oscillations", "8 positions", "± "}) {
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << '\n' << run.out;
+  }
+  EXPECT_EQ(run.err.find("note:"), std::string::npos) << run.err;
+  // Each picture is in the page.
+  const std::string page = read_text(scratch.file("out/first/plan.html"));
+  EXPECT_NE(page.find("data:image/png"), std::string::npos);
+  EXPECT_EQ(page.find("This figure is missing"), std::string::npos);
+}
+
+TEST(PlanCommand, SameInputSameBytes) {
+  const ScratchDirectory scratch;
+  for (const char* threads : {"1", "2"}) {
+    EXPECT_EQ(plan(scratch, "'" + example + "' -o out --runs 2 --threads " + threads).status, 0);
+    std::filesystem::rename(scratch.file("out"), scratch.file(std::string("out_") + threads));
+  }
+  for (const char* name : {"plan.json", "setpoints.csv", "dataset.toml"}) {
+    EXPECT_EQ(read_text(scratch.file(std::string("out_1/") + name)),
+              read_text(scratch.file(std::string("out_2/") + name)))
+        << name;
+  }
+}
+
+TEST(PlanCommand, RefusesAndLeavesTheOldPlan) {
+  const ScratchDirectory scratch;
+  scratch.write("bad.toml", "schema = \"tribolog-joint-1\"\n[robot]\n");
+  std::filesystem::create_directory(scratch.file("out"));
+  scratch.write("out/setpoints.csv", "of last year");
+  const ProgramRun refused = plan(scratch, "bad.toml -o out");
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("bad.toml:2:"), std::string::npos) << refused.err;
+  EXPECT_EQ(plan(scratch, "'" + example + "' -o out --calibration bad.toml").status, 3);
+  EXPECT_EQ(plan(scratch, "-o out").status, 2);
+  std::filesystem::create_directory(scratch.file("out/plan.html"));
+  EXPECT_EQ(plan(scratch, "'" + example + "' -o out --runs 0").status, 4);
+  EXPECT_EQ(read_text(scratch.file("out/setpoints.csv")), "of last year");
+}
+
+TEST(PlanCommand, AFileOfTheJointIsNeverOverwritten) {
+  const ScratchDirectory scratch;
+  scratch.write("dataset.toml", read_text(example));
+  EXPECT_EQ(plan(scratch, "dataset.toml -o . --runs 0").status, 2);
+  EXPECT_EQ(read_text(scratch.file("dataset.toml")), read_text(example));
+}
+
+}  // namespace
+}  // namespace tribolog::test
