@@ -31,6 +31,7 @@ struct LogTable {
   std::vector<LogColumn> columns;   ///< Those read.
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
+  std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
   std::vector<std::string> notes;   ///< Peculiarities that the user should know.
 
   /// Line of the file on which a row (from 0) stands; 0 where the file has no lines.
