@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -65,6 +66,27 @@ std::string likelier_units(const ColumnEntry& time, double rate_Hz) {
                    likelier.empty() ? "" : likelier + "; ")});
 }
 
+/// Jumps by a turn of the side on which the angle was logged, between samples that hardly move.
+void note_wrapped_angle(const ColumnEntry& angle, const Drive& drive, const Recording& r,
+                        RecordingNotes& notes) {
+  constexpr double tolerance = 0.1;  // of a turn: the joint goes on moving meanwhile
+  const double turn_rad =
+      2 * std::numbers::pi / (angle.side == Side::motor ? drive.gear_ratio() : 1.0);
+  std::size_t jumps = 0;
+  double first_s = 0;
+  for (std::size_t i = 2; i < r.size(); ++i) {
+    const double step = std::abs(r.q_rad[i] - r.q_rad[i - 1]) / turn_rad;
+    const double before = std::abs(r.q_rad[i - 1] - r.q_rad[i - 2]) / turn_rad;
+    if (std::abs(step - 1) > tolerance || before > tolerance) continue;
+    if (jumps++ == 0) first_s = r.t_s[i];
+  }
+  if (jumps == 0) return;
+  notes.add(
+      fmt::format("the angle jumps by a turn {} time{}, first at {:.6g} s: an encoder that wraps "
+                  "round? unwrap the angle in the log",
+                  jumps, jumps == 1 ? "" : "s", first_s));
+}
+
 void judge_rate(const RecordingEntry& entry, const LogTable& table, const Recording& r,
                 RecordingNotes& notes) {
   const ColumnEntry& time = *entry.columns.time;
@@ -122,11 +144,12 @@ void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive
     notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", angle_rad,
                           printable(entry.columns.angle->unit)));
   }
+  note_wrapped_angle(*entry.columns.angle, drive, recording, notes);
   const double torque_Nm = largest(recording.torque_Nm) * drive.gear_ratio();
   if (torque_Nm > likely_largest_torque_Nm) {
     notes.add(fmt::format(
-        "the joint's torque reaches {:.3g} N·m, read as {}: a thousandth of it, or of the other "
-        "side of the gear?",
+        "the joint's torque reaches {:.3g} N·m, read as {}: another unit, or the other side of "
+        "the gear?",
         torque_Nm, printable(entry.columns.effort->unit)));
   }
   judge_rate(entry, table, recording, notes);

@@ -18,8 +18,8 @@ double largest_possible(Quantity quantity);
 [[noreturn]] void refuse_impossible_value(const ColumnEntry& column, double value,
                                           const LogTable& table, std::size_t row);
 
-/// Notes what points to another unit: an angle of more than a turn, a torque larger than that of
-/// the largest robots, few samples a second.
+/// Notes what points to another unit: an angle of more than a turn or that wraps round, a torque
+/// larger than that of the largest robots, few samples a second.
 /// @throw InputError for under 5 or over 100 000 samples a second (the median), unless the manifest
 ///        states that this is right; with the units of time in which there would be a usual number.
 void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive& drive,

@@ -180,9 +180,10 @@ TEST(RecordingRows, ImplausibleUnitsAreNotedNeverConverted) {
   EXPECT_EQ(r.q_rad[0], -90.0);
   ASSERT_EQ(notes.size(), 3U);
   EXPECT_EQ(notes[0], "run.csv: the joint's angle reaches 90 rad, read as rad: degrees?");
-  EXPECT_EQ(notes[1],
-            "run.csv: the joint's torque reaches 2.45e+05 N·m, read as Nm: a thousandth of it, or "
-            "of the other side of the gear?");
+  EXPECT_EQ(
+      notes[1],
+      "run.csv: the joint's torque reaches 2.45e+05 N·m, read as Nm: another unit, or the other "
+      "side of the gear?");
   EXPECT_EQ(notes[2], "run.csv: 8 samples a second, read in s: another unit of time?");
 }
 
@@ -230,6 +231,24 @@ TEST(RecordingRows, WithoutEffortNothingCanBeIdentified) {
   EXPECT_EQ(refusal(entry(), "t,q,u_motor_V,tau_Nm\n0,0,0,0\n"),
             "dir/run.csv:1: column 'tau' is missing, found 't', 'q', 'u_motor_V', 'tau_Nm'; hint: "
             "did you mean 'tau_Nm'? without torque or current nothing can be identified");
+}
+
+TEST(RecordingRows, OfAnEncoderThatWrapsRoundAreNoted) {
+  std::string csv = header;
+  for (int i = 0; i < 100; ++i) {
+    const double q = 3.0 + 0.01 * i;
+    csv += fmt::format("{},{},1\n", i / 100.0, q > std::numbers::pi ? q - 2 * std::numbers::pi : q);
+  }
+  EXPECT_EQ(
+      make(entry(), csv).notes,
+      std::vector<std::string>{"run.csv: the angle jumps by a turn 1 time, first at 0.15 s: an "
+                               "encoder that wraps round? unwrap the angle in the log"});
+  // A motor that turns once a sample does not wrap.
+  RecordingEntry e = entry();
+  e.columns.angle->side = Side::motor;
+  csv = header;
+  for (int i = 0; i < 100; ++i) csv += fmt::format("{},{},1\n", i / 100.0, 6.28 * i);
+  EXPECT_TRUE(make(e, csv, Drive(100, EffortKind::motor_torque, Side::motor)).notes.empty());
 }
 
 TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
