@@ -116,6 +116,7 @@ LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColu
                           in_quotes(groups[0] + "/" + columns.front().name)});
   }
   LogTable& table = tables[having[0]];
+  if (!table.refusal.empty()) throw InputError({table.file, 0, 0}, {table.refusal, "", "", ""});
   std::vector<LogColumn> chosen;
   for (const WantedColumn& wanted : columns) {
     chosen.push_back(table.columns[*index_of(table, wanted.name)]);

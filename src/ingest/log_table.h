@@ -33,6 +33,9 @@ struct LogTable {
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
   std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
   std::vector<std::string> notes;   ///< Peculiarities that the user should know.
+  /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
+  /// and take_columns() refuses them; other tables of the log are not concerned.
+  std::string refusal;
 
   /// Line of the file on which a row (from 0) stands; 0 where the file has no lines.
   [[nodiscard]] long line_of(std::size_t row) const;

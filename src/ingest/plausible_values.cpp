@@ -1,7 +1,6 @@
 #include "ingest/plausible_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

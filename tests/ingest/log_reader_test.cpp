@@ -32,6 +32,16 @@ LogTable table_of(const std::string& group, const std::vector<std::string>& name
   return table;
 }
 
+TEST(TakeColumns, RefusesADamagedTableOnlyWhereItIsAskedFor) {
+  LogTable damaged = table_of("/b", {"time", "p"});
+  damaged.refusal = "message 3 of /b ends too early";
+  EXPECT_EQ(take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"q"}}).group, "/a");
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"p"}});
+            }),
+            "run.mcap: message 3 of /b ends too early");
+}
+
 TEST(TakeColumns, FindsTheTableThatHasThemAllAndKeepsTheirOrder) {
   const LogTable table = take_columns(
       {table_of("/clock", {"time"}), table_of("/joint_states", {"time", "q.position", "q.effort"})},

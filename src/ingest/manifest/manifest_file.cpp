@@ -15,7 +15,7 @@
 #include "ingest/manifest/voltage.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
-#include "stages/bootstrap/bootstrap.h"
+#include "joint/allowed_resamples.h"
 
 namespace tribolog {
 namespace {

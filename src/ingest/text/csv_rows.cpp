@@ -166,8 +166,8 @@ class RowReader {
       fields.push_back({"", cursor_.row().size() + 1});
     }
     refuse_repeated_header();
-    const bool ends_with_delimiter =
-        fields.back().text.empty() && !layout_.header.back().text.empty();
+    const bool ends_with_delimiter = fields.back().text.empty() && !cursor_.row().ends_with('"') &&
+                                     !layout_.header.back().text.empty();
     if (may_be_cut && (fields.size() < columns || ends_with_delimiter)) return false;
     if (fields.size() != columns) refuse_ragged_row(row(), fields.size());
     for (std::size_t i = 0; i < columns; ++i) {
