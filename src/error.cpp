@@ -7,7 +7,6 @@
 namespace tribolog {
 namespace {
 
-constexpr std::size_t longest_path = 4096;
 constexpr std::size_t longest_part = 2000;
 
 /// Control characters, and what moves or hides other text on a screen.

@@ -74,6 +74,9 @@ class FigureError : public Error {
   explicit FigureError(const std::string& message) : Error(ExitStatus::figure_failed, message) {}
 };
 
+/// Of a path in a message: as long as the system takes one.
+inline constexpr std::size_t longest_path = 4096;
+
 /// Text from a file or command line, safe to print on a terminal: control characters as \x1b,
 /// cut to `limit` bytes with an ellipsis.
 std::string printable(const std::string& text, std::size_t limit = 80);

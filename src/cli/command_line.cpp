@@ -59,6 +59,7 @@ The manifest says, for example:
   max = 15                      # max, min, half_width, half_width_percent
   [log]                         # optional: what a text log cannot tell itself
   decimal_comma = true
+  skip_bad_rows = true          # damaged rows: leave out and count them, up to 1 %
   [[known_load]]                # optional: gravity of further axes, subtracted from the logs
   amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
   angles = ["q1_rad", "q2_rad"] # columns of the log

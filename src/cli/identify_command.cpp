@@ -16,7 +16,7 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
   provenance.configuration = interval_configuration(calibration.intervals);
   write_file_atomically(options.output, calibration_json(calibration, provenance));
   tell_outcome(calibration, console);
-  console.say("calibration: " + options.output);
+  console.say("calibration: " + printable(options.output, longest_path));
   return status_of(calibration, options.fail_on);
 }
 

@@ -54,8 +54,8 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   console.progress("writing the report", 1, 1);
   write_file_atomically(options.output, html_report(calibration, figures, drawn, provenance));
   tell_outcome(calibration, console);
-  console.say("calibration: " + numbers);
-  console.say("report: " + options.output);
+  console.say("calibration: " + printable(numbers, longest_path));
+  console.say("report: " + printable(options.output, longest_path));
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;
   return status_of(calibration, options.fail_on);
 }

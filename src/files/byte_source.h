@@ -33,18 +33,22 @@ class MemorySource final : public ByteSource {
   std::uint64_t all_;
 };
 
-/// A regular file. It is read, not mapped: a file that shrinks meanwhile gives fewer bytes and
-/// never a signal.
+/// A regular file, as far as it reaches when it is opened: what a logger adds meanwhile is left,
+/// so that reading ends. It is read, not mapped: a file that becomes shorter is no signal. A file
+/// without a size, as those of /proc, is read to its end.
 class InputFileSource final : public ByteSource {
  public:
   /// @throw InputError as read_file() does.
   explicit InputFileSource(const std::string& path,
                            std::uint64_t largest_bytes = largest_input_bytes);
 
-  /// @throw InputError with the system's reason, or if the file grows beyond the bound.
+  /// @throw InputError with the system's reason, if the file has become shorter than it was, or if
+  ///        one without a size goes beyond the bound.
   std::size_t read(char* to, std::size_t most) override;
   [[nodiscard]] std::uint64_t likely_bytes() const override { return likely_bytes_; }
   [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
+  /// Whether the file is longer by now than what is read of it.
+  [[nodiscard]] bool has_grown() const;
 
  private:
   std::string path_;

@@ -15,6 +15,9 @@ int open_regular_file(const std::string& path);
 std::uint64_t size_of_regular_file(int descriptor, const std::string& path,
                                    std::uint64_t largest_bytes);
 
+/// @param read, expected bytes.
+[[noreturn]] void refuse_shortened(const std::string& path, std::uint64_t read,
+                                   std::uint64_t expected);
 [[noreturn]] void refuse_unreadable(const std::string& path, int error);
 [[noreturn]] void refuse_too_large(const std::string& path, std::uint64_t largest_bytes);
 

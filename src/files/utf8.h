@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tribolog {
@@ -41,6 +42,21 @@ constexpr std::optional<std::size_t> first_broken_utf8(std::string_view text) {
     i += bytes;
   }
   return std::nullopt;
+}
+
+/// Every byte of Latin-1 is the code point of its character.
+inline std::string utf8_of_latin1(std::string_view bytes) {
+  std::string text;
+  for (const char byte : bytes) {
+    const auto code_point = static_cast<unsigned char>(byte);
+    if (code_point < 0x80) {
+      text += byte;
+    } else {
+      text += static_cast<char>(0xC0U | (code_point >> 6U));
+      text += static_cast<char>(0x80U | (code_point & 0x3FU));
+    }
+  }
+  return text;
 }
 
 }  // namespace tribolog

@@ -15,6 +15,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/recording_rows.h"
+#include "ingest/unused_columns.h"
 #include "joint/degrees.h"
 
 namespace tribolog {
@@ -78,7 +79,7 @@ void read_to_the_end(ByteSource& bytes) {
 }
 
 void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
-                   const ManifestFile& manifest, Dataset& dataset) {
+                   const ManifestFile& manifest, Dataset& dataset, UnusedColumns& unused) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
@@ -92,8 +93,15 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
                              ? read_columns_of(entry, bytes, path, loads, manifest.text_logs)
                              : choose_columns_of(entry, read_tables(path, format), path, loads);
   read_to_the_end(bytes);
+  unused.add(table);
   Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
                                        dataset.notes, &loads);
+  if (log.has_grown()) {
+    dataset.notes.push_back(
+        printable(entry.file) +
+        ": the log is still being written; what came after the start of reading "
+        "is not in");
+  }
   InputFile input{entry.file, to_string(entry.role), log.bytes_read(), bytes.sha256(), 0, 0, {}};
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
@@ -114,9 +122,11 @@ Dataset read_dataset(const std::string& manifest_path) {
   dataset.inputs.push_back(fingerprint(path.filename().string(), "manifest", text));
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
+  UnusedColumns unused;
   for (const RecordingEntry& entry : manifest.recordings) {
-    add_recording(entry, directory, manifest, dataset);
+    add_recording(entry, directory, manifest, dataset, unused);
   }
+  if (const std::string note = unused.note(); !note.empty()) dataset.notes.push_back(note);
   if (dataset.robot) compare_angles(dataset);
   return dataset;
 }

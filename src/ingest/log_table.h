@@ -31,6 +31,7 @@ struct LogTable {
   std::vector<LogColumn> columns;   ///< Those read.
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
+  std::size_t bad_rows{};           ///< Those left out because they cannot be used, as stated.
   std::vector<std::string> notes;   ///< Peculiarities that the user should know.
   /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
   /// and take_columns() refuses them; other tables of the log are not concerned.

@@ -8,6 +8,7 @@
 #include "ingest/closest_match.h"
 #include "ingest/known_load_rows.h"
 #include "ingest/log_reader.h"
+#include "ingest/plausible_values.h"
 #include "ingest/row_choice.h"
 #include "ingest/text/csv_reader.h"
 
@@ -15,9 +16,6 @@ namespace tribolog {
 namespace {
 
 constexpr double many_gaps = 0.2;  ///< Share of a column from which on the user is told.
-constexpr double likely_largest_angle_rad = 7.0;
-constexpr double slowest_likely_Hz = 10.0;
-constexpr double fastest_likely_Hz = 1e5;
 constexpr const char* without_effort = "without torque or current nothing can be identified";
 
 /// The columns in the order in which they are read from the file.
@@ -37,37 +35,12 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
 }
 
-[[noreturn]] void refuse_too_large(const ColumnEntry& column, const LogTable& table,
-                                   std::size_t row) {
-  throw InputError({table.file, table.line_of(row), 0},
-                   {fmt::format("column {}: number is too large in {}", in_quotes(column.name),
-                                printable(column.unit)),
-                    "", "", ""});
-}
-
 void note_gaps(const LogTable& table, RecordingNotes& notes) {
   for (const LogColumn& column : table.columns) {
     const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
     if (share <= many_gaps) continue;
     notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
                           in_quotes(column.header.full), 100 * share));
-  }
-}
-
-void note_implausible_units(const RecordingEntry& entry, const Recording& r,
-                            RecordingNotes& notes) {
-  const double largest =
-      std::abs(*std::max_element(r.q_rad.begin(), r.q_rad.end(),
-                                 [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  const std::string& unit = entry.columns.angle->unit;
-  if (largest > likely_largest_angle_rad) {
-    notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", largest,
-                          printable(unit)));
-  }
-  const double rate_Hz = static_cast<double>(r.size() - 1) / (r.t_s.back() - r.t_s.front());
-  if (rate_Hz < slowest_likely_Hz || rate_Hz > fastest_likely_Hz) {
-    notes.add(fmt::format("{:.3g} samples a second, read in {}: another unit of time?", rate_Hz,
-                          printable(entry.columns.time->unit)));
   }
 }
 
@@ -128,7 +101,7 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   Recording r;
   r.name = entry.file;
   r.role = entry.role;
-  r.rows_read = table.rows + table.cut_rows;
+  r.rows_read = table.rows + table.cut_rows + table.bad_rows;
   r.skipped = choice.skipped;
   std::size_t next_column = 0;
   const auto take = [&](const std::optional<ColumnEntry>& column, double factor) {
@@ -137,9 +110,12 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
     const std::vector<double>& source = table.columns[next_column++].values;
     const double gear = column->side == Side::motor ? drive.gear_ratio() : 1.0;
     values.reserve(choice.rows.size());
+    const double bound = largest_possible(column->quantity) / column->si_factor;
     for (const std::size_t row : choice.rows) {
       values.push_back(source[row] * column->si_factor * factor / gear);
-      if (!std::isfinite(values.back())) refuse_too_large(*column, table, row);
+      if (!(std::abs(source[row]) <= bound)) {
+        refuse_impossible_value(*column, source[row], table, row);
+      }
     }
     return values;
   };
@@ -152,7 +128,7 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   r.dz_rad_s = take(c.bristle_rate, 1.0);
   r.temperature_C = take(c.temperature, 1.0);
   if (loads != nullptr) subtract_known_loads(table, choice.rows, drive.gear_ratio(), *loads, r);
-  note_implausible_units(entry, r, notes);
+  judge_units(entry, table, drive, r, notes);
   return r;
 }
 

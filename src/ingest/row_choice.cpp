@@ -22,7 +22,8 @@ class RowChooser {
 
   RowChoice choose() {
     refuse_long_steps_back();
-    if (table_.cut_rows > 0) skip("cut off at the end of the file", table_.cut_rows);
+    skip("cut off at the end of the file", table_.cut_rows);
+    skip("cannot be used (skip_bad_rows)", table_.bad_rows);
     drop_outside_and_gaps();
     if (steps_back_ > 0) put_in_order();
     drop_repeated_stamps();

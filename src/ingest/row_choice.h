@@ -26,7 +26,7 @@ class RecordingNotes {
 
 struct RowChoice {
   std::vector<std::size_t> rows;     ///< Of the table; their times rise strictly.
-  std::vector<SkippedRows> skipped;  ///< table.rows + table.cut_rows = rows.size() + their sum.
+  std::vector<SkippedRows> skipped;  ///< All of the log = rows.size() + their sum.
 };
 
 /// @param table its first column is the time; a gap in any column leaves the row out.

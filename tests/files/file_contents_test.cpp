@@ -1,10 +1,14 @@
 #include "files/file_contents.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "error.h"
+#include "files/byte_source.h"
 #include "files/temporary_directory.h"
 
 namespace tribolog {
@@ -40,10 +44,10 @@ TEST(ReadFile, RefusesDevicesAndPipesWithoutWaiting) {
   const TemporaryDirectory directory;
   const std::string pipe = directory.path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const std::string reason =
-      ": cannot read: is not a regular file; hint: devices and pipes are not read";
-  EXPECT_EQ(refusal(pipe), pipe + reason);
-  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero" + reason);
+  const std::string hint = "; hint: save what comes through it as a file first";
+  EXPECT_EQ(refusal(pipe), pipe + ": cannot read: is a pipe" + hint);
+  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero: cannot read: is a device; hint: a log is a file");
+  EXPECT_EQ(refusal("-"), "-: standard input is not read" + hint);
 }
 
 TEST(ReadFile, RefusesAFileWithoutPermission) {
@@ -67,6 +71,33 @@ TEST(ReadFile, RefusesWhatIsLargerThanTheBound) {
 TEST(ReadFile, ReadsFilesThatHaveNoSize) {  // such as those of /proc
   if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "no /proc here";
   EXPECT_NE(read_file("/proc/self/status").find("Name:"), std::string::npos);
+}
+
+TEST(InputFileSource, LeavesWhatIsAddedWhileItReads) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("log.csv", "12345");
+  InputFileSource source(path);
+  EXPECT_FALSE(source.has_grown());
+  std::ofstream(path, std::ios::app) << "6789";
+  std::string bytes(100, '\0');
+  EXPECT_EQ(source.read(bytes.data(), bytes.size()), 5U);
+  EXPECT_EQ(source.read(bytes.data(), bytes.size()), 0U);
+  EXPECT_EQ(bytes.substr(0, 6), std::string("12345\0", 6));
+  EXPECT_TRUE(source.has_grown());
+}
+
+TEST(InputFileSource, RefusesAFileThatBecomesShorterWhileItReads) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("log.csv", "12345");
+  InputFileSource source(path);
+  std::filesystem::resize_file(path, 3);
+  std::string bytes(100, '\0');
+  EXPECT_EQ(source.read(bytes.data(), bytes.size()), 3U);
+  EXPECT_EQ(
+      refusal_of<InputError>([&] { return source.read(bytes.data(), bytes.size()); }),
+      path +
+          ": file has become shorter while it was read, found 3 bytes, expected 5; hint: is it "
+          "still being written? read a copy of it");
 }
 
 }  // namespace

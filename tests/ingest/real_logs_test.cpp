@@ -22,7 +22,8 @@ TEST(RealLogs, Ur10eJointsGiveTheirSine) {
   EXPECT_GE(r.t_s.front(), 5.0);
   EXPECT_LE(r.t_s.back(), 62.3);
   EXPECT_EQ(r.size() + r.skipped.at(0).count, r.rows_read);
-  EXPECT_TRUE(two.notes.empty());
+  EXPECT_EQ(two.notes, std::vector<std::string>{"columns of the logs that are not used: "
+                                                "'i_target_A', 'tau_target_Nm'"});
   EXPECT_EQ(manifest("ur10e_joint_3.toml").recordings.size(), 1U);
 }
 

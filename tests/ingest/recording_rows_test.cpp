@@ -112,7 +112,8 @@ TEST(RecordingRows, WithGapsAreCountedByColumn) {
 
 TEST(RecordingRows, ManyGapsAreNotedAndNothingButGapsIsRefused) {
   std::string csv = header;
-  for (int i = 0; i < 100; ++i) csv += fmt::format("{},{},{}\n", i, 0.1, i % 2 ? "nan" : "1");
+  for (int i = 0; i < 100; ++i)
+    csv += fmt::format("{},{},{}\n", i / 100.0, 0.1, i % 2 ? "nan" : "1");
   EXPECT_EQ(make(entry(), csv).notes.at(0),
             "run.csv: column 'tau': 50 % of the rows are gaps (nan)");
   csv = header;
@@ -174,12 +175,49 @@ TEST(RecordingRows, ARowThatIsCutOffIsCounted) {
 
 TEST(RecordingRows, ImplausibleUnitsAreNotedNeverConverted) {
   std::string csv = header;
-  for (int i = 0; i < 50; ++i) csv += fmt::format("{},{},0\n", i, 2 * i - 90);
+  for (int i = 0; i < 50; ++i) csv += fmt::format("{},{},{}\n", i / 8.0, 2 * i - 90, 5000 * i);
   const auto [r, notes] = make(entry(), csv);
   EXPECT_EQ(r.q_rad[0], -90.0);
-  ASSERT_EQ(notes.size(), 2U);
+  ASSERT_EQ(notes.size(), 3U);
   EXPECT_EQ(notes[0], "run.csv: the joint's angle reaches 90 rad, read as rad: degrees?");
-  EXPECT_EQ(notes[1], "run.csv: 1 samples a second, read in s: another unit of time?");
+  EXPECT_EQ(
+      notes[1],
+      "run.csv: the joint's torque reaches 2.45e+05 N·m, read as Nm: another unit, or the other "
+      "side of the gear?");
+  EXPECT_EQ(notes[2], "run.csv: 8 samples a second, read in s: another unit of time?");
+}
+
+/// A log of so many samples a second, by the clock of the manifest.
+std::string log_of_rate(double rate_Hz) {
+  std::string csv = header;
+  for (int i = 0; i < 50; ++i) csv += fmt::format("{},0.1,{}\n", i / rate_Hz, i);
+  return csv;
+}
+
+TEST(RecordingRows, OfARateThatNoLogHasAreRefusedWithLikelierUnits) {
+  EXPECT_EQ(refusal(entry(), log_of_rate(0.1)),
+            "dir/run.csv: column 't': 0.1 samples a second, read in s, expected 5 to 100000; hint: "
+            "another unit of time? in ms they would be 100; if this is right, state any_rate = "
+            "true beside the unit");
+  EXPECT_EQ(refusal(entry(), log_of_rate(2e5)),
+            "dir/run.csv: column 't': 2e+05 samples a second, read in s, expected 5 to 100000; "
+            "hint: another unit of time? if this is right, state any_rate = true beside the unit");
+  RecordingEntry ms = entry();
+  ms.columns.time->unit = "ms";
+  ms.columns.time->si_factor = 1e-3;
+  EXPECT_NE(refusal(ms, log_of_rate(1e3)).find("in s they would be 1e+03;"), std::string::npos);
+  ms.columns.time->any_rate = true;
+  EXPECT_EQ(make(ms, log_of_rate(1e3)).recording.size(), 50U);
+  EXPECT_TRUE(make(entry(), log_of_rate(12)).notes.empty());
+}
+
+TEST(RecordingRows, OfALoopShouldBeMany) {
+  RecordingEntry e = entry();
+  e.role = Role::oscillation;
+  EXPECT_EQ(make(e, log_of_rate(20)).notes,
+            std::vector<std::string>{"run.csv: 20 samples a second are few for what happens at a "
+                                     "reversal; log at 100 or more"});
+  EXPECT_TRUE(make(e, log_of_rate(66)).notes.empty());
 }
 
 TEST(RecordingRows, AHeaderThatContradictsTheManifestIsRefused) {
@@ -195,12 +233,51 @@ TEST(RecordingRows, WithoutEffortNothingCanBeIdentified) {
             "did you mean 'tau_Nm'? without torque or current nothing can be identified");
 }
 
-TEST(RecordingRows, ANumberTooLargeInItsUnitIsRefused) {
+TEST(RecordingRows, OfAnEncoderThatWrapsRoundAreNoted) {
+  std::string csv = header;
+  for (int i = 0; i < 100; ++i) {
+    const double q = 3.0 + 0.01 * i;
+    csv += fmt::format("{},{},1\n", i / 100.0, q > std::numbers::pi ? q - 2 * std::numbers::pi : q);
+  }
+  EXPECT_EQ(
+      make(entry(), csv).notes,
+      std::vector<std::string>{"run.csv: the angle jumps by a turn 1 time, first at 0.15 s: an "
+                               "encoder that wraps round? unwrap the angle in the log"});
+  // A motor that turns once a sample does not wrap.
   RecordingEntry e = entry();
+  e.columns.angle->side = Side::motor;
+  csv = header;
+  for (int i = 0; i < 100; ++i) csv += fmt::format("{},{},1\n", i / 100.0, 6.28 * i);
+  EXPECT_TRUE(make(e, csv, Drive(100, EffortKind::motor_torque, Side::motor)).notes.empty());
+}
+
+TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
+  RecordingEntry e = entry();
+  EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e300\n" + rows(31, 40)),
+            "dir/run.csv:32: column 'tau': no joint has a torque of this size, found 1e+300 Nm, "
+            "expected at most 1e+07 Nm; hint: another unit? where only this row is damaged, write "
+            "nan");
   e.columns.effort->si_factor = 1e3;
   e.columns.effort->unit = "kNm";
-  EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e307\n" + rows(31, 40)),
-            "dir/run.csv:32: column 'tau': number is too large in kNm");
+  EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,-1e307\n" + rows(31, 40)),
+            "dir/run.csv:32: column 'tau': no joint has a torque of this size, found -1e+307 kNm, "
+            "expected at most 10000 kNm; hint: another unit? where only this row is damaged, write "
+            "nan");
+}
+
+TEST(RecordingRows, ThatWereSkippedAreCounted) {
+  TextLogRules rules;
+  rules.skip_bad_rows = true;
+  const std::string csv = header + rows(0, 100) + "1,fault\n" + rows(101, 200);
+  MemorySource source(csv);
+  const LogTable table = read_columns_of(entry(), source, "run.csv", {}, rules);
+  std::vector<std::string> notes;
+  const Recording r =
+      make_recording(entry(), table, Drive(1.0, EffortKind::motor_torque, Side::motor), 1.0, notes);
+  EXPECT_EQ(r.size(), 199U);
+  ASSERT_EQ(r.skipped.size(), 1U);
+  EXPECT_EQ(r.skipped[0].reason, "cannot be used (skip_bad_rows)");
+  expect_sum_rule(r);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   } else {
     entry.si_factor = si_factor(quantity, entry.unit, table->where("unit"));
   }
+  if (quantity == Quantity::time) entry.any_rate = table->flag_or("any_rate", false);
   if (has_side && table->has("side")) {
     entry.side = table->choice("side", {"motor", "joint"}) == 0 ? Side::motor : Side::joint;
   }

@@ -20,6 +20,7 @@ struct ColumnEntry {
   Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
   Location where;
   ColumnReading reading{ColumnReading::number};
+  bool any_rate{};  ///< Of the time: so stated, however many samples a second it makes.
 };
 
 struct ColumnEntries {

@@ -6,12 +6,15 @@
 
 #include "files/file_contents.h"
 #include "ingest/closest_match.h"
+#include "ingest/log_format.h"
 #include "ingest/manifest/friction_tables.h"
 #include "ingest/manifest/key_guard.h"
 #include "ingest/manifest/known_load_tables.h"
 #include "ingest/manifest/limit_tables.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/voltage.h"
+#include "ingest/text/csv_lines.h"
+#include "ingest/text/number_field.h"
 #include "joint/allowed_resamples.h"
 
 namespace tribolog {
@@ -134,6 +137,10 @@ RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
       "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away"}));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
+  if (entry.file == "-") {
+    table.refuse("file", {"standard input is not read", "'-'", "the log's name",
+                          "save what comes through it as a file first"});
+  }
   entry.from_s = table.find_number("from_s");
   entry.to_s = table.find_number("to_s");
   if (entry.from_s && entry.to_s && *entry.from_s >= *entry.to_s) {
@@ -150,9 +157,29 @@ RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
   return entry;
 }
 
+/// A log, say. The first row of a manifest has a key or a table's name.
+void refuse_what_is_no_manifest(std::string_view text, const std::string& file) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  const LogFormat format = detect_log_format(text, "");
+  const bool is_binary = format != LogFormat::text && format != LogFormat::json;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  RowCursor cursor(text);
+  if (!cursor.next()) return;
+  const std::string_view row = trimmed(cursor.row());
+  if (!is_binary && (row.front() == '[' || row.find('=') != std::string_view::npos)) return;
+  constexpr std::size_t longest_shown = 60;
+  throw InputError(
+      {file, is_binary ? 0 : cursor.line(), 0},
+      {is_binary ? "is a binary log" : "is no manifest",
+       is_binary ? "" : in_quotes(row.substr(0, longest_shown)), "a dataset manifest (TOML)",
+       "a log is named in one: [[recording]] file = \"log.csv\"; tribolog report "
+       "--help shows it"});
+}
+
 }  // namespace
 
 ManifestFile parse_manifest(std::string_view text, const std::string& file) {
+  refuse_what_is_no_manifest(text, file);
   const TomlTable top = TomlTable::parse(text, file);
   (void)top.choice("schema", {"tribolog-dataset-1"});
   ManifestFile result;

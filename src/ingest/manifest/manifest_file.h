@@ -21,9 +21,10 @@
 //   [columns]     time, angle, effort = {name, unit}; speed, bristle, bristle_rate, temperature
 //                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
 //                 angle and speed: side = "joint" (default) | "motor"
+//                 time: any_rate = true where under 5 or over 100000 samples a second are right
 //   [log]         decimal_comma = false; delimiter = "comma" | "semicolon" | "tab" | "spaces"
-//   (found
-//                 out unless stated; optional)
+//                 (found out unless stated); encoding = "utf8" | "latin1"; skip_bad_rows = false
+//                 (of text logs; optional)
 //   [reference.<law>]  the known friction curve (optional; motor side): the parameters of a static
 //                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
 //                 the torque at constant speed is meant

@@ -84,10 +84,11 @@ Delimiter sniff_delimiter(std::string_view text, const std::string& file, Decima
     return a.rows_alike != b.rows_alike ? a.rows_alike > b.rows_alike : a.columns > b.columns;
   });
   if (fits.size() > 1 && fits[1].rows_alike == fits[0].rows_alike && fits[0].rows_alike > 0) {
-    throw InputError({file, header_line, 0},
-                     {"it is not clear what separates the columns", "",
-                      to_string(fits[0].delimiter) + " or " + to_string(fits[1].delimiter),
-                      "write the log with one of them only"});
+    throw InputError(
+        {file, header_line, 0},
+        {"it is not clear what separates the columns", "",
+         to_string(fits[0].delimiter) + " or " + to_string(fits[1].delimiter),
+         "state it: [log] delimiter = \"comma\", \"semicolon\", \"tab\" or \"spaces\""});
   }
   return fits[0].delimiter;
 }

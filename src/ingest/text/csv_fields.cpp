@@ -18,7 +18,8 @@ class RowSplitter {
     for (skip_blanks(); !(by_spaces && at_end()); skip_blanks()) {
       fields_.push_back(next_field());
       if (fields_.size() > most_columns) {
-        fail({line_.file, line_.line, 0}, {"more than 4096 columns", "", "", ""});
+        fail({line_.file, line_.line, 0},
+             {"more than " + std::to_string(most_columns) + " columns", "", "", ""});
       }
       skip_blanks();
       if (at_end()) break;

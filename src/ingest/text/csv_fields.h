@@ -17,12 +17,12 @@ struct Field {
 };
 
 inline constexpr std::size_t longest_field_bytes = 64 * 1024;
-inline constexpr std::size_t most_columns = 4096;
+inline constexpr std::size_t most_columns = 65'536;
 
 /// Splits a row. Quoted fields may hold delimiters and "" for a quote. With spaces as delimiter any
 /// number of blanks counts as one.
 /// @throw InputError at the opening quote of a field that does not end in its line, at a field
-///        longer than 64 KiB, or for more than 4096 columns.
+///        longer than 64 KiB, or for more than 65536 columns.
 std::vector<Field> split_row(std::string_view row, Delimiter delimiter, const Location& line);
 
 }  // namespace tribolog

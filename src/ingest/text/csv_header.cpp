@@ -20,13 +20,17 @@ namespace {
   throw InputError({line.file, line.line, static_cast<long>(column)}, problem);
 }
 
-void refuse_other_encodings(const Field& field, const Location& line) {
-  const auto broken = first_broken_utf8(field.text);
-  if (!broken) return;
-  refuse(line, field.column + *broken,
-         {"column name is not UTF-8",
-          fmt::format("byte 0x{:02X}", static_cast<unsigned char>(field.text[*broken])), "",
-          "convert the file: iconv -f LATIN1 -t UTF-8"});
+void refuse_repeated_name(const std::vector<Field>& header, std::size_t first,
+                          const Location& line) {
+  for (std::size_t i = first + 1; i < header.size(); ++i) {
+    if (header[i].text != header[first].text) continue;
+    refuse(line, header[i].column,
+           {fmt::format("column name {} stands twice, in columns {} and {}",
+                        in_quotes(header[i].text), first + 1, i + 1),
+            "", "",
+            fmt::format("name the one that is meant by its position: \"#{}\" or \"#{}\"", first + 1,
+                        i + 1)});
+  }
 }
 
 std::vector<std::string> names_of(const std::vector<Field>& header) {
@@ -83,26 +87,34 @@ bool holds_units(const std::vector<Field>& row, DecimalMark mark) {
   return known > 0 && 2 * known >= stated;
 }
 
-void check_header(const std::vector<Field>& header, const Location& line) {
-  std::map<std::string, std::size_t> seen;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    const Field& field = header[i];
-    refuse_other_encodings(field, line);
-    if (field.text.empty()) continue;
-    const auto [first, is_new] = seen.emplace(field.text, i);
-    if (is_new) continue;
-    refuse(line, field.column,
-           {fmt::format("column name {} stands twice, in columns {} and {}", in_quotes(field.text),
-                        first->second + 1, i + 1),
-            "", "", "rename one of them"});
+void refuse_other_encodings(const std::vector<Field>& header, const Location& line) {
+  for (const Field& field : header) {
+    const auto broken = first_broken_utf8(field.text);
+    if (!broken) continue;
+    refuse(line, field.column + *broken,
+           {"column name is not UTF-8",
+            fmt::format("byte 0x{:02X}", static_cast<unsigned char>(field.text[*broken])), "",
+            "Latin-1? state it: [log] encoding = \"latin1\""});
   }
+}
+
+std::vector<std::string> repeated_names(const std::vector<Field>& header) {
+  std::map<std::string_view, std::size_t> times;
+  std::vector<std::string> repeated;
+  for (const Field& field : header) {
+    if (!field.text.empty() && ++times[field.text] == 2) repeated.push_back(field.text);
+  }
+  return repeated;
 }
 
 std::size_t find_column(const std::vector<Field>& header, const std::string& name,
                         const std::string& hint_if_missing, const Location& line) {
   std::vector<std::size_t> by_bare_name;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (header[i].text == name) return i;
+    if (header[i].text == name) {
+      refuse_repeated_name(header, i, line);
+      return i;
+    }
     if (read_header_field(header[i].text).name == name) by_bare_name.push_back(i);
   }
   if (by_bare_name.size() == 1) return by_bare_name.front();
@@ -116,7 +128,7 @@ std::size_t find_column(const std::vector<Field>& header, const std::string& nam
   if (by_bare_name.size() > 1) {
     throw InputError({line.file, line.line, 0},
                      {"column " + in_quotes(name) + " is ambiguous", list_of_names(names), "",
-                      "name it with what stands in its brackets"});
+                      "name it with what stands in its brackets, or by its position: \"#2\""});
   }
   std::string hint = did_you_mean(name, names);
   if (!hint.empty() && !hint_if_missing.empty()) hint += " ";

@@ -22,13 +22,16 @@ std::string_view without_brackets(std::string_view unit);
 /// Whether a row under the header states units: most of its fields are known ones, none a number.
 bool holds_units(const std::vector<Field>& row, DecimalMark mark);
 
-/// Refuses a header with broken UTF-8 or with the same name twice.
-/// @throw InputError at the field in question.
-void check_header(const std::vector<Field>& header, const Location& line);
+/// @throw InputError at the first byte that is not UTF-8.
+void refuse_other_encodings(const std::vector<Field>& header, const Location& line);
+
+/// Those that stand more than once.
+std::vector<std::string> repeated_names(const std::vector<Field>& header);
 
 /// Index of the column with this name; the full text counts first, then the name without its unit,
 /// then, of "#2", the position.
-/// @throw InputError if there is none (listing those that are, and the closest) or several.
+/// @throw InputError if there is none (listing those that are, and the closest) or several, also of
+///        the same name.
 std::size_t find_column(const std::vector<Field>& header, const std::string& name,
                         const std::string& hint_if_missing, const Location& line);
 

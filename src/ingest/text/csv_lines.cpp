@@ -71,8 +71,8 @@ std::string_view start_of_text(std::string_view bytes, const std::string& file) 
 }
 
 void refuse_long_line(const std::string& file, long line) {
-  throw InputError({file, line, 0},
-                   {"line is longer than 1 MiB", "", "a text file of columns", ""});
+  throw InputError({file, line, 0}, {"line is longer than 1 MiB", "", "a text file of columns",
+                                     "do its rows end with line ends?"});
 }
 
 bool RowCursor::next() {

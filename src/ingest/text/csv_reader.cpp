@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "files/utf8.h"
 #include "ingest/closest_match.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/csv_header.h"
@@ -25,6 +26,15 @@ std::vector<Field> fields_of(const RowCursor& cursor, const LogTable& table, Del
   return split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
 }
 
+/// Of a row that holds names or units.
+std::vector<Field> words_of(const RowCursor& cursor, const CsvTable& table,
+                            const TextLogRules& rules) {
+  std::vector<Field> fields = fields_of(cursor, table, table.delimiter);
+  if (rules.encoding == TextEncoding::utf8) return fields;
+  for (Field& field : fields) field.text = utf8_of_latin1(field.text);
+  return fields;
+}
+
 /// Goes on to the last row of the header; stays in front of the first row where there is none.
 Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
                   const TextLogRules& rules, CsvTable& table) {
@@ -32,7 +42,7 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   (void)first.next();
   const Location line{table.file, first.line(), 0};
   Header header;
-  header.fields = fields_of(first, table, table.delimiter);
+  header.fields = words_of(first, table, rules);
   if (holds_numbers_only(header.fields, rules.decimal_mark)) {
     const bool by_position = std::all_of(columns.begin(), columns.end(), [](const WantedColumn& c) {
       return c.name.starts_with('#');
@@ -49,11 +59,14 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   }
   if (table.delimiter == Delimiter::spaces) header.fields = join_units(std::move(header.fields));
   header.row = first.row();
-  check_header(header.fields, line);
+  refuse_other_encodings(header.fields, line);
+  if (const auto repeated = repeated_names(header.fields); !repeated.empty()) {
+    table.notes.push_back("column names that stand more than once: " + list_of_names(repeated));
+  }
   cursor = first;
   RowCursor second = cursor;
   if (!second.next() || second.row().size() > longest_line_bytes) return header;
-  const std::vector<Field> below = fields_of(second, table, table.delimiter);
+  const std::vector<Field> below = words_of(second, table, rules);
   if (below.size() != header.fields.size() || !holds_units(below, rules.decimal_mark)) {
     return header;
   }
@@ -69,6 +82,7 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   layout.header_row = header.row;
   layout.header = header.fields;
   layout.mark = rules.decimal_mark;
+  layout.skip_bad_rows = rules.skip_bad_rows;
   layout.slots.assign(layout.header.size(), -1);
   for (const Field& field : layout.header) table.header.push_back(field.text);
   for (const WantedColumn& wanted : columns) {

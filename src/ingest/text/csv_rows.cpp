@@ -11,10 +11,10 @@
 
 #include "parallel/parallel_for.h"
 
-#include "ingest/closest_match.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
 #include "ingest/text/plain_rows.h"
+#include "ingest/text/row_refusals.h"
 
 namespace tribolog {
 namespace {
@@ -83,9 +83,16 @@ class RowReader {
   /// By turns: rows that need a closer look one by one, all others in long stretches.
   void read_all() {
     while (cursor_.next()) {
-      if (!read_any_row()) {
-        note_cut_row();
-        return;
+      try {
+        if (!read_any_row()) {
+          note_cut_row();
+          break;
+        }
+        if (!cursor_.has_line_end()) note_missing_line_end();
+      } catch (const InputError& refusal) {
+        if (!layout_.skip_bad_rows) throw;
+        count_bad_row(refusal);
+        continue;
       }
       if (cursor_.line() != expected_line_) {
         table_.line_breaks.emplace_back(table_.rows, cursor_.line());
@@ -94,6 +101,7 @@ class RowReader {
       keep();
       if (++rows_since_stretch_ >= patience_ && slots_.plain_layout(table_)) read_stretch();
     }
+    if (table_.bad_rows > 0) judge_bad_rows();
   }
 
  private:
@@ -156,11 +164,11 @@ class RowReader {
     } else if (fields.size() + 1 == columns && layout_.header.back().text.empty()) {
       fields.push_back({"", cursor_.row().size() + 1});
     }
-    refuse_second_header();
+    refuse_repeated_header();
     const bool ends_with_delimiter = fields.back().text.empty() && !cursor_.row().ends_with('"') &&
                                      !layout_.header.back().text.empty();
     if (may_be_cut && (fields.size() < columns || ends_with_delimiter)) return false;
-    if (fields.size() != columns) refuse_ragged_row(fields.size());
+    if (fields.size() != columns) refuse_ragged_row(row(), fields.size());
     for (std::size_t i = 0; i < columns; ++i) {
       if (layout_.slots[i] < 0) continue;
       const auto slot = static_cast<std::size_t>(layout_.slots[i]);
@@ -169,7 +177,7 @@ class RowReader {
         if (may_be_cut && i + 1 == columns && looks_like_cut_number(fields[i].text, layout_.mark)) {
           return false;
         }
-        refuse_field(fields[i], i, number.kind);
+        refuse_field(row(), fields[i], i, number.kind);
       }
       values_[slot] = number.value;
     }
@@ -189,6 +197,23 @@ class RowReader {
     if (!std::exchange(done, true)) table_.notes.push_back(note);
   }
 
+  void count_bad_row(const InputError& refusal) {
+    constexpr std::size_t enough = 1000;  // where most rows are bad, not all need be read
+    if (table_.bad_rows++ == 0) first_bad_row_ = refusal;
+    if (table_.bad_rows >= enough && table_.bad_rows > table_.rows) judge_bad_rows();
+  }
+
+  void judge_bad_rows() {
+    const std::size_t all = table_.rows + table_.bad_rows;
+    const std::string count = fmt::format("{} of {} rows cannot be used", table_.bad_rows, all);
+    const std::string first = fmt::format("the first: {}", first_bad_row_->what());
+    if (static_cast<double>(table_.bad_rows) > most_bad_rows * static_cast<double>(all)) {
+      throw InputError({table_.file, first_bad_row_->where().line, 0},
+                       {count, "", fmt::format("no more than {} %", 100 * most_bad_rows), first});
+    }
+    table_.notes.push_back(count + " and are left out; " + first);
+  }
+
   void note_cut_row() {
     ++table_.cut_rows;
     table_.notes.push_back(
@@ -196,45 +221,17 @@ class RowReader {
                     cursor_.bytes_walked()));
   }
 
-  void refuse_second_header() const {
+  void note_missing_line_end() {
+    table_.notes.emplace_back(
+        "the last row has no line end; where the log was cut off, its last number may be too");
+  }
+
+  void refuse_repeated_header() const {
     if (layout_.header_row.empty()) return;
-    if (trimmed(cursor_.row()) != trimmed(layout_.header_row)) return;
-    throw InputError({table_.file, cursor_.line(), 1},
-                     {"the header stands here again", "", "", "two logs concatenated?"});
+    if (trimmed(cursor_.row()) == trimmed(layout_.header_row)) refuse_second_header(row());
   }
 
-  [[noreturn]] void refuse_ragged_row(std::size_t found) const {
-    const std::size_t expected = layout_.slots.size();
-    const bool comma_suspect = found > expected && table_.delimiter == Delimiter::comma;
-    throw InputError(
-        {table_.file, cursor_.line(), 0},
-        {"row has another number of fields than the header", fmt::format("{}", found),
-         fmt::format("{}", expected),
-         comma_suspect ? "decimal or thousands commas? write numbers with a point" : ""});
-  }
-
-  [[noreturn]] void refuse_field(const Field& field, std::size_t column, FieldKind kind) const {
-    const std::string name = in_quotes(layout_.header[column].text);
-    std::string hint;
-    std::string expected = "a number";
-    if (layout_.readings[static_cast<std::size_t>(layout_.slots[column])] ==
-        ColumnReading::iso_time) {
-      expected = "a time such as 2026-03-01T08:15:00.25Z";
-    } else if (layout_.mark == DecimalMark::comma) {
-      expected = "a number with a decimal comma";
-    }
-    if (kind == FieldKind::overflow) {
-      throw InputError({table_.file, cursor_.line(), static_cast<long>(field.column)},
-                       {"column " + name + ": number is too large", in_quotes(field.text), "", ""});
-    }
-    if (layout_.mark == DecimalMark::point && looks_like_decimal_comma(field.text)) {
-      hint = "decimal comma? state it: [log] decimal_comma = true";
-    } else if (table_.rows == 0) {
-      hint = "a row of units under the header? put '#' in front of it";
-    }
-    throw InputError({table_.file, cursor_.line(), static_cast<long>(field.column)},
-                     {"column " + name, in_quotes(field.text), expected, hint});
-  }
+  [[nodiscard]] RefusedRow row() const { return {table_, layout_, cursor_.line()}; }
 
   RowCursor& cursor_;
   const RowLayout& layout_;
@@ -245,6 +242,7 @@ class RowReader {
   std::size_t rows_since_stretch_{0};
   std::size_t patience_{1};
   bool has_trailing_delimiter_{false};
+  std::optional<InputError> first_bad_row_;
 };
 
 }  // namespace

@@ -17,10 +17,12 @@ struct RowLayout {
   std::vector<int> slots;               ///< For each column of the file: index in `columns`, or -1.
   std::vector<ColumnReading> readings;  ///< Of each of `columns`.
   DecimalMark mark{DecimalMark::point};
+  bool skip_bad_rows{};  ///< Leaves out and counts what is refused otherwise.
 };
 
 /// Reads every row that the cursor has not passed yet into the table's columns.
-/// @throw InputError at the first field or row that cannot be used.
+/// @throw InputError at the first field or row that cannot be used; where those are skipped, if
+///        there are too many.
 void read_rows(RowCursor& cursor, const RowLayout& layout, CsvTable& table);
 
 }  // namespace tribolog

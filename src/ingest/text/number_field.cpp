@@ -101,6 +101,28 @@ bool looks_like_decimal_comma(std::string_view field) {
   return read_number(with_point).kind == FieldKind::number;
 }
 
+bool looks_like_thousands(std::string_view field, DecimalMark mark) {
+  const std::string_view mark_of_others = mark == DecimalMark::point ? "," : ".";
+  const std::array<std::string_view, 5> separators = {mark_of_others, " ", "'", "\u00a0", "\u202f"};
+  constexpr std::size_t group = 3;
+  const std::string_view number = trimmed(field);
+  std::string without;
+  for (std::string_view rest = number; !rest.empty();) {
+    const auto separator =
+        std::find_if(separators.begin(), separators.end(),
+                     [rest](std::string_view one) { return rest.starts_with(one); });
+    if (separator == separators.end()) {
+      without += rest.front();
+      rest.remove_prefix(1);
+      continue;
+    }
+    rest.remove_prefix(separator->size());
+    const auto digits = std::find_if_not(rest.begin(), rest.end(), is_digit) - rest.begin();
+    if (digits != group) return false;
+  }
+  return without.size() < number.size() && read_number(without, mark).kind == FieldKind::number;
+}
+
 bool looks_like_cut_number(std::string_view field, DecimalMark mark) {
   const std::string_view number = trimmed(field);
   if (read_number(std::string(number) + "0", mark).kind == FieldKind::number) return true;

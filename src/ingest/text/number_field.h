@@ -30,6 +30,9 @@ NumberField read_number(std::string_view field, DecimalMark mark = DecimalMark::
 /// "1,25": what a decimal comma looks like.
 bool looks_like_decimal_comma(std::string_view field);
 
+/// "1,234.5", "1 234.5", "1'234": what separators of thousands look like.
+bool looks_like_thousands(std::string_view field, DecimalMark mark = DecimalMark::point);
+
 /// "-", "1.5e", "na": what the start of a number looks like when a file is cut off.
 bool looks_like_cut_number(std::string_view field, DecimalMark mark = DecimalMark::point);
 

@@ -101,6 +101,7 @@ class PlainRowReader {
       if (behind != p && behind != end_ && ends_field(*behind)) return behind;
     }
     const char* const field_end = end_of_field(p);
+    if (field_end != end_ && *field_end == '"') return nullptr;
     const std::string_view field(p, static_cast<std::size_t>(field_end - p));
     if (column.start) {
       const auto clock =

@@ -15,6 +15,10 @@ TextLogRules read_text_log_rules(const TomlTable& log) {
     rules.delimiter =
         delimiters.at(log.choice("delimiter", {"comma", "semicolon", "tab", "spaces"}));
   }
+  if (log.has("encoding")) {
+    rules.encoding = static_cast<TextEncoding>(log.choice("encoding", {"utf8", "latin1"}));
+  }
+  rules.skip_bad_rows = log.flag_or("skip_bad_rows", false);
   if (rules.decimal_mark == DecimalMark::comma && rules.delimiter == Delimiter::comma) {
     log.refuse("delimiter", {"contradicts decimal_comma", "commas for both", "",
                              "commas within numbers and between columns cannot be told apart"});

@@ -10,12 +10,22 @@ namespace tribolog {
 
 class TomlTable;
 
+/// Of the columns' names; numbers are ASCII in both.
+enum class TextEncoding { utf8, latin1 };
+
 struct TextLogRules {
   DecimalMark decimal_mark{DecimalMark::point};
   std::optional<Delimiter> delimiter;  ///< Absent: found out.
+  TextEncoding encoding{TextEncoding::utf8};
+  /// Rows that cannot be used are left out and counted, up to `most_bad_rows` of all.
+  bool skip_bad_rows{};
 };
 
-/// [log] decimal_comma = false, delimiter = "comma" | "semicolon" | "tab" | "spaces".
+/// Share of the rows. A log with more is damaged, or not what the manifest says.
+inline constexpr double most_bad_rows = 0.01;
+
+/// [log] decimal_comma = false, delimiter = "comma" | "semicolon" | "tab" | "spaces",
+///       encoding = "utf8" | "latin1", skip_bad_rows = false.
 /// @throw InputError for an unknown key, or commas for both.
 TextLogRules read_text_log_rules(const TomlTable& log);
 

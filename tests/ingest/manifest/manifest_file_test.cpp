@@ -194,7 +194,8 @@ TEST(Manifest, RefusesUnknownKeysEverywhere) {
   EXPECT_EQ(refusal(with("[joint]", "serail = \"S\"\n[joint]")),
             "m.toml:4:10: unknown key 'robot.serail'; hint: did you mean 'serial'?");
   EXPECT_EQ(refusal(with("unit = \"s\"", "unit = \"s\", side = \"motor\"")),
-            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'name', 'unit'");
+            "m.toml:11:40: unknown key 'columns.time.side'; hint: known here: 'any_rate', 'name', "
+            "'unit'");
   EXPECT_EQ(refusal(minimal + "form_s = 5\n"),
             "m.toml:17:10: unknown key 'recording.form_s'; hint: did you mean 'from_s'?");
   EXPECT_EQ(refusal(minimal + "[extras]\n").substr(0, 34), "m.toml:17:1: unknown key 'extras';");

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "files/temporary_directory.h"
+
 namespace tribolog {
 namespace {
 
@@ -186,6 +188,56 @@ TEST(CsvReader, ReadsIsoTimes) {
                 .columns[0]
                 .values[1],
             9);
+}
+
+TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
+  TextLogRules rules;
+  rules.skip_bad_rows = true;
+  std::string text = "t,q,tau\n";
+  for (int i = 0; i < 1000; ++i) text += std::to_string(i) + ",0,1\n";
+  const auto with = [&](const std::string& bad) {
+    std::string log = text;
+    return log.insert(log.find("500,0,1\n"), bad);
+  };
+  for (const char* bad : {"499.5,0\n", "499.5,0,1,2\n", "499.5,0,fault\n", "499.5,0,1e999\n",
+                          "499.5,\"0,1\n", "t,q,tau\n"}) {
+    const CsvTable table = read_csv(with(bad), "f", {{"t"}, {"tau"}}, rules);
+    EXPECT_EQ(table.rows, 1000U) << bad;
+    EXPECT_EQ(table.bad_rows, 1U) << bad;
+    EXPECT_EQ(table.columns[0].values[500], 500) << bad;
+    EXPECT_EQ(table.line_of(499), 501) << bad;
+    EXPECT_EQ(table.line_of(500), 503) << bad;
+    ASSERT_EQ(table.notes.size(), 1U) << bad;
+    EXPECT_EQ(
+        table.notes[0].find("1 of 1001 rows cannot be used and are left out; the first: f:502"), 0U)
+        << table.notes[0];
+  }
+  std::string many;
+  for (int i = 0; i < 11; ++i) many += "499.5,0\n";
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return read_csv(with(many), "f", {{"t"}, {"tau"}}, rules);
+            }),
+            "f:502: 11 of 1011 rows cannot be used, expected no more than 1 %; hint: the first: "
+            "f:502: row has another number of fields than the header, found 2, expected 3");
+}
+
+TEST(CsvReader, ReadsNamesAndUnitsInLatin1WhereThatIsStated) {
+  TextLogRules rules;
+  rules.encoding = TextEncoding::latin1;
+  const CsvTable table = read_csv("t,\xe4ngle [\xb0]\n0,1\n", "f", {{"t"}, {"\u00e4ngle"}}, rules);
+  EXPECT_EQ(table.columns[1].header.full, "\u00e4ngle [\u00b0]");
+  EXPECT_EQ(table.columns[1].header.unit, "\u00b0");
+  const CsvTable below = read_csv("t,q\n\xb5s,\xb0\n0,1\n", "f", {{"t"}, {"q"}}, rules);
+  EXPECT_EQ(below.columns[0].header.unit, "\u00b5s");
+}
+
+TEST(CsvReader, NamesThatStandTwiceMatterOnlyWhereTheyAreAskedFor) {
+  const std::string log = "t,x,tau,x\n0,1,2,3\n";
+  const CsvTable table = read(log);
+  EXPECT_EQ(table.columns.at(1).values, Values{2});
+  EXPECT_EQ(table.notes, (Notes{"column names that stand more than once: 'x'"}));
+  EXPECT_EQ(read(log, {{"#4"}}).columns.at(0).values, Values{3});
+  EXPECT_EQ(read(log, {}).columns.size(), 4U);
 }
 
 TEST(CsvReader, TakesNumbersTooSmallForADoubleAsZero) {

@@ -18,6 +18,9 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
+const std::string damaged =
+    "damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+
 class RefusedLog : public testing::TestWithParam<Case> {};
 
 TEST_P(RefusedLog, SaysWhereAndWhy) {
@@ -48,10 +51,10 @@ INSTANTIATE_TEST_SUITE_P(
              "unpack it as CSV"},
         Case{"NulByte", "t,tau\n0,1\n\0,2\n"sv,
              "run.csv: binary data at byte 10, expected a text file of columns"},
-        Case{
-            "Latin1", "t,tau,\xb5\n0,1,2\n",
-            "run.csv:1:7: column name is not UTF-8, found byte 0xB5; hint: convert the file: iconv "
-            "-f LATIN1 -t UTF-8"},
+        Case{"Latin1", "t,tau,\xb5\n0,1,2\n",
+             "run.csv:1:7: column name is not UTF-8, found byte 0xB5; hint: Latin-1? state it: "
+             "[log] "
+             "encoding = \"latin1\""},
         Case{"NoHeader", "0,1\n1,2\n",
              "run.csv:1:1: no column names: the first row holds numbers; hint: put a first line "
              "with the columns' names, without '#', or ask for columns by their position: "
@@ -67,14 +70,15 @@ INSTANTIATE_TEST_SUITE_P(
              "run.csv:1: column 'tau' is missing, found 't', 'q'; hint: it is needed"},
         Case{"AmbiguousColumn", "t,tau [Nm],tau [mNm]\n0,1,2\n",
              "run.csv:1: column 'tau' is ambiguous, found 't', 'tau [Nm]', 'tau [mNm]'; hint: name "
-             "it with what stands in its brackets"},
+             "it with what stands in its brackets, or by its position: \"#2\""},
         Case{"NameTwice", "t,tau,q,tau\n0,1,2,3\n",
-             "run.csv:1:9: column name 'tau' stands twice, in columns 2 and 4; hint: rename one of "
-             "them"},
+             "run.csv:1:9: column name 'tau' stands twice, in columns 2 and 4; hint: name the one "
+             "that "
+             "is meant by its position: \"#2\" or \"#4\""},
         Case{"Text", "t,tau\n0,1\n0.5,fault\n",
-             "run.csv:3:5: column 'tau', found 'fault', expected a number"},
+             "run.csv:3:5: column 'tau', found 'fault', expected a number; hint: " + damaged},
         Case{"TerminalEscape", "t,tau\n0,1\n0.5,\x1b[31m\n",
-             R"(run.csv:3:5: column 'tau', found '\x1b[31m', expected a number)"},
+             R"(run.csv:3:5: column 'tau', found '\x1b[31m', expected a number; hint: )" + damaged},
         Case{"RowOfUnits", "t,tau\nticks,raw\n0,1\n",
              "run.csv:2:1: column 't', found 'ticks', expected a number; hint: a row of units "
              "under the "
@@ -84,21 +88,29 @@ INSTANTIATE_TEST_SUITE_P(
              "state it: [log] decimal_comma = true"},
         Case{"DecimalCommaBetweenCommas", "t,tau\n0,1\n0,5,1,25\n",
              "run.csv:3: row has another number of fields than the header, found 4, expected 2; "
-             "hint: decimal or thousands commas? write numbers with a point"},
+             "hint: decimal or thousands commas? write numbers with a point; " +
+                 damaged},
         Case{"ThousandsSeparator", "t;tau\n0;1\n1;1 234.5\n",
-             "run.csv:3:3: column 'tau', found '1 234.5', expected a number"},
+             "run.csv:3:3: column 'tau', found '1 234.5', expected a number; hint: thousands "
+             "separators? write numbers without"},
         Case{"Hexadecimal", "t,tau\n0,1\n1,0x1p3\n",
-             "run.csv:3:3: column 'tau', found '0x1p3', expected a number"},
+             "run.csv:3:3: column 'tau', found '0x1p3', expected a number; hint: " + damaged},
         Case{"FortranExponent", "t,tau\n0,1\n1,1d3\n",
-             "run.csv:3:3: column 'tau', found '1d3', expected a number"},
+             "run.csv:3:3: column 'tau', found '1d3', expected a number; hint: " + damaged},
         Case{"Overflow", "t,tau\n0,1\n1,-1e400\n",
-             "run.csv:3:3: column 'tau': number is too large, found '-1e400'"},
+             "run.csv:3:3: column 'tau': number is too large, found '-1e400'; hint: " + damaged},
         Case{"ShortRow", "t,q,tau\n0,1,2\n1,2\n2,3,4\n",
-             "run.csv:3: row has another number of fields than the header, found 2, expected 3"},
+             "run.csv:3: row has another number of fields than the header, found 2, expected 3; "
+             "hint: " +
+                 damaged},
         Case{"LongRow", "t;tau\n0;1\n1;2;3\n",
-             "run.csv:3: row has another number of fields than the header, found 3, expected 2"},
+             "run.csv:3: row has another number of fields than the header, found 3, expected 2; "
+             "hint: " +
+                 damaged},
         Case{"HeaderAgain", "t,tau\n0,1\nt,tau\n0,1\n",
-             "run.csv:3:1: the header stands here again; hint: two logs concatenated?"},
+             "run.csv:3:1: the header stands here again; hint: two logs concatenated? split the "
+             "file; " +
+                 damaged},
         Case{"UnclosedQuote", "t,tau\n0,\"1\n1,2\n",
              "run.csv:2:3: quote is not closed in its line; hint: a line end within quotes is not "
              "supported"},
@@ -111,11 +123,13 @@ TEST(CsvReader, RefusesWhatContradictsTheStatedRules) {
   EXPECT_EQ(test::refusal_of<InputError>([&] {
               return read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma);
             }),
-            "f:3:3: column 'tau', found '1.25', expected a number with a decimal comma");
+            "f:3:3: column 'tau', found '1.25', expected a number with a decimal comma; hint: " +
+                damaged);
   EXPECT_EQ(test::refusal_of<InputError>([&] {
               return read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}}, comma);
             }),
-            "f:3:3: column 'tau', found '1,234,5', expected a number with a decimal comma");
+            "f:3:3: column 'tau', found '1,234,5', expected a number with a decimal comma; hint: " +
+                damaged);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv("t,tau\n0,1\n", "f", {{"#3"}}); }),
             "f:1: there is no column '#3', found 2 columns");
   EXPECT_EQ(test::refusal_of<InputError>([&] {

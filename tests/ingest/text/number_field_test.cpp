@@ -106,5 +106,17 @@ RC_GTEST_PROP(NumberFieldProperty, ReadsBackWhatToCharsWrites, (double value)) {
 }
 #endif
 
+TEST(Thousands, AreGroupsOfThreeDigits) {
+  for (const char* text :
+       {"1,234.5", "1 234.5", "1'234", "1\u00a0234", "-1,234,567", "12\u202f345.6"}) {
+    EXPECT_TRUE(looks_like_thousands(text)) << text;
+  }
+  for (const char* text : {"1234.5", "1,25", "1,2345", "1.234", "a 123", "", ",", " 1 "}) {
+    EXPECT_FALSE(looks_like_thousands(text)) << text;
+  }
+  EXPECT_TRUE(looks_like_thousands("1.234,5", DecimalMark::comma));
+  EXPECT_FALSE(looks_like_thousands("1.25", DecimalMark::comma));
+}
+
 }  // namespace
 }  // namespace tribolog

@@ -138,6 +138,15 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
   }
 }
 
+/// The quote would swallow the delimiter, and the row would have as many fields as it should.
+TEST(PlainRows, AQuoteInFrontOfAFieldIsNoPlainRow) {
+  const PlainLayout layout{
+      Delimiter::comma, DecimalMark::point, {{0, {}, false}, {1, {}, false}, {2, {}, false}}, 3};
+  const PlainRows rows = read_plain_rows("1,2,3\n1,\"2\n", layout);
+  EXPECT_EQ(rows.rows, 1U);
+  EXPECT_FALSE(rows.is_whole);
+}
+
 TEST(PlainRows, AFaultFarBehindIsRefusedAtItsLine) {
   LongLog log(120'000);
   log.text += "1,2,,fault\n";
@@ -146,7 +155,8 @@ TEST(PlainRows, AFaultFarBehindIsRefusedAtItsLine) {
     FAIL() << "not refused";
   } catch (const InputError& refused) {
     EXPECT_EQ(std::string(refused.what()),
-              fmt::format("f:{}:6: column 'tau', found 'fault', expected a number",
+              fmt::format("f:{}:6: column 'tau', found 'fault', expected a number; hint: damaged "
+                          "rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all",
                           log.lines.back() + 1));
   }
 }

@@ -98,14 +98,17 @@ TEST(TextWindow, ALineWithoutEndIsRefusedBeforeItFillsTheMemory) {
   constexpr std::uint64_t eight_hundred_MB = 800'000'000;
   Endless header("t,tau", "x", eight_hundred_MB);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(header, "f", {{"t"}}); }),
-            "f:1: line is longer than 1 MiB, expected a text file of columns");
+            "f:1: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
+            "end with line ends?");
   EXPECT_LT(header.bytes_read(), 10'000'000U);
   Endless first_row("t,tau\n0,", "1", eight_hundred_MB);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(first_row, "f", {{"t"}}); }),
-            "f:2: line is longer than 1 MiB, expected a text file of columns");
+            "f:2: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
+            "end with line ends?");
   Endless row("t,tau\n0,1\n0,", "1", eight_hundred_MB);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(row, "f", {{"t"}}); }),
-            "f:3: line is longer than 1 MiB, expected a text file of columns");
+            "f:3: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
+            "end with line ends?");
   EXPECT_LT(row.bytes_read(), 20'000'000U);
 }
 

@@ -1,0 +1,71 @@
+#include "ingest/text/row_refusals.h"
+
+#include <fmt/format.h>
+
+#include "ingest/closest_match.h"
+#include "ingest/text/clock_field.h"
+
+namespace tribolog {
+namespace {
+
+/// Where rows before it could be used. Empty where they are skipped already.
+std::string way_out(const RefusedRow& row) {
+  if (row.layout.skip_bad_rows || row.table.rows == 0) return "";
+  return "damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
+}
+
+std::string joined(const std::string& cause, const std::string& way) {
+  return cause + (cause.empty() || way.empty() ? "" : "; ") + way;
+}
+
+std::string expected_of(ColumnReading reading, DecimalMark mark) {
+  if (reading == ColumnReading::iso_time) return "a time such as 2026-03-01T08:15:00.25Z";
+  return mark == DecimalMark::comma ? "a number with a decimal comma" : "a number";
+}
+
+std::string likely_cause(const RefusedRow& row, const std::string& field, ColumnReading reading) {
+  const DecimalMark mark = row.layout.mark;
+  if (mark == DecimalMark::point && looks_like_decimal_comma(field)) {
+    return "decimal comma? state it: [log] decimal_comma = true";
+  }
+  if (looks_like_thousands(field, mark)) return "thousands separators? write numbers without";
+  if (reading != ColumnReading::iso_time && read_iso_time(field)) {
+    return "date and time? state unit = \"iso8601\"";
+  }
+  return row.table.rows == 0 ? "a row of units under the header? put '#' in front of it" : "";
+}
+
+}  // namespace
+
+void refuse_second_header(const RefusedRow& row) {
+  throw InputError({row.table.file, row.line, 1},
+                   {"the header stands here again", "", "",
+                    joined("two logs concatenated? split the file", way_out(row))});
+}
+
+void refuse_ragged_row(const RefusedRow& row, std::size_t found) {
+  const std::size_t expected = row.layout.slots.size();
+  const bool comma_suspect = found > expected && row.table.delimiter == Delimiter::comma;
+  throw InputError(
+      {row.table.file, row.line, 0},
+      {"row has another number of fields than the header", fmt::format("{}", found),
+       fmt::format("{}", expected),
+       joined(comma_suspect ? "decimal or thousands commas? write numbers with a point" : "",
+              way_out(row))});
+}
+
+void refuse_field(const RefusedRow& row, const Field& field, std::size_t column, FieldKind kind) {
+  const Location where{row.table.file, row.line, static_cast<long>(field.column)};
+  const std::string what = "column " + in_quotes(row.layout.header[column].text);
+  if (kind == FieldKind::overflow) {
+    throw InputError(where,
+                     {what + ": number is too large", in_quotes(field.text), "", way_out(row)});
+  }
+  const ColumnReading reading =
+      row.layout.readings[static_cast<std::size_t>(row.layout.slots[column])];
+  const std::string cause = likely_cause(row, field.text, reading);
+  throw InputError(where, {what, in_quotes(field.text), expected_of(reading, row.layout.mark),
+                           cause.empty() ? way_out(row) : cause});
+}
+
+}  // namespace tribolog
