@@ -139,6 +139,7 @@ struct ReportView {
   Table paper_table;
   ErrataNumbers errata;
   std::vector<std::string> notes;  ///< From reading the input.
+  std::vector<Table> conversion_tables;  ///< From the log to the motor shaft; speeds.
   std::vector<Table> provenance_tables;
   std::string command_line;
   std::string created_utc;

@@ -10,7 +10,7 @@
 //                 nor current was recorded: the motion alone is checked)
 //                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
 //                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
-//   [payload]     mass_kg, note (optional)
+//   [payload]     mass_kg, distance_m (from the axis of the joint), note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
 //   [known_gravity] amplitude_Nm (joint side), q_peak_deg (optional; of the joint, as from its
