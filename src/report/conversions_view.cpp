@@ -33,6 +33,9 @@ std::string signal_in_words(LoggedSignal signal) {
   return "–";
 }
 
+/// In quotes a name is no symbol with an index.
+std::string named(const std::string& column) { return "“" + column + "”"; }
+
 std::string step_in_words(const ConversionStep& step, const ColumnConversion& conversion) {
   const std::string by = step.divides ? "÷ " : "× ";
   switch (step.reason) {
@@ -51,7 +54,8 @@ std::string step_in_words(const ConversionStep& step, const ColumnConversion& co
 std::string steps_in_words(const ColumnConversion& conversion) {
   std::string words;
   for (const ConversionStep& step : conversion.steps) {
-    words += (words.empty() ? "" : " ") + step_in_words(step, conversion);
+    if (!words.empty()) words += ' ';
+    words += step_in_words(step, conversion);
   }
   return words.empty() ? "as logged" : words;
 }
@@ -65,6 +69,11 @@ std::string logs_in_words(const std::vector<std::string>& files) {
     words += " and " + count(files.size() - most_logs_named) + " more";
   }
   return words;
+}
+
+std::string unit_of_angles(const KnownLoad& load) {
+  if (load.radian_per_unit == 1) return "rad";
+  return with_unit(as_stated(load.radian_per_unit), "rad");
 }
 
 std::string roles_in_words(const std::vector<Role>& roles) {
@@ -83,8 +92,8 @@ Table conversions_table(const Calibration& c) {
       {"Logs", "", false}};
   for (const SharedConversion& shared : shared_conversions(c.inputs)) {
     const ColumnConversion& one = shared.conversion;
-    table.rows.push_back({{signal_in_words(one.signal), one.column, one.unit, steps_in_words(one),
-                           as_stated(one.factor()),
+    table.rows.push_back({{signal_in_words(one.signal), named(one.column), one.unit,
+                           steps_in_words(one), as_stated(one.factor()),
                            one.si_unit + (one.side ? ", " + to_string(*one.side) + " side" : ""),
                            shared.is_of_all ? "all" : logs_in_words(shared.files)},
                           false});
@@ -92,9 +101,10 @@ Table conversions_table(const Calibration& c) {
   const double n = c.manifest.drive.gear_ratio();
   for (const KnownLoad& load : c.manifest.known_loads) {
     std::string angles;
-    for (const std::string& name : load.angles) angles += (angles.empty() ? "" : ", ") + name;
+    for (const std::string& name : load.angles)
+      angles += (angles.empty() ? "" : ", ") + named(name);
     table.rows.push_back(
-        {{"Known load, subtracted from the torque", angles, "as the angle",
+        {{"Known load, subtracted from the torque", angles, unit_of_angles(load),
           load_formula(load) + (n == 1 ? "" : " ÷ " + as_stated(n) + " (gear ratio)"), "–",
           "N·m, motor side", roles_in_words(load.roles)},
          false});

@@ -84,7 +84,7 @@ TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
   EXPECT_EQ(angle[4], "0.0001745329252");
   EXPECT_EQ(angle[5], "rad, joint side");
   const std::vector<std::string>& torque = row_of(columns, "Torque")->cells;
-  EXPECT_EQ(torque[1], "tau");
+  EXPECT_EQ(torque[1], "“tau”");
   EXPECT_EQ(torque[4], "−0.001");
   const Table& speeds = view.conversion_tables[1];
   ASSERT_EQ(speeds.rows.size(), 1U);
