@@ -22,6 +22,7 @@
 #include "stages/quality_errors.h"
 #include "stages/run_gravity.h"
 #include "stages/selection.h"
+#include "stages/speed_source.h"
 #include "stages/surrogate_masses.h"
 #include "stages/viscous_curves.h"
 #include "study/truth_check_result.h"
@@ -41,6 +42,7 @@ struct Calibration {
   Manifest manifest;
   std::vector<InputFile> inputs;
   std::vector<std::string> notes;  ///< From reading the input.
+  std::vector<SpeedSource> speed_sources;
 
   DataChecksResult data_checks;
   CogSweepResult rough;

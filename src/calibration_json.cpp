@@ -32,6 +32,8 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["verdict"] = verdict(c.judgement);
   all["data_checks"] = data_checks(c.data_checks);
   all["inputs"] = inputs(c.inputs);
+  all["conversions"] = conversions(c.inputs);
+  all["speeds"] = speeds(c.speed_sources);
   all["notes"] = c.notes;
   all["stages"] = stage_list(c);
   all["cog"] = {{"rough", cog(c.rough, n)},

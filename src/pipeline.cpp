@@ -52,6 +52,7 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
   c.manifest = m;
   c.inputs = dataset.inputs;
   c.notes = dataset.notes;
+  c.speed_sources = speed_sources(dataset.recordings);
 
   begin("checks on the data");
   c.data_checks = check_recordings(dataset);
@@ -83,7 +84,7 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
     c.q_peak_rad = c.run_gravity.q_peak_rad;
     c.q_peak_source = "runs";
   }
-  add_gravity_checks(dataset, c.rough, c.q_peak_rad, c.data_checks);
+  add_gravity_checks(dataset, c.rough, c.run_gravity, c.q_peak_rad, c.data_checks);
 
   begin("hysteresis loop");
   c.hysteresis =

@@ -30,6 +30,7 @@
 <li><a href="#key-numbers">Key numbers</a></li>
 {{#HAS_MISSING}}<li><a href="#missing">What is missing, and why</a></li>{{/HAS_MISSING}}
 {{#HAS_DATA_CHECKS}}<li><a href="#data-checks">Checks on the data</a></li>{{/HAS_DATA_CHECKS}}
+{{#HAS_CONVERSIONS}}<li><a href="#conversions">From the log to the motor shaft</a></li>{{/HAS_CONVERSIONS}}
 {{#CONTENTS_ENTRY}}<li class="stage"><a href="#{{SECTION_ID}}">{{NUMBER}}. {{TITLE}}</a> <span class="state {{OUTCOME}}">{{STATUS}}</span></li>
 {{/CONTENTS_ENTRY}}
 <li><a href="#intervals">About the intervals</a></li>
@@ -46,6 +47,7 @@
 </section>
 {{>MISSING}}
 {{>DATA_CHECKS}}
+{{>CONVERSIONS}}
 {{>STAGE}}
 <section id="intervals" aria-labelledby="intervals-title">
 <h2 id="intervals-title">About the intervals <a class="self" href="#intervals" aria-label="Link to this section">#</a></h2>

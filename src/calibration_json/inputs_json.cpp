@@ -13,6 +13,7 @@ Json robot(const Manifest& m) {
           {"note", text_or_null(m.note)},
           {"payload", text_or_null(m.payload)},
           {"payload_kg", number(m.payload_kg)},
+          {"payload_distance_m", number(m.payload_distance_m)},
           {"temperature_C", number(m.temperature_C)}};
 }
 

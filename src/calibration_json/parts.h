@@ -15,8 +15,10 @@ namespace tribolog::json {
 Json verdict(const Judgement& judgement);
 Json data_checks(const DataChecksResult& result);
 Json robot(const Manifest& m);
-Json drive(const Manifest& d);
+Json drive(const Manifest& m);
 Json inputs(const std::vector<InputFile>& files);
+Json conversions(const std::vector<InputFile>& inputs);
+Json speeds(const std::vector<SpeedSource>& sources);
 Json provenance_json(const Provenance& p);
 Json cog(const CogSweepResult& r, double gear_ratio);
 Json hysteresis(const HysteresisResult& h);

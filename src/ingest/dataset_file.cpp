@@ -11,6 +11,8 @@
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
+#include "ingest/column_conversions.h"
+#include "ingest/layout/known_effort.h"
 #include "ingest/log_reader.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
@@ -102,10 +104,18 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
         ": the log is still being written; what came after the start of reading "
         "is not in");
   }
-  InputFile input{entry.file, to_string(entry.role), log.bytes_read(), bytes.sha256(), 0, 0, {}};
+  InputFile input;
+  input.name = entry.file;
+  input.role = to_string(entry.role);
+  input.bytes = log.bytes_read();
+  input.sha256 = bytes.sha256();
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
   input.skipped = recording.skipped;
+  input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
+  if (entry.columns.effort) {
+    input.logged_effort = known_effort(entry.columns.angle->name, entry.columns.effort->name);
+  }
   dataset.inputs.push_back(std::move(input));
   if (!entry.note.empty()) dataset.notes.push_back(printable(entry.file) + ": " + entry.note);
   dataset.recordings.push_back(std::move(recording));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ingest/closest_match.h"
+#include "ingest/column_conversions.h"
 #include "ingest/known_load_rows.h"
 #include "ingest/log_reader.h"
 #include "ingest/plausible_values.h"
@@ -18,14 +19,24 @@ namespace {
 constexpr double many_gaps = 0.2;  ///< Share of a column from which on the user is told.
 constexpr const char* without_effort = "without torque or current nothing can be identified";
 
-/// The columns in the order in which they are read from the file.
-std::vector<const ColumnEntry*> entries_in_order(const ColumnEntries& c) {
-  std::vector<const ColumnEntry*> entries;
-  for (const auto* entry :
-       {&c.time, &c.angle, &c.effort, &c.speed, &c.bristle, &c.bristle_rate, &c.temperature}) {
-    if (entry->has_value()) entries.push_back(&**entry);
+std::vector<double>& signal_of(Recording& r, LoggedSignal signal) {
+  switch (signal) {
+    case LoggedSignal::time:
+      break;
+    case LoggedSignal::angle:
+      return r.q_rad;
+    case LoggedSignal::speed:
+      return r.dq_rad_s;
+    case LoggedSignal::effort:
+      return r.torque_Nm;
+    case LoggedSignal::bristle:
+      return r.z_rad;
+    case LoggedSignal::bristle_rate:
+      return r.dz_rad_s;
+    case LoggedSignal::temperature:
+      return r.temperature_C;
   }
-  return entries;
+  return r.t_s;
 }
 
 void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& header) {
@@ -47,9 +58,9 @@ void note_gaps(const LogTable& table, RecordingNotes& notes) {
 std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
                                          const std::vector<KnownLoad>& loads) {
   std::vector<WantedColumn> wanted;
-  for (const ColumnEntry* column : entries_in_order(entry.columns)) {
-    const bool is_effort = entry.columns.effort && column == &*entry.columns.effort;
-    wanted.push_back({column->name, is_effort ? without_effort : "", column->reading});
+  for (const LoggedColumn& column : logged_columns(entry.columns)) {
+    const bool is_effort = column.signal == LoggedSignal::effort;
+    wanted.push_back({column.entry->name, is_effort ? without_effort : "", column.entry->reading});
   }
   add_load_columns(loads, entry.role, wanted);
   return wanted;
@@ -58,10 +69,10 @@ std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
 void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<KnownLoad>& loads,
                              const std::string& path, const LogTable& table) {
   refuse_unusable_load_columns(loads, entry.role, table);
-  const auto entries = entries_in_order(entry.columns);
-  for (std::size_t k = 0; k < entries.size(); ++k) {
+  const std::vector<LoggedColumn> stated = logged_columns(entry.columns);
+  for (std::size_t k = 0; k < stated.size(); ++k) {
     const LogColumn& column = table.columns[k];
-    refuse_contradicting_unit(*entries[k], column.header);
+    refuse_contradicting_unit(*stated[k].entry, column.header);
     if (column.gaps < table.rows) continue;
     throw InputError({path, 0, 0}, {"column " + in_quotes(column.header.full) +
                                         " holds no number, only gaps (empty or nan)",
@@ -103,30 +114,21 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   r.role = entry.role;
   r.rows_read = table.rows + table.cut_rows + table.bad_rows;
   r.skipped = choice.skipped;
-  std::size_t next_column = 0;
-  const auto take = [&](const std::optional<ColumnEntry>& column, double factor) {
-    std::vector<double> values;
-    if (!column) return values;
-    const std::vector<double>& source = table.columns[next_column++].values;
-    const double gear = column->side == Side::motor ? drive.gear_ratio() : 1.0;
-    values.reserve(choice.rows.size());
-    const double bound = largest_possible(column->quantity) / column->si_factor;
+  const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const ColumnEntry& column = *columns[k].entry;
+    const std::vector<double>& logged = table.columns[k].values;
+    const double factor = conversion_of(columns[k], drive, effort_sign).factor();
+    const double bound = largest_possible(column.quantity) / column.si_factor;
+    std::vector<double>& signal = signal_of(r, columns[k].signal);
+    signal.reserve(choice.rows.size());
     for (const std::size_t row : choice.rows) {
-      values.push_back(source[row] * column->si_factor * factor / gear);
-      if (!(std::abs(source[row]) <= bound)) {
-        refuse_impossible_value(*column, source[row], table, row);
+      signal.push_back(logged[row] * factor);
+      if (!(std::abs(logged[row]) <= bound)) {
+        refuse_impossible_value(column, logged[row], table, row);
       }
     }
-    return values;
-  };
-  const ColumnEntries& c = entry.columns;
-  r.t_s = take(c.time, 1.0);
-  r.q_rad = take(c.angle, 1.0);
-  r.torque_Nm = take(c.effort, effort_sign * drive.motor_torque_per_effort());
-  r.dq_rad_s = take(c.speed, 1.0);
-  r.z_rad = take(c.bristle, 1.0);
-  r.dz_rad_s = take(c.bristle_rate, 1.0);
-  r.temperature_C = take(c.temperature, 1.0);
+  }
   if (loads != nullptr) subtract_known_loads(table, choice.rows, drive.gear_ratio(), *loads, r);
   judge_units(entry, table, drive, r, notes);
   return r;

@@ -9,8 +9,10 @@
 
 #include "friction/static_friction.h"
 #include "joint/acceptance_limit.h"
+#include "joint/column_conversion.h"
 #include "joint/drive.h"
 #include "joint/known_load.h"
+#include "joint/logged_effort.h"
 #include "joint/recording.h"
 
 namespace tribolog {
@@ -26,6 +28,8 @@ struct InputFile {
   std::size_t rows_read{};
   std::size_t rows_used{};
   std::vector<SkippedRows> skipped;
+  std::vector<ColumnConversion> conversions;  ///< As applied to a log's columns; else empty.
+  std::optional<LoggedEffort> logged_effort;  ///< Of a log whose logger is known.
 };
 
 /// How the intervals by resampling are made, where the user states it.
@@ -49,6 +53,7 @@ struct Manifest {
   bool effort_is_confirmed{true};
   std::string payload;  ///< Words.
   std::optional<double> payload_kg;
+  std::optional<double> payload_distance_m;  ///< Of its centre of gravity from the joint's axis.
   std::optional<double> temperature_C;
   double surrogate_distance_m{0.5};  ///< r_REPL, freely chosen.
   double gravity_m_s2{9.81};

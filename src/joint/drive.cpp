@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "joint/column_conversion.h"
+
 namespace tribolog {
 
 std::string to_string(EffortKind kind) {
@@ -51,8 +53,7 @@ Drive::Drive(double gear_ratio, EffortKind kind, Side side,
 
 double Drive::motor_torque_per_effort() const {
   if (kind_ == EffortKind::none) return std::numeric_limits<double>::quiet_NaN();
-  const double torque = torque_constant_.value_or(1.0);
-  return side_ == Side::motor ? torque : torque / gear_ratio_;
+  return factor_of(steps_to_motor_torque(*this));
 }
 
 }  // namespace tribolog

@@ -31,7 +31,7 @@ struct KnownLoad {
 };
 
 /// Gravity of the joint known beforehand, as from its design: a candidate beside those identified,
-/// by which nothing else is decided.
+/// by which nothing is identified; a check holds the found one against it.
 class StatedGravity {
  public:
   /// @param amplitude_Nm > 0, joint side. @param q_peak_rad joint angle at which it is largest.

@@ -1,7 +1,5 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
-#include <cmath>
-
 #include "report/units.h"
 #include "report/view_parts.h"
 
@@ -67,16 +65,19 @@ std::string effort_in_words(const Drive& drive) {
 
 /// "1.825 N·m cos(q1_rad + q2_rad − 90°) at the joint, from 42 900 samples, up to 1.825 N·m"
 std::string load_in_words(const KnownLoad& load) {
-  std::string angles;
-  for (const std::string& name : load.angles) angles += (angles.empty() ? "" : " + ") + name;
-  const double phase = load.phase_rad * degree_scale().factor;
-  if (phase != 0)
-    angles += (phase > 0 ? " + " : " − ") + with_unit(as_stated(std::abs(phase)), "°");
   constexpr int digits = 4;
-  return with_unit(as_stated(load.amplitude_Nm), "N·m") + " cos(" + angles +
-         ") at the joint, from " + count(load.samples) + " samples, up to " +
+  return load_formula(load) + " at the joint, from " + count(load.samples) + " samples, up to " +
          with_unit(significant(load.largest_Nm, digits), "N·m") +
          (load.note.empty() ? "" : "; " + load.note);
+}
+
+std::string payload_in_words(const Manifest& m) {
+  if (!m.payload_kg) return m.payload;
+  std::string words = with_unit(as_stated(*m.payload_kg), "kg");
+  if (m.payload_distance_m) {
+    words += " at " + with_unit(as_stated(*m.payload_distance_m), "m") + " from the axis";
+  }
+  return words + (m.payload.empty() ? "" : ", " + m.payload);
 }
 
 Table manifest_table(const Manifest& m) {
@@ -92,10 +93,7 @@ Table manifest_table(const Manifest& m) {
         with_unit(as_stated(m.drive.motor_torque_per_effort()),
                   m.drive.kind() == EffortKind::motor_current ? "N·m/A" : ""));
   }
-  add(table, "Payload",
-      m.payload_kg
-          ? with_unit(as_stated(*m.payload_kg), "kg") + (m.payload.empty() ? "" : ", " + m.payload)
-          : m.payload);
+  add(table, "Payload", payload_in_words(m));
   add(table, "Temperature",
       m.temperature_C ? with_unit(as_stated(*m.temperature_C), "°C") : "not stated");
   add(table, "Surrogate distance r", with_unit(as_stated(m.surrogate_distance_m), "m"));

@@ -1,5 +1,6 @@
 #include "report/report_values.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "report/closing_values.h"
@@ -59,6 +60,15 @@ void fill_missing(const std::vector<MissingResult>& missing, TemplateValues& val
   }
 }
 
+void fill_conversions(const std::vector<Table>& tables, TemplateValues& values) {
+  const bool is_empty = std::all_of(tables.begin(), tables.end(),
+                                    [](const Table& table) { return table.rows.empty(); });
+  if (is_empty) return;
+  values.add_section("HAS_CONVERSIONS");
+  TemplateValues& out = values.add_include("CONVERSIONS", "conversions.tpl");
+  for (const Table& table : tables) fill_table(table, "TABLE", out);
+}
+
 }  // namespace
 
 void fill_report(const ReportView& view, TemplateValues& values) {
@@ -84,6 +94,7 @@ void fill_report(const ReportView& view, TemplateValues& values) {
 
   fill_quantities(view.quantities, values);
   fill_data_checks(view.data_checks, values);
+  fill_conversions(view.conversion_tables, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");

@@ -126,6 +126,7 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
   add_verdict(c.judgement, view);
   view.quantities = quantity_rows(c.judgement);
   view.data_checks = data_check_rows(c.data_checks);
+  view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);
   for (const StageId stage : all_stages) {
     if (stage == StageId::break_away && c.break_away.ramps.empty()) continue;

@@ -138,7 +138,8 @@ struct ReportView {
   std::vector<Section> sections;  ///< Stages 1 to 8, then what was recorded beyond.
   Table paper_table;
   ErrataNumbers errata;
-  std::vector<std::string> notes;  ///< From reading the input.
+  std::vector<std::string> notes;        ///< From reading the input.
+  std::vector<Table> conversion_tables;  ///< From the log to the motor shaft; speeds.
   std::vector<Table> provenance_tables;
   std::string command_line;
   std::string created_utc;

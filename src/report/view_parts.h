@@ -62,6 +62,10 @@ Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);
 ErrataNumbers errata_numbers();
 std::vector<Fact> identity_facts(const Manifest& manifest);
+/// From the columns of the logs to signals; where speeds come from.
+std::vector<Table> conversion_tables(const Calibration& calibration);
+/// "1.825 N·m cos(q1_rad + q2_rad − 90°)", at the joint.
+std::string load_formula(const KnownLoad& load);
 std::vector<Table> provenance_tables(const Calibration& calibration, const Provenance& provenance);
 
 /// Pairs figures and pictures; the first three cards of a report are not lazy.

@@ -3,38 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/local_slope.h"
 #include "stages/median.h"
 #include "stages/white_noise.h"
 
 namespace tribolog {
 namespace {
-
-/// Mean over [i - h, i) against mean over [i, i + h), by prefix sums: the slope over 2 h samples.
-std::vector<double> local_slope(const std::vector<double>& t, const std::vector<double>& y,
-                                std::size_t h) {
-  const std::size_t n = t.size();
-  std::vector<double> sum_t(n + 1, 0.0);
-  std::vector<double> sum_y(n + 1, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    sum_t[i + 1] = sum_t[i] + (t[i] - t[0]);
-    sum_y[i + 1] = sum_y[i] + (y[i] - y[0]);
-  }
-  std::vector<double> slope(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t centre = std::clamp(i, std::min<std::size_t>(1, n - 1), n - 1);
-    const std::size_t left = std::min(h, centre);
-    const std::size_t right = std::min(h, n - centre);
-    if (left == 0 || right == 0) continue;
-    const double dl = static_cast<double>(left);
-    const double dr = static_cast<double>(right);
-    const double dt =
-        (sum_t[centre + right] - sum_t[centre]) / dr - (sum_t[centre] - sum_t[centre - left]) / dl;
-    const double dy =
-        (sum_y[centre + right] - sum_y[centre]) / dr - (sum_y[centre] - sum_y[centre - left]) / dl;
-    slope[i] = dt > 0 ? dy / dt : 0.0;
-  }
-  return slope;
-}
 
 /// Noise of the local slope, from second differences over windows that share no sample: a steady
 /// speed, a ramp and a slow sine all drop out.
@@ -80,8 +54,7 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
     out.samples_at_rest = n;
     return out;
   }
-  constexpr std::size_t windows_in_recording = 500;
-  const std::size_t h = std::max<std::size_t>(3, n / windows_in_recording / 2);
+  const std::size_t h = half_window_of_slope(n);
   out.window = 2 * h;
   out.speed_rad_s = local_slope(recording.t_s, recording.q_rad, h);
   out.acceleration_rad_s2 = local_slope(recording.t_s, out.speed_rad_s, h);

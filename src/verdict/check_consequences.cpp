@@ -35,6 +35,9 @@ std::vector<Consequence> consequences(const Sources& sources) {
   const auto doubtful = Verdict::doubtful;
   const auto none = Verdict::not_identifiable;
   std::vector<Consequence> all{
+      {"effort_provenance", everything, doubtful},
+      {"effort_column", everything, doubtful},
+      {"static_torque", torque, doubtful},
       {"joint_moves", everything, doubtful},
       {"angle_unit", everything, doubtful},
       {"clock_jitter", slopes + per_speed, doubtful},

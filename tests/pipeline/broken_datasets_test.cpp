@@ -83,6 +83,14 @@ double friction_of(const Recording& r, std::size_t i) {
   return r.torque_Nm[i] - test::true_gravity_Nm * std::cos(r.q_rad[i] - test::true_q_peak_rad());
 }
 
+/// As if its logs came from a logger that is known, with this effort column.
+void written_by(Dataset& d, const LoggedEffort& effort) {
+  InputFile input;
+  input.name = "log.csv";
+  input.logged_effort = effort;
+  d.inputs.push_back(input);
+}
+
 struct Breach {
   std::string name;
   std::string check;  ///< The data check that fails.
@@ -128,6 +136,33 @@ const std::vector<Breach>& breaches() {
          std::fill(q.begin(), q.end(), q.front());
        },
        "1 of"},
+      {"target_torque", "effort_provenance",
+       [](Dataset& d) { d.manifest.drive = Drive(100, EffortKind::target_torque, Side::motor); },
+       "no measurement"},
+      {"target_column_as_measurement", "effort_column",
+       [](Dataset& d) {
+         written_by(d, {"UR RTDE", "target_moment_2", EffortKind::target_torque, Side::joint, true,
+                        false});
+       },
+       "a target of its controller"},
+      {"current_column_as_torque", "effort_column",
+       [](Dataset& d) {
+         written_by(d, {"UR RTDE", "actual_current_2", EffortKind::motor_current, Side::motor,
+                        false, false});
+       },
+       "a motor_current"},
+      {"motor_torque_as_joint_torque", "static_torque",
+       [](Dataset& d) {
+         d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
+         each(d, [](Recording& r) { scale(r.torque_Nm, 0.01); });
+       },
+       "one over the gear ratio"},
+      {"torque_sign_against_the_weight", "static_torque",
+       [](Dataset& d) {
+         d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
+         each(d, [](Recording& r) { scale(r.torque_Nm, -1); });
+       },
+       "sign of the effort"},
       {"dead_torque", "torque_alive",
        [](Dataset& d) {
          each(d, [](Recording& r) { std::fill(r.torque_Nm.begin(), r.torque_Nm.end(), 1.25); });
@@ -331,6 +366,40 @@ TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
     EXPECT_TRUE(check.state == CheckState::passed || check.state == CheckState::not_applicable)
         << check.name << ": " << check.found;
   }
+}
+
+TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
+  Dataset d = good_dataset();
+  d.manifest.drive = Drive(100, EffortKind::target_torque, Side::motor);
+  for (const QuantityVerdict& q : identify(d).judgement.quantities) {
+    EXPECT_NE(q.verdict, Verdict::usable) << q.key;
+  }
+}
+
+TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
+  Dataset d = good_dataset();
+  d.manifest.effort_is_confirmed = false;
+  const Calibration c = identify(d);
+  EXPECT_EQ(c.data_checks.find("effort_provenance")->state, CheckState::warns);
+  EXPECT_EQ(c.judgement.verdict, Verdict::usable) << c.judgement.sentence;
+  const auto& findings = c.judgement.findings;
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const std::string& finding) {
+    return finding.find("nobody confirmed it") != std::string::npos;
+  }));
+}
+
+TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
+  // What a sensor at the joint feels: the load, and a hundredth of the drive's friction.
+  Dataset d = good_dataset();
+  d.manifest.drive = Drive(100, EffortKind::joint_torque, Side::joint);
+  each(d, [](Recording& r) {
+    for (std::size_t i = 0; i < r.size(); ++i) r.torque_Nm[i] -= 0.99 * friction_of(r, i);
+  });
+  const Calibration c = identify(d);
+  const DataCheck* check = c.data_checks.find("link_side_torque");
+  EXPECT_EQ(check->state, CheckState::warns) << check->found;
+  EXPECT_NE(check->found.find("little gear friction"), std::string::npos) << check->found;
+  EXPECT_NEAR(c.rough.gravity_Nm.value / test::true_gravity_Nm, 1, 0.01);
 }
 
 TEST(BrokenDatasets, RippleAtEightPositionsIsToldButFailsNothing) {

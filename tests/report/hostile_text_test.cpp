@@ -48,7 +48,10 @@ Calibration filled_with(const std::string& text) {
   for (InputFile& file : c.inputs) {
     file.name = file.role = file.sha256 = text;
     file.skipped = {{text, 3}};
+    for (ColumnConversion& conversion : file.conversions)
+      conversion.column = conversion.unit = text;
   }
+  for (SpeedSource& source : c.speed_sources) source.recording = text;
   for (ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
   c.truth_check.runs = 1;
   c.truth_check.quantities = {{text, text, 1, 2, 0, 1, 1, 0, {1}, false}};

@@ -59,6 +59,7 @@ TEST(ReportView, EveryRowHasACellPerColumn) {
   for (const Calibration& c : {complete_calibration(), sweep_only()}) {
     const ReportView view = view_of(c);
     std::vector<Table> tables{view.key_numbers, view.paper_table};
+    tables.insert(tables.end(), view.conversion_tables.begin(), view.conversion_tables.end());
     tables.insert(tables.end(), view.provenance_tables.begin(), view.provenance_tables.end());
     for (const Section& section : view.sections) {
       tables.insert(tables.end(), section.tables.begin(), section.tables.end());
@@ -69,6 +70,42 @@ TEST(ReportView, EveryRowHasACellPerColumn) {
       }
     }
   }
+}
+
+TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
+  const ReportView view = view_of(complete_calibration());
+  ASSERT_EQ(view.conversion_tables.size(), 2U);
+  const Table& columns = view.conversion_tables[0];
+  ASSERT_EQ(columns.rows.size(), 3U);
+  EXPECT_EQ(columns.rows[0].cells[3], "as logged");
+  EXPECT_EQ(columns.rows[0].cells[6], "all");
+  const std::vector<std::string>& angle = row_of(columns, "Angle")->cells;
+  EXPECT_EQ(angle[3], "× 0.01745329252 (from deg) ÷ 100 (gear ratio)");
+  EXPECT_EQ(angle[4], "0.0001745329252");
+  EXPECT_EQ(angle[5], "rad, joint side");
+  const std::vector<std::string>& torque = row_of(columns, "Torque")->cells;
+  EXPECT_EQ(torque[1], "“tau”");
+  EXPECT_EQ(torque[4], "−0.001");
+  const Table& speeds = view.conversion_tables[1];
+  ASSERT_EQ(speeds.rows.size(), 1U);
+  EXPECT_EQ(speeds.rows[0].cells[0], "rough_sweep (1)");
+  EXPECT_EQ(speeds.rows[0].cells[1], "yes");
+  EXPECT_EQ(speeds.rows[0].cells[3], "280\u00a0ms, 280 samples");
+  EXPECT_EQ(speeds.rows[0].cells[4], "2.28\u00a0Hz");
+}
+
+TEST(ReportView, KnownLoadsAreAmongTheConversions) {
+  Calibration c = complete_calibration();
+  KnownLoad load;
+  load.amplitude_Nm = 1.825;
+  load.angles = {"q1", "q2"};
+  load.roles = {Role::constant_speed};
+  c.manifest.known_loads = {load};
+  const ReportView view = view_of(c);
+  const Row* row = row_of(view.conversion_tables[0], "Known load");
+  ASSERT_NE(row, nullptr);
+  EXPECT_EQ(row->cells[3], "1.825\u00a0N·m cos(q1 + q2) ÷ 100 (gear ratio)");
+  EXPECT_EQ(row->cells[6], "constant_speed");
 }
 
 TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {

@@ -221,6 +221,25 @@ std::vector<QuantityVerdict> sample_quantities(const Estimate& peak_rad) {
   return {angle, inertia};
 }
 
+/// Degrees at the motor, and a torque in mN·m of the other sign.
+std::vector<ColumnConversion> sample_conversions() {
+  using Reason = ConversionStep::Reason;
+  constexpr double rad_per_deg = 0.017453292519943295;
+  return {{LoggedSignal::time, "t", "s", {}, "s", std::nullopt},
+          {LoggedSignal::angle,
+           "q",
+           "deg",
+           {{Reason::unit, rad_per_deg}, {Reason::gear, gear_ratio, true}},
+           "rad",
+           Side::joint},
+          {LoggedSignal::effort,
+           "tau",
+           "mNm",
+           {{Reason::unit, 1e-3}, {Reason::sign, -1}},
+           "N·m",
+           Side::motor}};
+}
+
 }  // namespace
 
 Calibration complete_calibration() {
@@ -229,14 +248,17 @@ Calibration complete_calibration() {
   c.manifest.joint = "J3";
   c.manifest.serial = "E-4711";
   c.manifest.drive = Drive(gear_ratio, EffortKind::motor_torque, Side::motor);
-  c.inputs = {{"manifest.toml", "manifest", 812, std::string(64, 'a'), 0, 0, {}},
+  c.inputs = {{"manifest.toml", "manifest", 812, std::string(64, 'a'), 0, 0, {}, {}, {}},
               {"sweep.csv",
                "rough_sweep",
                8003370,
                std::string(64, 'b'),
                140410,
                139210,
-               {{"outside the window 5..62.3 s", 1200}}}};
+               {{"outside the window 5..62.3 s", 1200}},
+               sample_conversions(),
+               {}}};
+  c.speed_sources = {{"sweep.csv", Role::rough_sweep, true, 280, 0.28, 2.278}};
   c.notes = {"column 'tau' is read as motor torque"};
   c.rough = sweep("cog_rough", 0.0011);
   c.precise = sweep("cog_precise", 0.00021);
@@ -284,7 +306,9 @@ Calibration sweep_only() {
                std::string(64, 'c'),
                6030,
                5369,
-               {{"outside the window 5..62.3 s", 661}}}};
+               {{"outside the window 5..62.3 s", 661}},
+               {},
+               {}}};
   c.rough = sweep("cog_rough", 0.028);
   c.q_peak_rad = c.rough.q_peak_rad;
   c.q_peak_source = "cog_rough";

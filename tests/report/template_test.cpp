@@ -49,6 +49,7 @@ TEST(Symbols, GetTheirIndexAndNothingElseDoes) {
                             "2q_c", "q_", "_c", "q_2", "q_C", "x_averylongindex", "é_c"}) {
     EXPECT_EQ(html_with_symbols(plain), plain);
   }
+  EXPECT_EQ(html_with_symbols("column “q_rad”, q_c"), "column “q_rad”, <i>q</i><sub>c</sub>");
   EXPECT_EQ(html_with_symbols("<b>&\"'"), "&lt;b&gt;&amp;&quot;&#39;");
 }
 

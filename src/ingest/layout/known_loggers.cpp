@@ -38,7 +38,7 @@ constexpr std::array libfranka = {
     KnownColumn{"state.q[{}]", angle, "rad"},
     KnownColumn{"state.dq[{}]", angular_speed, "rad/s"},
     KnownColumn{"state.tau_J[{}]", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
-                behind_the_gear},
+                behind_the_gear, true},
     KnownColumn{"state.q_d[{}]", angle, "rad", true},
     KnownColumn{"state.dq_d[{}]", angular_speed, "rad/s", true},
     KnownColumn{"cmd.q_d[{}]", angle, "rad", true},
@@ -48,8 +48,8 @@ constexpr std::array libfranka = {
 constexpr std::array kuka_fri = {
     KnownColumn{"time", time, "s"}, KnownColumn{"mp{}", angle, "rad"},
     KnownColumn{"ip{}", angle, "rad", true},
-    KnownColumn{"mt{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
-                behind_the_gear},
+    KnownColumn{"mt{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint, behind_the_gear,
+                true},
     KnownColumn{"et{}", torque, "Nm", true, EffortKind::target_torque, Side::joint,
                 "the controller's estimate of the outer torque, no measurement of the drive"}};
 

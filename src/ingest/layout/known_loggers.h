@@ -18,6 +18,7 @@ struct KnownColumn {
   std::optional<EffortKind> kind{};
   std::optional<Side> side{};
   std::string_view remark{};
+  bool is_behind_gear{};  ///< Of a sensor that most of the gear's friction does not pass.
 };
 
 struct KnownLogger {

@@ -88,6 +88,7 @@ IntervalSettings read_intervals(const TomlTable& table) {
 void read_circumstances(const TomlTable& top, Manifest& manifest) {
   if (const auto payload = top.find_table("payload")) {
     manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
+    manifest.payload_distance_m = payload->find_number("distance_m", Sign::positive);
     manifest.payload = payload->text_or("note", "");
     payload->refuse_unknown_keys();
   }

@@ -6,11 +6,13 @@
 //   [robot]       name; serial, operator, measured_on, note (optional)
 //                 description (file of the arm, relative to the manifest; robot_file.h; optional)
 //   [joint]       name, gear_ratio (motor angle / joint angle)
-//   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "none" (neither torque
-//                 nor current was recorded: the motion alone is checked)
+//   [effort]      kind = "motor_current" | "motor_torque" | "joint_torque" | "target_torque" (of a
+//                 controller or its model) | "none" (neither torque nor current was recorded: the
+//                 motion alone is checked)
 //                 side = "motor" | "joint"; torque_constant_Nm_A (with motor_current only)
+//                 confirmed = false (optional; kind and side are a proposal)
 //                 sign = 1 | -1 (optional; -1: positive effort moves the joint to negative angles)
-//   [payload]     mass_kg, note (optional)
+//   [payload]     mass_kg, distance_m (from the axis of the joint), note (optional)
 //   [temperature] degC (optional)
 //   [surrogate]   distance_m = 0.5, gravity_m_s2 = 9.81 (optional)
 //   [known_gravity] amplitude_Nm (joint side), q_peak_deg (optional; of the joint, as from its

@@ -7,6 +7,10 @@
 
 namespace tribolog {
 
+// effort_provenance.cpp, link_side_torque.cpp
+DataCheck check_effort_provenance(const CheckedDataset& data);
+DataCheck check_effort_column(const CheckedDataset& data);
+DataCheck check_link_side_torque(const CheckedDataset& data);
 // motion_range.cpp
 DataCheck check_joint_moves(const CheckedDataset& data);
 DataCheck check_angle_unit(const CheckedDataset& data);

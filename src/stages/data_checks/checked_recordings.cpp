@@ -22,9 +22,7 @@ CheckedRecording look_at(const Recording& r, double gear_ratio) {
   const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
   out.lowest_rad = *low;
   out.highest_rad = *high;
-  std::vector<double> intervals(r.size() - 1);
-  for (std::size_t i = 1; i < r.size(); ++i) intervals[i - 1] = r.t_s[i] - r.t_s[i - 1];
-  out.interval_s = median(std::move(intervals));
+  out.interval_s = median_interval(r.t_s);
   const AngleStep step = angle_step(r.q_rad, gear_ratio);
   out.angle_step_rad = step.step_rad;
   out.step_is_of_print = step.is_of_the_print;
@@ -87,6 +85,7 @@ std::vector<const CheckedRecording*> CheckedDataset::with_role(Role role) const 
 CheckedDataset look_at(const Dataset& dataset) {
   CheckedDataset out;
   out.manifest = &dataset.manifest;
+  out.inputs = &dataset.inputs;
   out.has_torque = dataset.manifest.drive.kind() != EffortKind::none;
   const double n = dataset.manifest.drive.gear_ratio();
   for (const Recording& r : dataset.recordings) out.recordings.push_back(look_at(r, n));

@@ -44,6 +44,7 @@ struct CheckedRecording {
 
 struct CheckedDataset {
   const Manifest* manifest{};
+  const std::vector<InputFile>* inputs{};  ///< Of a simulated joint: empty.
   std::vector<CheckedRecording> recordings;
   bool has_torque{};
 

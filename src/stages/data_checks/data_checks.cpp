@@ -6,6 +6,7 @@ namespace tribolog {
 
 DataChecksResult check_recordings(const Dataset& dataset) {
   constexpr DataCheck (*in_order[])(const CheckedDataset&) = {
+      check_effort_provenance,  check_effort_column,      check_link_side_torque,
       check_joint_moves,        check_angle_unit,         check_clock_jitter,
       check_clock_gaps,         check_speed_scale,        check_speed_noise,
       check_sweep_directions,   check_run_directions,     check_sweep_common_angles,

@@ -8,6 +8,7 @@
 #include "stages/cog_sweep.h"
 #include "stages/data_check.h"
 #include "stages/estimate.h"
+#include "stages/run_gravity.h"
 
 namespace tribolog {
 
@@ -18,7 +19,9 @@ DataChecksResult check_recordings(const Dataset& dataset);
 /// Checks that need the place and size of gravity, which the sweeps give: whether the oscillation
 /// is at the gravity peak, and whether the gravity found can be.
 /// @param sweep the one whose gravity amplitude is used further on.
+/// @param runs their gravity is compared with what is stated where no sweep gave any.
 void add_gravity_checks(const Dataset& dataset, const CogSweepResult& sweep,
-                        const std::optional<Estimate>& q_peak_rad, DataChecksResult& result);
+                        const RunGravityResult& runs, const std::optional<Estimate>& q_peak_rad,
+                        DataChecksResult& result);
 
 }  // namespace tribolog

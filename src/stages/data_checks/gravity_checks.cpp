@@ -10,6 +10,7 @@
 #include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
 #include "stages/data_checks/data_checks.h"
+#include "stages/data_checks/static_torque.h"
 #include "stages/data_checks/torque_ripple.h"
 
 namespace tribolog {
@@ -90,9 +91,14 @@ DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
 }  // namespace
 
 void add_gravity_checks(const Dataset& dataset, const CogSweepResult& sweep,
-                        const std::optional<Estimate>& q_peak_rad, DataChecksResult& result) {
+                        const RunGravityResult& runs, const std::optional<Estimate>& q_peak_rad,
+                        DataChecksResult& result) {
   result.checks.push_back(check_oscillation_at_peak(dataset, q_peak_rad));
   result.checks.push_back(check_gravity_within_torque(sweep));
+  std::optional<FoundGravity> found;
+  if (runs.found) found = FoundGravity{runs.gravity_Nm, runs.q_peak_rad.value};
+  if (sweep.found) found = FoundGravity{sweep.gravity_Nm, sweep.q_peak_rad.value};
+  result.checks.push_back(check_static_torque(dataset.manifest, found));
   result.checks.push_back(check_torque_ripple(dataset, sweep));
   result.checks.push_back(check_ripple_period(dataset, sweep));
 }

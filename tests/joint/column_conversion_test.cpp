@@ -1,0 +1,70 @@
+#include "joint/column_conversion.h"
+
+#include <gtest/gtest.h>
+
+#include "joint/shared_conversions.h"
+
+namespace tribolog {
+namespace {
+
+using Reason = ConversionStep::Reason;
+
+ColumnConversion angle_in(const std::string& unit) {
+  return {LoggedSignal::angle, "q", unit, {}, "rad", Side::joint};
+}
+
+InputFile log(const std::string& name, const std::vector<ColumnConversion>& conversions) {
+  InputFile file;
+  file.name = name;
+  file.conversions = conversions;
+  return file;
+}
+
+TEST(ColumnConversion, OfNoStepsChangesNothing) { EXPECT_EQ(angle_in("rad").factor(), 1.0); }
+
+TEST(ColumnConversion, IsTheProductOfItsSteps) {
+  // 250 mA, sign turned, 40 N·m/A at the joint, gear of 80: -0.125 N·m at the motor.
+  const ColumnConversion effort{LoggedSignal::effort,
+                                "i",
+                                "mA",
+                                {{Reason::unit, 1e-3},
+                                 {Reason::sign, -1},
+                                 {Reason::torque_constant, 40},
+                                 {Reason::gear, 80, true}},
+                                "N·m",
+                                Side::motor};
+  EXPECT_DOUBLE_EQ(250 * effort.factor(), -0.125);
+}
+
+TEST(ColumnConversion, ToMotorTorqueIsTheDrives) {
+  for (const Drive& drive : {Drive(100, EffortKind::motor_torque, Side::motor),
+                             Drive(80, EffortKind::joint_torque, Side::joint),
+                             Drive(101, EffortKind::motor_current, Side::joint, 10.696),
+                             Drive(50, EffortKind::target_torque, Side::joint)}) {
+    EXPECT_EQ(factor_of(steps_to_motor_torque(drive)), drive.motor_torque_per_effort());
+  }
+  // Nothing to tell where nothing is done.
+  EXPECT_TRUE(steps_to_motor_torque(Drive(100, EffortKind::motor_torque, Side::motor)).empty());
+  EXPECT_TRUE(steps_to_motor_torque(Drive(1, EffortKind::joint_torque, Side::joint)).empty());
+}
+
+TEST(SharedConversions, TellOnceWhatLogsHaveInCommon) {
+  const ColumnConversion time{LoggedSignal::time, "t", "s", {}, "s", std::nullopt};
+  InputFile manifest;
+  manifest.name = "dataset.toml";
+  const auto shared =
+      shared_conversions({manifest, log("a.csv", {time, angle_in("rad")}),
+                          log("b.csv", {time, angle_in("deg")}), log("b.csv", {time})});
+  ASSERT_EQ(shared.size(), 3U);
+  EXPECT_EQ(shared[0].conversion.signal, LoggedSignal::time);
+  EXPECT_TRUE(shared[0].is_of_all) << "the manifest is no log, and b.csv is one";
+  EXPECT_EQ(shared[0].files, (std::vector<std::string>{"a.csv", "b.csv"}));
+  EXPECT_EQ(shared[1].conversion.unit, "rad");
+  EXPECT_FALSE(shared[1].is_of_all);
+  EXPECT_EQ(shared[2].conversion.unit, "deg");
+  EXPECT_EQ(shared[2].files, std::vector<std::string>{"b.csv"});
+  EXPECT_TRUE(shared_conversions({manifest}).empty());
+}
+
+}  // namespace
+}  // namespace tribolog
