@@ -6,7 +6,7 @@
 {{#COLUMN}}<th scope="col" class="{{KIND}}">{{HEADING:x-symbols}}{{#UNIT_IF}} <span class="unit">[{{UNIT}}]</span>{{/UNIT_IF}}</th>
 {{/COLUMN}}</tr></thead>
 <tbody>
-{{#ROW}}<tr class="{{ROW_KIND}}">{{#ROW_HEADING}}<th scope="row" class="{{KIND}}"><bdi>{{TEXT:x-symbols}}</bdi></th>{{/ROW_HEADING}}{{#CELL}}<td class="{{KIND}}"><bdi>{{TEXT:x-symbols}}</bdi></td>{{/CELL}}</tr>
+{{#ROW}}<tr class="{{ROW_KIND}}">{{#ROW_HEADING}}<th scope="row" class="{{KIND}}"><bdi>{{TEXT:x-symbols}}</bdi></th>{{/ROW_HEADING}}{{#CELL}}<td class="{{KIND}}"{{#NAME_IF}} data-name="{{NAME}}"{{/NAME_IF}}><bdi>{{TEXT:x-symbols}}</bdi></td>{{/CELL}}</tr>
 {{/ROW}}</tbody>
 </table>
 </div>

@@ -41,7 +41,8 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
   TemplateValues& out = values.add_include(marker, "table.tpl");
   out.set("TABLE_ID", table.id);
   out.set("TABLE_CAPTION", table.caption);
-  out.set("TABLE_KIND", table.columns == estimate_columns() ? "estimates" : "plain");
+  const bool are_estimates = table.columns == estimate_columns();
+  out.set("TABLE_KIND", are_estimates ? "estimates" : table.is_stacked ? "judged" : "plain");
   for (const Column& column : table.columns) {
     TemplateValues& heading = out.add_section("COLUMN");
     heading.set("HEADING", column.heading);
@@ -55,6 +56,7 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
       TemplateValues& cell = line.add_section(i == 0 ? "ROW_HEADING" : "CELL");
       cell.set("KIND", class_of(table.columns[i]));
       cell.set("TEXT", row.cells[i].empty() ? "–" : row.cells[i]);
+      if (table.is_stacked) cell.set_optional("NAME", table.columns[i].heading);
     }
   }
   out.set_optional("TABLE_NOTE", table.note);

@@ -25,6 +25,7 @@ std::string capital(const std::string& words) {
 Table parts_table(const ExperimentPlan& plan) {
   Table table;
   table.id = "table-parts";
+  table.is_stacked = true;
   table.caption = "Its parts, in their order";
   table.columns = {{"Part", "", false},
                    {"State", "", false},
@@ -89,6 +90,7 @@ Table segments_table(const ExperimentPlan& plan) {
 Table expected_table(const ExpectedIntervals& expected) {
   Table table;
   table.id = "table-expected";
+  table.is_stacked = true;
   table.caption = "Intervals to expect, by simulation";
   table.columns = {{"Quantity", "", false, true},
                    {"95 % interval to expect", "", true},

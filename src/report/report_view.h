@@ -36,6 +36,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<Row> rows;
   std::string note;  ///< Below the table; empty: none.
+  bool is_stacked{};  ///< On a narrow screen each row is a list of named values.
 };
 
 struct Fact {

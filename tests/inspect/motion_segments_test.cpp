@@ -190,6 +190,20 @@ TEST(MotionSegments, NoiseIsNoMotion) {
   }
 }
 
+TEST(MotionSegments, AMotionUnderARisingEffortIsNoRamp) {
+  AngleTrace trace;
+  for (int i = 0; i < 6000; ++i) {  // at rest, then half a turn under an effort that rises
+    const double t = 0.001 * i;
+    const double moving = std::max(0.0, t - 2);
+    trace.t_s.push_back(t);
+    trace.q_rad.push_back(0.2 * moving * moving);
+    trace.effort.push_back(10 * moving);
+  }
+  for (const MotionSegment& s : cut_by_motion(trace)) {
+    EXPECT_NE(s.kind, MotionKind::break_away_ramp) << s.from_s << " to " << s.to_s;
+  }
+}
+
 TEST(MotionSegments, TooFewSamplesAreNothing) {
   EXPECT_TRUE(cut_by_motion({}).empty());
   EXPECT_TRUE(cut_by_motion({{0}, {1}, {}}).empty());

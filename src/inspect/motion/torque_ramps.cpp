@@ -22,6 +22,7 @@ constexpr std::size_t fewest_samples = 20;  // as the reader of recordings asks 
 constexpr double shortest_s = 1;            // faster ones are starts of a motion
 // A joint that slides at the end moves little before; at steady speed it is at half its way.
 constexpr double early_share = 0.2;
+constexpr double most_before_sliding_rad = 5e-3;  // creep; more is a motion under a rising effort
 // A contact that only yields elastically moves in proportion to the torque, but not further.
 constexpr double yielding_rad = 2e-3;
 
@@ -124,7 +125,8 @@ std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, const Piece& piece, s
     whole = std::max(whole, moved);
     if (trace.t_s[i] <= half_s) early = std::max(early, moved);
   }
-  ramp.joint_slid = early <= early_share * whole && whole > limits.floor_rad;
+  ramp.joint_slid = early <= early_share * whole && whole > limits.floor_rad &&
+                    early <= std::max(most_before_sliding_rad, limits.floor_rad);
   if (ramp.joint_slid) return ramp;
   const bool yields = whole <= std::max(yielding_rad, limits.floor_rad);
   if (!yields || std::abs(rise) < limits.least_unyielding) return std::nullopt;
