@@ -1,7 +1,7 @@
 {{%AUTOESCAPE context="HTML"}}
 <figure id="{{FIGURE_ID}}">
 <h3>{{FIGURE_HEADING}} <a class="self" href="#{{FIGURE_ID}}" aria-label="Link to this figure">#</a></h3>
-{{#PICTURE}}<div class="card"><img src="{{PNG:x-png}}" alt="{{ALT}}" width="{{WIDTH}}" height="{{HEIGHT}}" loading="{{LOADING}}" decoding="async"></div>{{/PICTURE}}
+{{#PICTURE}}<div class="card"><img src="{{PNG:x-png}}" alt="{{ALT}}" width="{{WIDTH}}" height="{{HEIGHT}}" loading="{{LOADING}}" decoding="sync"></div>{{/PICTURE}}
 {{#NO_PICTURE}}<div class="card no-picture" role="note"><p><b>This figure is missing.</b> <bdi>{{ERROR}}</bdi></p><p>It would show: <bdi>{{ALT}}</bdi></p></div>{{/NO_PICTURE}}
 <figcaption>
 {{#FIGURE_CAPTION_IF}}<p><bdi>{{FIGURE_CAPTION:x-symbols}}</bdi></p>{{/FIGURE_CAPTION_IF}}

@@ -1,6 +1,7 @@
 #include "ingest/log_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -65,6 +66,16 @@ std::vector<std::string> names_of(const LogTable& table) {
                                         list_of_names(names), "", hint});
 }
 
+/// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
+/// log's are.
+void count_from_first(LogColumn& column) {
+  const auto first = std::find_if(column.values.begin(), column.values.end(),
+                                  [](double value) { return !std::isnan(value); });
+  if (first == column.values.end() || std::abs(*first) < counts_from_1970) return;
+  column.origin = std::floor(*first);
+  for (double& value : column.values) value -= column.origin;
+}
+
 }  // namespace
 
 LogFormat format_of_log(const std::string& path) {
@@ -116,9 +127,11 @@ LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColu
                           in_quotes(groups[0] + "/" + columns.front().name)});
   }
   LogTable& table = tables[having[0]];
+  if (!table.refusal.empty()) throw InputError({table.file, 0, 0}, {table.refusal, "", "", ""});
   std::vector<LogColumn> chosen;
   for (const WantedColumn& wanted : columns) {
     chosen.push_back(table.columns[*index_of(table, wanted.name)]);
+    if (wanted.reading == ColumnReading::clock) count_from_first(chosen.back());
   }
   table.columns = std::move(chosen);
   return std::move(table);

@@ -21,7 +21,8 @@ std::vector<LogTable> read_tables(const std::string& path, LogFormat format);
 /// The one table that has all the columns, with these alone and in their order. Where several
 /// tables have a column of the same name, it is named with its group:
 /// "/left/joint_states/q.position".
-/// @throw InputError if no table has them all (naming what is missing), or several have.
+/// @throw InputError if no table has them all (naming what is missing), several have, or the one
+/// that has them is damaged.
 LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns);
 
 }  // namespace tribolog

@@ -32,12 +32,19 @@ struct LogTable {
   std::size_t rows{};               ///< Of each column.
   std::size_t cut_rows{};           ///< Those left out because the file ends inside them.
   std::vector<std::string> notes;   ///< Peculiarities that the user should know.
+  /// Not empty: something in the table is damaged, and what. Only the rows before it stand here,
+  /// and take_columns() refuses them; other tables of the log are not concerned.
+  std::string refusal;
 
   /// Line of the file on which a row (from 0) stands; 0 where the file has no lines.
   [[nodiscard]] long line_of(std::size_t row) const;
   /// (row, line) wherever a row does not follow directly on the line before it; ascending.
   std::vector<std::pair<std::size_t, long>> line_breaks;
 };
+
+/// From this reading on a clock is taken to count from 1970 in whatever unit: no joint is recorded
+/// for three years.
+inline constexpr double counts_from_1970 = 1e8;
 
 /// What a column's fields are.
 enum class ColumnReading {

@@ -16,20 +16,29 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Rows, gaps and names that agree; nothing infinite.
+/// Rows and gaps that agree; nothing infinite.
+inline void check_columns(const LogTable& table) {
+  require((table.rows > 0 || !table.refusal.empty()) &&
+          table.columns.size() <= table.header.size());
+  for (const LogColumn& column : table.columns) {
+    require(column.values.size() == table.rows);
+    std::size_t gaps = 0;
+    for (const double value : column.values) {
+      require(!std::isinf(value));
+      gaps += std::isnan(value) ? 1 : 0;
+    }
+    require(gaps == column.gaps);
+  }
+}
+
+/// And names that differ.
 inline void check_tables(const std::vector<LogTable>& tables) {
   require(!tables.empty());
   for (const LogTable& table : tables) {
-    require(table.rows > 0 && table.columns.size() <= table.header.size());
+    check_columns(table);
     std::set<std::string> names;
     for (const LogColumn& column : table.columns) {
-      require(column.values.size() == table.rows && names.insert(column.header.full).second);
-      std::size_t gaps = 0;
-      for (const double value : column.values) {
-        require(!std::isinf(value));
-        gaps += std::isnan(value) ? 1 : 0;
-      }
-      require(gaps == column.gaps);
+      require(names.insert(column.header.full).second);
     }
   }
 }

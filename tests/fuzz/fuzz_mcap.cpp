@@ -8,7 +8,7 @@
 #include "ingest/bags/mcap_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 20;
+  constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 16;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
     (void)tribolog::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes);

@@ -32,6 +32,26 @@ LogTable table_of(const std::string& group, const std::vector<std::string>& name
   return table;
 }
 
+TEST(TakeColumns, CountsAClockFromItsFirstReadingAndNothingElse) {
+  LogTable log = table_of("", {"stamp", "counts"});
+  log.columns[0].values = {1.7e9 + 0.25, 1.7e9 + 1.5};
+  log.columns[1].values = {1.7e9 + 0.25, 1.7e9 + 1.5};
+  const LogTable table = take_columns({log}, {{"stamp", "", ColumnReading::clock}, {"counts"}});
+  EXPECT_EQ(table.columns[0].values, (std::vector<double>{0.25, 1.5}));
+  EXPECT_EQ(table.columns[0].origin, 1.7e9);
+  EXPECT_EQ(table.columns[1].values, log.columns[1].values);
+}
+
+TEST(TakeColumns, RefusesADamagedTableOnlyWhereItIsAskedFor) {
+  LogTable damaged = table_of("/b", {"time", "p"});
+  damaged.refusal = "message 3 of /b ends too early";
+  EXPECT_EQ(take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"q"}}).group, "/a");
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"p"}});
+            }),
+            "run.mcap: message 3 of /b ends too early");
+}
+
 TEST(TakeColumns, FindsTheTableThatHasThemAllAndKeepsTheirOrder) {
   const LogTable table = take_columns(
       {table_of("/clock", {"time"}), table_of("/joint_states", {"time", "q.position", "q.effort"})},

@@ -38,7 +38,7 @@ void McapMessages::take(std::uint8_t opcode, std::string_view content, const Mca
         return;
       }
       case McapOpcode::message:
-        return take_message(mcap_message(content));
+        return take_message(mcap_message(content), place);
       default:
         return;
     }
@@ -46,9 +46,6 @@ void McapMessages::take(std::uint8_t opcode, std::string_view content, const Mca
     throw InputError(
         {file(), 0, 0},
         {mcap_record_name(opcode) + " at " + place.text() + " is damaged", error.what(), "", ""});
-  } catch (const CdrError& error) {
-    throw InputError({file(), 0, 0},
-                     {std::string(error.what()) + " (" + place.text() + ")", "", "", ""});
   }
 }
 
@@ -71,7 +68,7 @@ void McapMessages::take_chunk(std::string_view records, std::uint64_t byte, bool
   }
 }
 
-void McapMessages::take_message(const McapMessage& message) {
+void McapMessages::take_message(const McapMessage& message, const McapPlace& place) {
   const auto found = channels_.find(message.channel);
   if (found == channels_.end()) {
     ++without_channel_;
@@ -79,7 +76,12 @@ void McapMessages::take_message(const McapMessage& message) {
   }
   Channel& channel = found->second;
   if (!std::exchange(channel.is_opened, true)) channel.table = open(channel.described);
-  if (channel.table != nullptr) channel.table->take(message.data, message.log_time_ns);
+  if (channel.table == nullptr) return;
+  try {
+    channel.table->take(message.data, message.log_time_ns);
+  } catch (const CdrError& error) {
+    channel.table->refuse(fmt::format("{} ({})", error.what(), place.text()));
+  }
 }
 
 TopicTable* McapMessages::open(const McapChannel& channel) {

@@ -27,7 +27,8 @@ class McapMessages {
   /// Schema, channel or message.
   [[nodiscard]] static bool takes(std::uint8_t opcode);
   /// One of these.
-  /// @throw InputError: it is damaged, or a message does not agree with its type.
+  /// A message that does not agree with its type makes its table one that is refused.
+  /// @throw InputError: the record is damaged.
   void take(std::uint8_t opcode, std::string_view content, const McapPlace& place);
   /// All of them in an unpacked chunk, up to the last that is complete.
   /// @param byte where the chunk stands in the file. @param is_cut its end may be missing.
@@ -45,7 +46,7 @@ class McapMessages {
     TopicTable* table{};    ///< Then none: it is not read.
   };
 
-  void take_message(const McapMessage& message);
+  void take_message(const McapMessage& message, const McapPlace& place);
   TopicTable* open(const McapChannel& channel);
 
   TopicTables tables_;

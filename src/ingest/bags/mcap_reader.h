@@ -22,8 +22,8 @@ inline constexpr std::uint64_t largest_mcap_record_bytes = std::uint64_t{1} << 3
 /// One table for each topic whose messages are in CDR with a definition in ros2msg (or of a type
 /// that is known without one); see TopicTable for its columns. Other topics are named in a note.
 /// @throw InputError naming file and byte: it is no regular file or no MCAP file, a record is
-///        damaged, a message does not agree with its type (its number is stated), or no topic can
-///        be read.
+///        damaged, or no topic can be read. A topic in which a message does not agree with its
+///        type (its number is stated) is a table that is refused.
 std::vector<LogTable> read_mcap(const std::string& path);
 
 /// The same from memory. @param file its name, for messages. @param largest_record_bytes see above.

@@ -83,9 +83,7 @@ void take_messages(SqliteDatabase& database, TopicTables& tables) {
     try {
       entry->second->take(rows.blob(3), static_cast<std::uint64_t>(rows.integer(2)));
     } catch (const CdrError& error) {
-      throw InputError(
-          {tables.file(), 0, 0},
-          {fmt::format("{} (row {} of messages)", error.what(), rows.integer(0)), "", "", ""});
+      entry->second->refuse(fmt::format("{} (row {} of messages)", error.what(), rows.integer(0)));
     }
   }
   if (without_topic > 0) {

@@ -15,8 +15,9 @@ namespace tribolog {
 /// One table for each topic in CDR whose type is known; see TopicTable for its columns. Other
 /// topics are named in a note.
 /// @throw InputError naming the file: it is no regular file or no SQLite database, is packed
-///        (`.db3.zstd`), is damaged or lacks the tables of rosbag2, a message does not agree with
-///        its type (its number and its row are stated), or no topic can be read.
+///        (`.db3.zstd`), is damaged or lacks the tables of rosbag2, or no topic can be read. A
+///        topic in which a message does not agree with its type (its number and its row are
+///        stated) is a table that is refused.
 std::vector<LogTable> read_rosbag_db3(const std::string& path);
 
 }  // namespace tribolog

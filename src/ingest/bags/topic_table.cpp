@@ -58,6 +58,7 @@ std::vector<std::string> notes_of(const MessageColumns& columns, const std::stri
 }  // namespace
 
 void TopicTable::take(std::string_view message, std::uint64_t log_time_ns) {
+  if (!refusal_.empty()) return;
   try {
     CdrReader reader(message);
     if (const auto stamp_ns = columns_.take_row(reader)) stamps_ns_.push_back(*stamp_ns);
@@ -74,10 +75,13 @@ std::optional<LogTable> TopicTable::finish(const std::string& file) && {
   table.group = topic_;
   table.rows = columns_.rows();
   table.notes = notes_of(columns_, printable(topic_));
+  table.refusal = refusal_;
   std::vector<LogColumn> numbers = std::move(columns_).finish();
-  if (numbers.empty()) return std::nullopt;
+  if (numbers.empty() && refusal_.empty()) return std::nullopt;
   if (!stamps_ns_.empty()) table.columns.push_back(seconds_since_first("time", stamps_ns_));
-  table.columns.push_back(seconds_since_first("log_time", log_times_ns_));
+  if (!log_times_ns_.empty()) {
+    table.columns.push_back(seconds_since_first("log_time", log_times_ns_));
+  }
   for (LogColumn& column : numbers) table.columns.push_back(std::move(column));
   make_names_differ(table.columns);
   for (const LogColumn& column : table.columns) table.header.push_back(column.header.full);

@@ -1,5 +1,6 @@
 #include "ingest/bags/topic_tables.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,6 +65,9 @@ std::vector<LogTable> TopicTables::finish() && {
                      {"holds no topic with numbers that can be read", reasons,
                       "messages of ROS 2 in CDR, such as sensor_msgs/JointState", ""});
   }
+  const bool any_whole = std::any_of(finished.begin(), finished.end(),
+                                     [](const LogTable& table) { return table.refusal.empty(); });
+  if (!any_whole) throw InputError({file_, 0, 0}, {finished.front().refusal, "", "", ""});
   for (LogTable& table : finished) {
     table.notes.insert(table.notes.end(), notes_.begin(), notes_.end());
   }

@@ -32,7 +32,9 @@ class TopicTables {
   [[nodiscard]] const std::string& file() const { return file_; }
 
   /// In the order in which the topics occurred; every table with all notes on the whole log.
-  /// @throw InputError: no topic holds a number; the notes are its hint.
+  /// @throw InputError: no topic holds a number (the notes are its hint), or each has a message
+  /// that
+  ///        cannot be read.
   std::vector<LogTable> finish() &&;
 
  private:

@@ -12,7 +12,7 @@
 #include "ingest/manifest/limit_tables.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/voltage.h"
-#include "stages/bootstrap/bootstrap.h"
+#include "joint/allowed_resamples.h"
 
 namespace tribolog {
 namespace {

@@ -9,6 +9,7 @@
 #include "ingest/text/csv_header.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_rows.h"
+#include "ingest/text/large_pages.h"
 
 namespace tribolog {
 namespace {
@@ -157,7 +158,7 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
   const RowLayout layout = lay_out(header, wanted, rules, {file, first.line(), 0}, table);
   for (LogColumn& column : table.columns) {
-    column.values.reserve(likely_rows(cursor.rest(), bytes.likely_bytes()));
+    reserve_in_large_pages(column.values, likely_rows(cursor.rest(), bytes.likely_bytes()));
   }
   if (table.delimiter != Delimiter::comma) {
     table.notes.push_back("columns are separated by " + to_string(table.delimiter));

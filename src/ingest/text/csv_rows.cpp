@@ -61,10 +61,9 @@ class SlotReadings {
  private:
   /// A clock that counts from 1970 starts with its first reading; another from its own zero.
   void set_start(const ClockReading& first, std::size_t slot, LogTable& table) {
-    constexpr std::int64_t since_1970 = 100'000'000;
-    const bool counts_from_1970 =
-        layout_.readings[slot] == ColumnReading::iso_time || std::abs(first.whole) >= since_1970;
-    starts_[slot] = ClockReading{counts_from_1970 ? first.whole : 0, 0.0};
+    const bool is_epoch = layout_.readings[slot] == ColumnReading::iso_time ||
+                          std::abs(static_cast<double>(first.whole)) >= counts_from_1970;
+    starts_[slot] = ClockReading{is_epoch ? first.whole : 0, 0.0};
     table.columns[slot].origin = static_cast<double>(starts_[slot]->whole);
   }
 
@@ -158,8 +157,8 @@ class RowReader {
       fields.push_back({"", cursor_.row().size() + 1});
     }
     refuse_second_header();
-    const bool ends_with_delimiter =
-        fields.back().text.empty() && !layout_.header.back().text.empty();
+    const bool ends_with_delimiter = fields.back().text.empty() && !cursor_.row().ends_with('"') &&
+                                     !layout_.header.back().text.empty();
     if (may_be_cut && (fields.size() < columns || ends_with_delimiter)) return false;
     if (fields.size() != columns) refuse_ragged_row(fields.size());
     for (std::size_t i = 0; i < columns; ++i) {

@@ -15,18 +15,21 @@ namespace tribolog {
 
 static_assert(std::endian::native == std::endian::little, "eight digits are read as one word");
 
-/// Whether all eight bytes are digits.
-[[gnu::always_inline]] inline bool are_eight_digits(std::uint64_t bytes) {
-  return ((bytes & 0xF0F0F0F0F0F0F0F0U) |
-          (((bytes + 0x0606060606060606U) & 0xF0F0F0F0F0F0F0F0U) >> 4)) == 0x3333333333333333U;
+/// How many of eight bytes, from the first in memory on, are digits.
+[[gnu::always_inline]] inline unsigned leading_digits(std::uint64_t bytes) {
+  // A digit less '0' stays below 0x80 with 0x76 added. What a byte carries over concerns those
+  // behind the first that is no digit alone.
+  const std::uint64_t less_zero = bytes ^ 0x3030303030303030U;
+  const std::uint64_t others =
+      ((less_zero + 0x7676767676767676U) | less_zero) & 0x8080808080808080U;
+  return static_cast<unsigned>(std::countr_zero(others)) / 8;
 }
 
-/// Their number, the first byte in memory being the largest digit.
+/// The number of eight digits less '0' each, the first byte in memory being the largest.
 [[gnu::always_inline]] inline std::uint32_t eight_digits(std::uint64_t bytes) {
   constexpr std::uint64_t mask = 0x000000FF000000FFU;
   constexpr std::uint64_t by_100_and_1e6 = 0x000F424000000064U;
   constexpr std::uint64_t by_1_and_1e4 = 0x0000271000000001U;
-  bytes -= 0x3030303030303030U;
   bytes = bytes * 10 + (bytes >> 8);
   bytes = ((bytes & mask) * by_100_and_1e6 + ((bytes >> 16) & mask) * by_1_and_1e4) >> 32;
   return static_cast<std::uint32_t>(bytes);
@@ -35,12 +38,18 @@ static_assert(std::endian::native == std::endian::little, "eight digits are read
 /// Digits from p on are added to `value`. @return behind the last one.
 [[gnu::always_inline]] inline const char* read_digits(const char* p, const char* end,
                                                       std::uint64_t& value) {
+  static constexpr std::uint32_t powers[] = {1,       10,        100,        1'000,      10'000,
+                                             100'000, 1'000'000, 10'000'000, 100'000'000};
   while (end - p >= 8) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, p, sizeof bytes);
-    if (!are_eight_digits(bytes)) break;
-    value = value * 100'000'000 + eight_digits(bytes);
-    p += 8;
+    const unsigned count = leading_digits(bytes);
+    if (count == 0) return p;
+    // Fewer than eight: zeros in front.
+    bytes = (bytes - 0x3030303030303030U) << (64 - 8 * count);
+    value = value * powers[count] + eight_digits(bytes);
+    p += count;
+    if (count < 8) return p;
   }
   for (; p != end; ++p) {
     const auto digit = static_cast<unsigned>(*p - '0');
@@ -62,7 +71,7 @@ static_assert(std::endian::native == std::endian::little, "eight digits are read
   constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
   const char* const start = p;
   const bool is_negative = p != end && *p == '-';
-  if (is_negative) ++p;
+  p += is_negative ? 1 : 0;
   const char* const first = p;
   std::uint64_t digits = 0;
   p = read_digits(p, end, digits);
@@ -77,7 +86,9 @@ static_assert(std::endian::native == std::endian::little, "eight digits are read
   const bool goes_on = p != end && (*p == 'e' || *p == 'E');
   if (count > 0 && count <= most_digits && digits <= largest_exact && !goes_on) {
     const double size = static_cast<double>(digits) / powers[behind];
-    value = is_negative ? -size : size;
+    // No branch: signs change as they please.
+    value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) |
+                                  (static_cast<std::uint64_t>(is_negative) << 63));
     return p;
   }
   if (mark != '.') return start;

@@ -16,9 +16,15 @@ void refuse_nul(std::string_view text, std::uint64_t first_byte, const std::stri
 }
 
 std::string_view TextWindow::read_on(std::string_view unread, std::size_t wanted_bytes) {
-  make_room(unread, std::max(wanted_bytes, unread.size() + 1));
+  // A small file gets a small window; one more byte, so that its end is seen.
+  const std::uint64_t likely_rest =
+      source_.likely_bytes() - std::min(source_.likely_bytes(), bytes_read_);
   std::size_t filled = unread.size();
+  make_room(unread,
+            std::max<std::size_t>(std::min<std::uint64_t>(wanted_bytes, filled + likely_rest + 1),
+                                  filled + 1));
   while (!at_end_ && filled < wanted_bytes) {
+    if (filled == room_) make_room({bytes_.get(), filled}, std::min(2 * room_ + 1, wanted_bytes));
     const std::size_t got = source_.read(bytes_.get() + filled, room_ - filled);
     at_end_ = got == 0;
     if (got == 0) break;

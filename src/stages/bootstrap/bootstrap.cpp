@@ -105,14 +105,6 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
 
 }  // namespace
 
-bool resamples_are_allowed(std::uint64_t resamples) {
-  return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);
-}
-
-std::string allowed_resamples_in_words() {
-  return fmt::format("0 (closed forms alone), or {} to {}", fewest_resamples, most_resamples);
-}
-
 const Estimate* TwoIntervals::stated() const {
   if (bootstrap && (bootstrap_is_stated || !closed_form)) return &*bootstrap;
   return closed_form ? &*closed_form : nullptr;

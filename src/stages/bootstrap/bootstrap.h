@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "joint/allowed_resamples.h"
 #include "stages/cog_sweep.h"
 #include "stages/friction_parameters.h"
 #include "stages/gravity_by_other_ways.h"
@@ -101,17 +102,8 @@ struct ResamplingOptions {
 };
 
 /// @param progress is told how many resamples are done; may be empty.
-/// @throw std::invalid_argument if the resamples are not allowed (below).
+/// @throw std::invalid_argument if the resamples are not allowed (allowed_resamples.h).
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
-
-/// 0, or from 100 to a million.
-bool resamples_are_allowed(std::uint64_t resamples);
-/// "0 (closed forms alone), or 100 to 1000000"
-std::string allowed_resamples_in_words();
-
-/// Fewest resamples from which the ends of a 95 % interval can be read.
-inline constexpr std::size_t fewest_resamples = 100;
-inline constexpr std::size_t most_resamples = 1000000;
 
 }  // namespace tribolog

@@ -77,6 +77,22 @@ TEST(McapReader, RefusesArraysOfAnotherLengthWithMessageAndByte) {
             std::string::npos);
 }
 
+TEST(McapReader, ADamagedMessageConcernsItsTopicAlone) {
+  McapWriter writer = writer_with_joints({4, "zstd", true, true});
+  writer.add_channel(4, 7, "/broken");
+  for (std::size_t i = 0; i < 9; ++i) {
+    writer.add_message(3, i, numbered_message(i).cdr());
+    writer.add_message(4, i, i < 2 ? numbered_message(i).cdr() : "cut");
+  }
+  const std::vector<LogTable> tables = read(writer.finish());
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].refusal, "");
+  EXPECT_EQ(column(tables[0], "a.position").values, (Values{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_NE(tables[1].refusal.find("message 3 of /broken "), std::string::npos);
+  EXPECT_EQ(tables[1].rows, 2U);
+  EXPECT_EQ(column(tables[1], "a.position").values, (Values{0, 1}));
+}
+
 TEST(McapReader, KeepsNanosecondsOfLargeTimes) {
   const std::int64_t late_ns = 2'147'483'647'000'000'000;
   const LogTable table =

@@ -1,0 +1,18 @@
+// libFuzzer: whatever bytes a rosbag2 database has, it is read or refused in one clear line.
+
+#include <cstdint>
+
+#include "check_tables.h"
+#include "file_in_memory.h"
+
+#include "error.h"
+#include "ingest/bags/rosbag_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static tribolog::fuzz::FileInMemory file;
+  try {
+    tribolog::fuzz::check_tables(tribolog::read_rosbag_db3(file.holding(data, size)));
+  } catch (const tribolog::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,15 @@
+// libFuzzer: whatever a manifest holds, it is read or refused in one clear line.
+
+#include <cstdint>
+#include <string_view>
+
+#include "error.h"
+#include "ingest/manifest/manifest_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    (void)tribolog::parse_manifest({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+  } catch (const tribolog::InputError&) {
+  }
+  return 0;
+}

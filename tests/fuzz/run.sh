@@ -1,0 +1,35 @@
+#!/bin/bash
+# Builds the fuzz targets with clang and runs them one after the other; what they find stands in
+# OUT/<target>-crash-..., and is exit status 1.
+# usage: tests/fuzz/run.sh [EXECUTIONS=100000] [OUT=build-fuzz] [TARGET...]
+# What a target learns is kept in OUT/corpus, so that a second run goes on from there.
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+executions=${1:-100000}
+out=${2:-$root/build-fuzz}
+targets=("${@:3}")
+[[ ${#targets[@]} -gt 0 ]] || targets=(csv manifest json npz mcap db3 mat hdf5)
+
+cmake -S "$root" -B "$out" -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_FUZZ=ON \
+  -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ >"$out.log" 2>&1 ||
+  { cat "$out.log" >&2; exit 1; }
+status=0
+for target in "${targets[@]}"; do
+  cmake --build "$out" -j"$(nproc)" --target "fuzz_$target" >"$out.log" 2>&1 ||
+    { cat "$out.log" >&2; exit 1; }
+  mkdir -p "$out/corpus/$target"
+  longest=4096
+  [[ $target != hdf5 ]] || longest=8192  # the format's smallest file has 6 kB
+  if ASAN_OPTIONS=quarantine_size_mb=8 "$out/tests/fuzz/fuzz_$target" -runs="$executions" \
+    -max_len="$longest" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
+    -artifact_prefix="$out/$target-" "$out/corpus/$target" "$root/tests/fuzz/corpus/$target" \
+    >"$out/fuzz_$target.log" 2>&1; then
+    sed -n "s/^stat::number_of_executed_units: */$target: nothing found, executions: /p;
+            s/^stat::average_exec_per_sec: */  per second: /p;
+            s/^stat::peak_rss_mb: */  peak memory in MB: /p" "$out/fuzz_$target.log"
+  else
+    echo "$target: see $out/fuzz_$target.log"
+    status=1
+  fi
+done
+exit $status
