@@ -59,24 +59,6 @@ std::string clock_words(const ClockSurvey& c) {
   return words;
 }
 
-std::string quantity_word(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return "time";
-    case Quantity::angle:
-      return "angle";
-    case Quantity::angular_speed:
-      return "speed";
-    case Quantity::torque:
-      return "torque";
-    case Quantity::current:
-      return "current";
-    case Quantity::temperature:
-      return "temperature";
-  }
-  return "";
-}
-
 /// Columns of tables that look alike, over all of them.
 struct ColumnOfAll {
   ColumnSurvey column;
