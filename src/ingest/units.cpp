@@ -83,6 +83,24 @@ std::vector<std::string> listed_units(Quantity quantity) {
 
 }  // namespace
 
+std::string quantity_word(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      return "time";
+    case Quantity::angle:
+      return "angle";
+    case Quantity::angular_speed:
+      return "speed";
+    case Quantity::torque:
+      return "torque";
+    case Quantity::current:
+      return "current";
+    case Quantity::temperature:
+      return "temperature";
+  }
+  return "";
+}
+
 std::string to_string(Quantity quantity) {
   switch (quantity) {
     case Quantity::time:

@@ -14,6 +14,9 @@ enum class Quantity { time, angle, angular_speed, torque, current, temperature }
 /// "an angle", for messages.
 std::string to_string(Quantity quantity);
 
+/// "angle", for tables; an angular speed is "speed".
+std::string quantity_word(Quantity quantity);
+
 /// Factor from the unit to s, rad, rad/s, N·m, A or °C; nothing for a unit that is not one of this
 /// quantity. Case counts ("mNm" is not "MNm"); "N·m", "N*m", "N m" and "Nm" are the same.
 std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
 
 #include "ingest/closest_match.h"
@@ -29,23 +31,32 @@ double slope_correlation(const std::vector<double>& t, const std::vector<double>
                          const std::vector<double>& v) {
   // Over several samples, or steps of the encoder drown the slope.
   constexpr std::size_t half = 5;
-  double n = 0;
-  double sx = 0;
-  double sy = 0;
-  double sxx = 0;
-  double syy = 0;
-  double sxy = 0;
-  for (std::size_t i = half; i + half < t.size(); ++i) {
+  constexpr std::size_t most_samples = 20000;  // of a long log, spread over it
+  const std::size_t step = std::max<std::size_t>(1, t.size() / most_samples);
+  std::vector<double> slopes;
+  std::vector<double> speeds;
+  for (std::size_t i = half; i + half < t.size(); i += step) {
     const double slope = (y[i + half] - y[i - half]) / (t[i + half] - t[i - half]);
     if (!std::isfinite(slope) || !std::isfinite(v[i])) continue;
-    n += 1;
-    sx += slope;
-    sy += v[i];
-    sxx += slope * slope;
-    syy += v[i] * v[i];
-    sxy += slope * v[i];
+    // Counted from the first: a column that stands still is then exactly zero.
+    slopes.push_back(slope - (slopes.empty() ? 0 : slopes.front()));
+    speeds.push_back(v[i] - (speeds.empty() ? 0 : speeds.front()));
   }
-  return (n * sxy - sx * sy) / std::sqrt((n * sxx - sx * sx) * (n * syy - sy * sy));
+  if (slopes.empty()) return std::numeric_limits<double>::quiet_NaN();
+  slopes.front() = 0;
+  speeds.front() = 0;
+  const auto n = static_cast<double>(slopes.size());
+  const double x_mean = std::accumulate(slopes.begin(), slopes.end(), 0.0) / n;
+  const double y_mean = std::accumulate(speeds.begin(), speeds.end(), 0.0) / n;
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    xx += (slopes[i] - x_mean) * (slopes[i] - x_mean);
+    yy += (speeds[i] - y_mean) * (speeds[i] - y_mean);
+    xy += (slopes[i] - x_mean) * (speeds[i] - y_mean);
+  }
+  return xy / std::sqrt(xx * yy);
 }
 
 bool has(const LogLayout& layout, Quantity quantity) {
@@ -95,19 +106,29 @@ std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLay
     guesses.push_back(meaning_of(k, Quantity::time, "s", "the first column that only rises"));
   }
   if (!clock || has(layout, Quantity::angle)) return guesses;
+  const auto correlation = [&](std::size_t a, std::size_t v) {
+    const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
+    return may_be ? slope_correlation(columns[*clock].values, columns[a].values, columns[v].values)
+                  : std::numeric_limits<double>::quiet_NaN();
+  };
   double best = least_correlation;
   std::size_t angle = 0;
   std::size_t speed = 0;
   for (std::size_t a = 0; a < columns.size(); ++a) {
     for (std::size_t v = 0; v < columns.size(); ++v) {
-      if (a == v || a == *clock || v == *clock || is_told(layout, a)) continue;
-      const double r =
-          slope_correlation(columns[*clock].values, columns[a].values, columns[v].values);
+      const double r = correlation(a, v);
       if (!(r > best)) continue;
       best = r;
       angle = a;
       speed = v;
     }
+  }
+  // Speed and acceleration go together as angle and speed do.
+  for (std::size_t a = 0; a < columns.size() && angle != speed; ++a) {
+    if (a == speed || !(correlation(a, angle) > least_correlation)) continue;
+    speed = angle;
+    angle = a;
+    break;
   }
   if (angle == speed) return guesses;
   guesses.push_back(meaning_of(angle, Quantity::angle, "rad",

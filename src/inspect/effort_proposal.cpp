@@ -19,22 +19,6 @@ bool says_motor(const std::string& name) {
          std::find(words.begin(), words.end(), "drive") != words.end();
 }
 
-std::string word_of(EffortKind kind) {
-  switch (kind) {
-    case EffortKind::motor_current:
-      return "motor_current";
-    case EffortKind::motor_torque:
-      return "motor_torque";
-    case EffortKind::joint_torque:
-      return "joint_torque";
-    case EffortKind::target_torque:
-      return "target_torque";
-    case EffortKind::none:
-      break;
-  }
-  return "none";
-}
-
 void propose_none(const TableSurvey& table, EffortProposal& proposal) {
   const std::vector<std::string> voltages = voltages_of(table);
   proposal.remarks.push_back(
@@ -119,7 +103,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
         "Is it measured? Before the gear (motor_torque, side motor) or behind it (joint_torque, "
         "side joint)?");
   }
-  proposal.lines.push_back(fmt::format("kind = \"{}\"", word_of(proposal.kind)));
+  proposal.lines.push_back(fmt::format("kind = \"{}\"", to_string(proposal.kind)));
   proposal.lines.push_back(fmt::format(
       "side = \"{}\"{}", side == Side::motor ? "motor" : "joint",
       is_current && !options.effort_side ? "  # on which the torque constant below acts" : ""));

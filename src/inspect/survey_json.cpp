@@ -13,24 +13,6 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-std::string word_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return "time";
-    case Quantity::angle:
-      return "angle";
-    case Quantity::angular_speed:
-      return "speed";
-    case Quantity::torque:
-      return "torque";
-    case Quantity::current:
-      return "current";
-    case Quantity::temperature:
-      return "temperature";
-  }
-  return "";
-}
-
 ordered_json json_of(const ColumnSurvey& c) {
   ordered_json json{{"name", c.name},
                     {"lowest", number(c.lowest)},
@@ -40,7 +22,7 @@ ordered_json json_of(const ColumnSurvey& c) {
                     {"constant", c.is_constant()}};
   if (!c.meaning) return json;
   const ColumnMeaning& m = *c.meaning;
-  json["meaning"] = {{"quantity", word_of(m.quantity)},
+  json["meaning"] = {{"quantity", quantity_word(m.quantity)},
                      {"joint", m.joint},
                      {"unit", m.unit},
                      {"unit_is_stated", m.unit_is_stated},

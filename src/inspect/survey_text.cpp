@@ -59,31 +59,34 @@ std::string clock_words(const ClockSurvey& c) {
   return words;
 }
 
-std::string quantity_word(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::time:
-      return "time";
-    case Quantity::angle:
-      return "angle";
-    case Quantity::angular_speed:
-      return "speed";
-    case Quantity::torque:
-      return "torque";
-    case Quantity::current:
-      return "current";
-    case Quantity::temperature:
-      return "temperature";
-  }
-  return "";
-}
-
 /// Columns of tables that look alike, over all of them.
 struct ColumnOfAll {
   ColumnSurvey column;
   bool is_constant{true};
 };
 
-std::vector<std::string> column_cells(const ColumnOfAll& of_all) {
+/// Remarks on columns, each once below the table.
+class Remarks {
+ public:
+  /// The mark by which a remark is found: "(1)".
+  std::string mark_of(const std::string& remark) {
+    auto at = std::find(remarks_.begin(), remarks_.end(), remark);
+    if (at == remarks_.end()) at = remarks_.insert(at, remark);
+    return fmt::format("({})", at - remarks_.begin() + 1);
+  }
+  [[nodiscard]] std::string text() const {
+    TextTable lines(2);
+    for (std::size_t k = 0; k < remarks_.size(); ++k) {
+      lines.add({fmt::format("({})", k + 1), remarks_[k]});
+    }
+    return remarks_.empty() ? "" : lines.text(page_width);
+  }
+
+ private:
+  std::vector<std::string> remarks_;
+};
+
+std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remarks) {
   const ColumnSurvey& c = of_all.column;
   std::vector<std::string> cells{printable(c.name, longest_name)};
   std::vector<std::string> notes;
@@ -93,7 +96,7 @@ std::vector<std::string> column_cells(const ColumnOfAll& of_all) {
     cells.push_back(printable(m.joint, longest_name));
     cells.push_back(printable(m.unit) + (m.unit_is_stated ? "" : "?"));
     if (!c.guessed_by.empty()) notes.push_back("guessed: " + c.guessed_by);
-    if (!m.effort.remark.empty()) notes.push_back(m.effort.remark);
+    if (!m.effort.remark.empty()) notes.push_back(remarks.mark_of(m.effort.remark));
   } else {
     cells.insert(cells.end(), {"?", "", printable(c.unit)});
   }
@@ -125,17 +128,18 @@ void take_in(const ColumnSurvey& other, ColumnOfAll& all) {
 
 std::string columns_text(const std::vector<const TableSurvey*>& tables) {
   TextTable table(2);
+  Remarks remarks;
   table.add({"column", "meaning", "joint", "unit", "lowest", "highest", "step", ""});
   for (std::size_t k = 0; k < tables.front()->columns.size(); ++k) {
     const ColumnSurvey& first = tables.front()->columns[k];
     ColumnOfAll all{first, first.is_constant()};
     for (std::size_t t = 1; t < tables.size(); ++t) take_in(tables[t]->columns[k], all);
-    table.add(column_cells(all));
+    table.add(column_cells(all, remarks));
   }
   std::string text = table.text(page_width);
   const bool guessed = text.find("?") != std::string::npos;
   if (guessed) text += "  (?: not stated by the log)\n";
-  return text;
+  return text + remarks.text();
 }
 
 std::string joint_title(const TableSurvey& table, const JointSurvey& joint) {

@@ -35,7 +35,7 @@ struct Table {
   std::string caption;
   std::vector<Column> columns;
   std::vector<Row> rows;
-  std::string note;  ///< Below the table; empty: none.
+  std::string note;   ///< Below the table; empty: none.
   bool is_stacked{};  ///< On a narrow screen each row is a list of named values.
 };
 

@@ -41,6 +41,23 @@ TEST(ColumnGuess, FindsClockAngleAndSpeed) {
   for (const auto& guess : guesses) EXPECT_FALSE(guess.reason.empty());
 }
 
+TEST(ColumnGuess, ConstantColumnsAreNoSlopeAndAccelerationsNoSpeed) {
+  std::vector<double> t, q, v, a, constant;
+  for (int k = 0; k < 3000; ++k) {
+    t.push_back(12345 + 0.01 * k);
+    q.push_back(std::sin(t.back()) + 0.1 * std::sin(2.3 * t.back()));
+    v.push_back(std::cos(t.back()) + 0.23 * std::cos(2.3 * t.back()));
+    a.push_back(-std::sin(t.back()) - 0.529 * std::sin(2.3 * t.back()));
+    constant.push_back(31.1);
+  }
+  const LogTable table =
+      table_of({{"#1", t}, {"#2", constant}, {"#3", v}, {"#4", a}, {"#5", q}, {"#6", constant}});
+  const auto guesses = guess_by_numbers(table, {});
+  ASSERT_EQ(guesses.size(), 3U);
+  EXPECT_EQ(guesses[1].meaning.column, 4U);
+  EXPECT_EQ(guesses[2].meaning.column, 2U);
+}
+
 TEST(ColumnGuess, WhatTheNamesTellIsNotGuessedAgain) {
   LogLayout layout;
   ColumnMeaning angle;

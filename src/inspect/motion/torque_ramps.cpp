@@ -83,7 +83,7 @@ std::size_t corner(const AngleTrace& trace, const Line& line, std::size_t from, 
                                      : (std::max(on_line, beyond) - on_line) / level_part;
   const std::size_t first = is_start ? std::max(from, beyond - std::min(beyond, reach)) : beyond;
   const std::size_t last = is_start ? beyond : std::min(to, beyond + reach);
-  if (last < first + fewest_of_level) return is_start ? from : to;
+  if (last < first + fewest_of_level) return beyond;
   const double level = median({trace.effort.begin() + static_cast<std::ptrdiff_t>(first),
                                trace.effort.begin() + static_cast<std::ptrdiff_t>(last)});
   const std::size_t at = sample_at(time_of(level));

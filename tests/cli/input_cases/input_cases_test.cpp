@@ -85,7 +85,7 @@ void expect_said(const InputCase& one, const std::string& said) {
 /// Of a calibration, without what tells one input from another.
 json results(const std::string& text) {
   json all = json::parse(text);
-  for (const char* key : {"inputs", "notes", "provenance", "robot"}) all.erase(key);
+  for (const char* key : {"inputs", "notes", "provenance", "robot", "conversions"}) all.erase(key);
   return all;
 }
 
@@ -102,7 +102,7 @@ const json& clean_results() {
 void expect_numbers(const InputCase& one, const json& calibration) {
   const json found = results(calibration.dump());
   if (one.numbers == Numbers::same) {
-    EXPECT_EQ(found, clean_results());
+    EXPECT_TRUE(found == clean_results()) << json::diff(clean_results(), found).dump();
   } else if (one.numbers == Numbers::close) {
     const auto mass_kg = [](const json& c) {
       return c.at("surrogate_masses").at(0).at("mass_kg").at("estimate").get<double>();

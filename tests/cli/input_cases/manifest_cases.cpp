@@ -43,8 +43,8 @@ std::vector<InputCase> manifest_cases() {
       named("47a", "RobotNamedAsAStatement", "'; DROP TABLE cal;--"),
       named("47b", "RobotWithANul", "a\\u0000b"),
       manifest("48a", "UnknownKey", case_manifest("side =", "colour = \"red\"\nside ="),
-               ":9:10: unknown key 'effort.colour'; hint: known here: 'kind', 'side', 'sign', "
-               "'torque_constant_Nm_A'"),
+               ":9:10: unknown key 'effort.colour'; hint: known here: 'confirmed', 'kind', "
+               "'side', 'sign', 'torque_constant_Nm_A'"),
       manifest("48b", "MisspeltKey", case_manifest("gear_ratio", "gear_ration"),
                ":4:1: key 'joint.gear_ratio' is missing; hint: is 'gear_ration' meant to be it?"),
       manifest("48c", "WrongType", gear_ratio("\"100\""),
@@ -76,8 +76,8 @@ std::vector<InputCase> manifest_cases() {
       manifest("48m", "NoEffortKind", case_manifest("kind = \"motor_torque\"\n", ""),
                ":7:1: key 'effort.kind' is missing; hint: state kind = \"motor_current\", "
                "\"motor_torque\" or \"joint_torque\": the same column is ampere on one robot and "
-               "newton metre on another, so it is never guessed; \"none\" where neither was "
-               "recorded"),
+               "newton metre on another, so it is never guessed; \"target_torque\" where "
+               "it is a controller's value, \"none\" where nothing was recorded"),
       manifest("48n", "UnitOfAnotherQuantity", case_manifest("\"Nm\"", "\"A\""),
                ":13:33: key 'columns.effort.unit': contradicts effort.kind, found 'A', a current, "
                "expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated rightly?"),
