@@ -95,6 +95,7 @@ void tell_outcome(const Calibration& c, Console& console) {
   std::size_t read = 0;
   std::size_t used = 0;
   for (const InputFile& input : c.inputs) {
+    if (input.conversions.empty()) continue;  // no recording's own file: its rows are counted there
     read += input.rows_read;
     used += input.rows_used;
     for (const SkippedRows& skipped : input.skipped) {

@@ -28,7 +28,7 @@ struct InputFile {
   std::size_t rows_read{};
   std::size_t rows_used{};
   std::vector<SkippedRows> skipped;
-  std::vector<ColumnConversion> conversions;  ///< As applied to a log's columns; else empty.
+  std::vector<ColumnConversion> conversions;  ///< As applied to a recording; of its own file alone.
   std::optional<LoggedEffort> logged_effort;  ///< Of a log whose logger is known.
 };
 

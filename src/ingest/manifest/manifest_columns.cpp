@@ -27,9 +27,6 @@ void read_place(const TomlTable& column, ColumnEntry& entry) {
   if (!column.has("file")) return;
   entry.file = column.text("file");
   if (entry.file.empty()) column.refuse("file", {"is empty", "", "the log's name", ""});
-  if (entry.file.find('\0') != std::string::npos) {
-    column.refuse("file", {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
-  }
   entry.time_in_file = column.text_or("time", "");
 }
 
