@@ -47,7 +47,8 @@ The manifest says, for example:
   [columns]
   time   = { name = "t", unit = "s" }
   angle  = { name = "q", unit = "deg" }
-  effort = { name = "i", unit = "A" }
+  effort = { name = "i", unit = "A" }    # file = "tau.csv": where it stands in another file,
+                                         # row by row; time = its time's name there
   [intervals]                   # optional: of the 95 % intervals by resampling
   resamples = 1000              # 0: closed forms alone
   seed = 1

@@ -12,11 +12,13 @@
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
 #include "ingest/column_conversions.h"
+#include "ingest/companion_columns.h"
 #include "ingest/layout/known_effort.h"
 #include "ingest/log_reader.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/recording_rows.h"
+#include "ingest/row_choice.h"
 #include "ingest/unused_columns.h"
 #include "joint/degrees.h"
 
@@ -80,8 +82,15 @@ void read_to_the_end(ByteSource& bytes) {
   }
 }
 
-void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
-                   const ManifestFile& manifest, Dataset& dataset, UnusedColumns& unused) {
+struct ReadLog {
+  LogTable table;
+  InputFile input;
+};
+
+/// A recording's own file, or one beside it.
+ReadLog read_log(const RecordingEntry& entry, const std::filesystem::path& directory,
+                 const std::vector<KnownLoad>& loads, const TextLogRules& rules,
+                 std::vector<std::string>& notes) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
@@ -89,34 +98,60 @@ void add_recording(const RecordingEntry& entry, const std::filesystem::path& dir
   const std::string path = (directory / entry.file).string();
   InputFileSource log(path);
   FingerprintedSource bytes(log);
-  std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
   const LogFormat format = format_of_log(path);
-  const LogTable table = format == LogFormat::text
-                             ? read_columns_of(entry, bytes, path, loads, manifest.text_logs)
-                             : choose_columns_of(entry, read_tables(path, format), path, loads);
+  ReadLog read;
+  read.table = format == LogFormat::text
+                   ? read_columns_of(entry, bytes, path, loads, rules)
+                   : choose_columns_of(entry, read_tables(path, format), path, loads);
   read_to_the_end(bytes);
-  unused.add(table);
-  Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
-                                       dataset.notes, &loads);
   if (log.has_grown()) {
-    dataset.notes.push_back(
-        printable(entry.file) +
-        ": the log is still being written; what came after the start of reading "
-        "is not in");
+    notes.push_back(printable(entry.file) +
+                    ": the log is still being written; what came after the start of reading "
+                    "is not in");
   }
-  InputFile input;
-  input.name = entry.file;
-  input.role = to_string(entry.role);
-  input.bytes = log.bytes_read();
-  input.sha256 = bytes.sha256();
+  read.input.name = entry.file;
+  read.input.role = to_string(entry.role);
+  read.input.bytes = log.bytes_read();
+  read.input.sha256 = bytes.sha256();
+  return read;
+}
+
+/// What became of the rows, which a recording's files share.
+void count_rows(const Recording& recording, InputFile& input) {
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
   input.skipped = recording.skipped;
+}
+
+void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
+                   const ManifestFile& manifest, Dataset& dataset, UnusedColumns& unused) {
+  std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
+  const RecordingEntry own = without_companions(entry);
+  auto [table, input] = read_log(own, directory, loads, manifest.text_logs, dataset.notes);
+  unused.add(table);
+  std::vector<LogTable> tables;
+  std::vector<InputFile> companions;
+  for (const RecordingEntry& companion : companions_of(entry)) {
+    ReadLog read = read_log(companion, directory, {}, manifest.text_logs, dataset.notes);
+    RecordingNotes notes(companion.file, dataset.notes);
+    note_reading(read.table, notes);
+    unused.add(read.table);
+    tables.push_back(std::move(read.table));
+    companions.push_back(std::move(read.input));
+  }
+  join_companions(entry, std::move(tables), table);
+  Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
+                                       dataset.notes, &loads);
+  count_rows(recording, input);
   input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
   if (entry.columns.effort) {
     input.logged_effort = known_effort(entry.columns.angle->name, entry.columns.effort->name);
   }
   dataset.inputs.push_back(std::move(input));
+  for (InputFile& companion : companions) {
+    count_rows(recording, companion);
+    dataset.inputs.push_back(std::move(companion));
+  }
   if (!entry.note.empty()) dataset.notes.push_back(printable(entry.file) + ": " + entry.note);
   dataset.recordings.push_back(std::move(recording));
 }

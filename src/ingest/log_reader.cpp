@@ -33,7 +33,7 @@ std::vector<std::string> missing_in(const LogTable& table,
                                     const std::vector<WantedColumn>& columns) {
   std::vector<std::string> missing;
   for (const WantedColumn& wanted : columns) {
-    if (!index_of(table, wanted.name)) missing.push_back(wanted.name);
+    if (!wanted.is_optional && !index_of(table, wanted.name)) missing.push_back(wanted.name);
   }
   return missing;
 }
@@ -130,7 +130,9 @@ LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColu
   if (!table.refusal.empty()) throw InputError({table.file, 0, 0}, {table.refusal, "", "", ""});
   std::vector<LogColumn> chosen;
   for (const WantedColumn& wanted : columns) {
-    chosen.push_back(table.columns[*index_of(table, wanted.name)]);
+    const auto index = index_of(table, wanted.name);
+    if (!index) continue;
+    chosen.push_back(table.columns[*index]);
     if (wanted.reading == ColumnReading::clock) count_from_first(chosen.back());
   }
   table.columns = std::move(chosen);

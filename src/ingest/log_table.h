@@ -2,6 +2,7 @@
 // What a reader makes of a log, whatever its format: columns of numbers that share their rows.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@ struct ColumnHeader {
   std::string unit;  ///< Empty: none stated.
 };
 
+struct LogTable;
+
 struct LogColumn {
   ColumnHeader header;
   std::vector<double> values;  ///< NaN where there is a gap.
@@ -22,6 +25,9 @@ struct LogColumn {
   /// without which no double holds nanoseconds. 0 otherwise.
   double origin{};
   std::size_t gaps{};
+  /// File and lines of its rows, without columns, where they are not the table's own; null: they
+  /// are.
+  std::shared_ptr<const LogTable> stands_in{};
 };
 
 struct LogTable {
@@ -60,6 +66,7 @@ struct WantedColumn {
   std::string name;
   std::string if_missing{};  ///< Added to the hint where there is no such column.
   ColumnReading reading{ColumnReading::number};
+  bool is_optional{};  ///< Not refused where there is no such column, but left out.
 };
 
 }  // namespace tribolog

@@ -46,15 +46,6 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
 }
 
-void note_gaps(const LogTable& table, RecordingNotes& notes) {
-  for (const LogColumn& column : table.columns) {
-    const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
-    if (share <= many_gaps) continue;
-    notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
-                          in_quotes(column.header.full), 100 * share));
-  }
-}
-
 std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
                                          const std::vector<KnownLoad>& loads) {
   std::vector<WantedColumn> wanted;
@@ -62,6 +53,7 @@ std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
     const bool is_effort = column.signal == LoggedSignal::effort;
     wanted.push_back({column.entry->name, is_effort ? without_effort : "", column.entry->reading});
   }
+  if (entry.time_to_compare) wanted.push_back(*entry.time_to_compare);
   add_load_columns(loads, entry.role, wanted);
   return wanted;
 }
@@ -82,6 +74,17 @@ void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<Know
 
 }  // namespace
 
+void note_reading(const LogTable& table, RecordingNotes& notes) {
+  for (const std::string& note : table.notes) notes.add(note);
+  for (const LogColumn& column : table.columns) {
+    if (column.stands_in) continue;  // noted of its own file
+    const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
+    if (share <= many_gaps) continue;
+    notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
+                          in_quotes(column.header.full), 100 * share));
+  }
+}
+
 LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
                          const std::vector<KnownLoad>& loads, const TextLogRules& rules) {
   LogTable table = read_csv(bytes, path, columns_wanted(entry, loads), rules);
@@ -100,8 +103,7 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
                          double effort_sign, std::vector<std::string>& notes_of_all,
                          std::vector<KnownLoad>* loads) {
   RecordingNotes notes(entry.file, notes_of_all);
-  for (const std::string& note : table.notes) notes.add(note);
-  note_gaps(table, notes);
+  note_reading(table, notes);
   if (table.columns.front().origin != 0) {
     notes.add(
         "its clock counts from 1970; here, and in from_s and to_s, time counts from its first "
@@ -118,6 +120,7 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const ColumnEntry& column = *columns[k].entry;
     const std::vector<double>& logged = table.columns[k].values;
+    const LogTable& stands_in = table.columns[k].stands_in ? *table.columns[k].stands_in : table;
     const double factor = conversion_of(columns[k], drive, effort_sign).factor();
     const double bound = largest_possible(column.quantity) / column.si_factor;
     std::vector<double>& signal = signal_of(r, columns[k].signal);
@@ -125,7 +128,7 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
     for (const std::size_t row : choice.rows) {
       signal.push_back(logged[row] * factor);
       if (!(std::abs(logged[row]) <= bound)) {
-        refuse_impossible_value(column, logged[row], table, row);
+        refuse_impossible_value(column, logged[row], stands_in, row);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "files/byte_source.h"
 #include "ingest/log_table.h"
 #include "ingest/manifest/manifest_file.h"
+#include "ingest/row_choice.h"
 #include "joint/recording.h"
 
 namespace tribolog {
@@ -25,6 +26,9 @@ LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const s
 /// @throw InputError as take_columns(), and as above.
 LogTable choose_columns_of(const RecordingEntry& entry, std::vector<LogTable> tables,
                            const std::string& path, const std::vector<KnownLoad>& loads = {});
+
+/// What was peculiar when the table was read, and which of its columns have many gaps.
+void note_reading(const LogTable& table, RecordingNotes& notes);
 
 /// Rows outside the window, with a gap, or with a time stamp that stood before are left out and
 /// counted in `skipped`. Time running back by up to a second is put in order.

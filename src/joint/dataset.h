@@ -67,7 +67,7 @@ struct Manifest {
 struct Dataset {
   Manifest manifest;
   std::vector<Recording> recordings;  ///< In the manifest's order.
-  std::vector<InputFile> inputs;      ///< The manifest, the robot's description, one per recording.
+  std::vector<InputFile> inputs;      ///< The manifest, the robot's description, the logs.
   std::vector<std::string> notes;     ///< What the reader noticed and the user should know.
   std::shared_ptr<const RobotDescription> robot;  ///< For drawings; null where none is stated.
 

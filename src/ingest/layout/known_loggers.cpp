@@ -71,10 +71,20 @@ constexpr std::array lerobot = {KnownColumn{"timestamp", time, "s"},
                                 KnownColumn{"{}.effort", torque, "Nm", false, std::nullopt,
                                             std::nullopt, ampere_or_newton_metre}};
 
+// Each quantity in a file of its own; the hyphen belongs to the name.
+constexpr std::array figaroh = {KnownColumn{"t", time, "s"},
+                                KnownColumn{"- {}_joint_position", angle, "rad"},
+                                KnownColumn{"- {}_joint_velocity", angular_speed, "rad/s"},
+                                KnownColumn{"- {}_joint_effort", torque, "Nm", false, std::nullopt,
+                                            std::nullopt, ampere_or_newton_metre}};
+
 constexpr std::array loggers = {KnownLogger{"UR RTDE", "actual_q_{}", ur_rtde},
                                 KnownLogger{"libfranka", "state.q[{}]", libfranka},
                                 KnownLogger{"KUKA FRI", "mp1", kuka_fri},
                                 KnownLogger{"FloBaRoID", "positions_{}", flobaroid},
+                                KnownLogger{"figaroh", "- {}_joint_position", figaroh},
+                                KnownLogger{"figaroh", "- {}_joint_velocity", figaroh},
+                                KnownLogger{"figaroh", "- {}_joint_effort", figaroh},
                                 KnownLogger{"joint states", "{}.position", joint_states},
                                 KnownLogger{"LeRobot", "{}.pos", lerobot}};
 

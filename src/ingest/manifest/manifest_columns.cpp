@@ -16,6 +16,23 @@ void refuse_contradiction(const TomlTable& column, Quantity quantity, const std:
                          "is the kind of the effort stated rightly?"});
 }
 
+/// Of a column that stands beside the recording's file.
+void read_place(const TomlTable& column, ColumnEntry& entry) {
+  if (entry.quantity == Quantity::time) {
+    if (!column.has_misplaced("file")) return;
+    column.refuse("file", {"is not for the time", "", "",
+                           "the recording's file is the one that has the time; state a file for "
+                           "the other columns"});
+  }
+  if (!column.has("file")) return;
+  entry.file = column.text("file");
+  if (entry.file.empty()) column.refuse("file", {"is empty", "", "the log's name", ""});
+  if (entry.file.find('\0') != std::string::npos) {
+    column.refuse("file", {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
+  }
+  entry.time_in_file = column.text_or("time", "");
+}
+
 std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::string& key,
                                        Quantity quantity, bool has_side,
                                        const std::optional<ColumnEntry>& otherwise) {
@@ -37,6 +54,7 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   if (has_side && table->has("side")) {
     entry.side = table->choice("side", {"motor", "joint"}) == 0 ? Side::motor : Side::joint;
   }
+  read_place(*table, entry);
   entry.where = table->where("name");
   table->refuse_unknown_keys();
   return entry;

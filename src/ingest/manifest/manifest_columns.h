@@ -20,7 +20,10 @@ struct ColumnEntry {
   Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
   Location where;
   ColumnReading reading{ColumnReading::number};
-  bool any_rate{};  ///< Of the time: so stated, however many samples a second it makes.
+  /// In which the column stands, relative to the manifest; empty: the recording's.
+  std::string file{};
+  std::string time_in_file{};  ///< Name of the time there; empty: the recording's, if it is there.
+  bool any_rate{};             ///< Of the time: so stated, however many samples a second it makes.
 };
 
 struct ColumnEntries {
@@ -37,7 +40,8 @@ struct ColumnEntries {
 /// @param effort_kind decides whether the effort is a current or a torque; with EffortKind::none an
 ///        effort is refused.
 /// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind; for
-///        an effort in volt or per cent of the duty cycle, which no torque follows from.
+///        an effort in volt or per cent of the duty cycle, which no torque follows from; for a file
+///        of the time.
 ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
                            const ColumnEntries& otherwise);
 

@@ -24,6 +24,9 @@
 //                 (optional); name = "#2": the second column; unit of the time: "iso8601" too
 //                 angle and speed: side = "joint" (default) | "motor"
 //                 time: any_rate = true where under 5 or over 100000 samples a second are right
+//                 the others: file (relative to the manifest) where the column stands in another
+//                 file than the recording's, row by row; time = name of the time in that file
+//                 (optional; compared, as is a time of the same name)
 //   [log]         decimal_comma = false; delimiter = "comma" | "semicolon" | "tab" | "spaces"
 //                 (found out unless stated); encoding = "utf8" | "latin1"; skip_bad_rows = false
 //                 (of text logs; optional)
@@ -54,6 +57,8 @@ struct RecordingEntry {
   std::optional<double> from_s;
   std::optional<double> to_s;
   ColumnEntries columns;  ///< Time, angle and effort (unless its kind is none) are there.
+  /// Of a file that stands beside the recording's (companion_columns.h): read behind the columns.
+  std::optional<WantedColumn> time_to_compare{};
   std::string note;
   Location where;
 };

@@ -85,6 +85,10 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
 
 bool TomlTable::has(const std::string& key) const { return view_->find(key) != nullptr; }
 
+bool TomlTable::has_misplaced(const std::string& key) const {
+  return view_->table->get(key) != nullptr;
+}
+
 Location TomlTable::where() const { return location_of(view_->file, view_->table->source()); }
 
 Location TomlTable::where(const std::string& key) const {

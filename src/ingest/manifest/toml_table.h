@@ -53,6 +53,8 @@ class TomlTable {
   [[nodiscard]] std::vector<TomlTable> one_or_more_tables(const std::string& key) const;
 
   [[nodiscard]] bool has(const std::string& key) const;
+  /// has() of a key that is not known here, to refuse it with its own reason.
+  [[nodiscard]] bool has_misplaced(const std::string& key) const;
   [[nodiscard]] Location where() const;
   /// Of the key's value; the table's where there is no such key.
   [[nodiscard]] Location where(const std::string& key) const;

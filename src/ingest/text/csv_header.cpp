@@ -107,6 +107,12 @@ std::vector<std::string> repeated_names(const std::vector<Field>& header) {
   return repeated;
 }
 
+bool has_column(const std::vector<Field>& header, const std::string& name) {
+  return std::any_of(header.begin(), header.end(), [&](const Field& field) {
+    return field.text == name || read_header_field(field.text).name == name;
+  });
+}
+
 std::size_t find_column(const std::vector<Field>& header, const std::string& name,
                         const std::string& hint_if_missing, const Location& line) {
   std::vector<std::size_t> by_bare_name;

@@ -28,6 +28,9 @@ void refuse_other_encodings(const std::vector<Field>& header, const Location& li
 /// Those that stand more than once.
 std::vector<std::string> repeated_names(const std::vector<Field>& header);
 
+/// Whether a column has this name, with or without its unit.
+bool has_column(const std::vector<Field>& header, const std::string& name);
+
 /// Index of the column with this name; the full text counts first, then the name without its unit,
 /// then, of "#2", the position.
 /// @throw InputError if there is none (listing those that are, and the closest) or several, also of

@@ -86,6 +86,7 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   layout.slots.assign(layout.header.size(), -1);
   for (const Field& field : layout.header) table.header.push_back(field.text);
   for (const WantedColumn& wanted : columns) {
+    if (wanted.is_optional && !has_column(layout.header, wanted.name)) continue;
     const std::size_t index = find_column(layout.header, wanted.name, wanted.if_missing, line);
     if (layout.slots[index] >= 0) {
       throw InputError({table.file, line.line, static_cast<long>(layout.header[index].column)},

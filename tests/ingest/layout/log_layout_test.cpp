@@ -57,6 +57,14 @@ TEST(LogLayout, KnowsTheOthersToo) {
   EXPECT_EQ(layout_of({"index", "time", "mp1", "ip1", "mt1", "et1"}).logger, "KUKA FRI");
   EXPECT_EQ(layout_of({"index", "time", "mp1", "mt1"}).find(Quantity::angular_speed, "1"), nullptr);
   EXPECT_EQ(layout_of({"times", "positions_0", "torques_0"}).logger, "FloBaRoID");
+  const LogLayout positions =
+      layout_of({"t", "- torso_lift_joint_position", "- arm_1_joint_position"});
+  EXPECT_EQ(positions.logger, "figaroh");
+  EXPECT_EQ(positions.joints(), (std::vector<std::string>{"torso_lift", "arm_1"}));
+  const LogLayout efforts = layout_of({"t", "- torso_lift_joint_effort", "- arm_1_joint_effort"});
+  EXPECT_EQ(efforts.logger, "figaroh");
+  ASSERT_NE(efforts.find(Quantity::torque, "arm_1"), nullptr);
+  EXPECT_FALSE(efforts.find(Quantity::torque, "arm_1")->effort.kind);
   const LogLayout ros = layout_of({"time", "elbow.position", "elbow.velocity", "elbow.effort"});
   EXPECT_EQ(ros.logger, "joint states");
   // Nobody can tell amperes from newton metres here.
