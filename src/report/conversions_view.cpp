@@ -85,6 +85,7 @@ std::string roles_in_words(const std::vector<Role>& roles) {
 Table conversions_table(const Calibration& c) {
   Table table;
   table.id = "table-conversions";
+  table.is_stacked = true;
   table.caption = "What was made of each column";
   table.columns = {
       {"Signal", "", false},      {"Column", "", false}, {"Unit in the log", "", false},
@@ -140,6 +141,7 @@ std::string range_in_words(double low, double high, const std::string& unit) {
 Table speeds_table(const std::vector<SpeedSource>& sources) {
   Table table;
   table.id = "table-speeds";
+  table.is_stacked = true;
   table.caption = "Where speeds come from";
   table.columns = {{"Recordings", "", false},
                    {"Speed logged", "", false},

@@ -3,8 +3,8 @@
 // to confirm: nothing here enters a recording unasked.
 //
 // Loggers that are known by their columns: UR's RTDE client, libfranka's logToCSV, KUKA's FRI,
-// FloBaRoID, figaroh, joint states of ROS, LeRobot. Other logs are read word by word: "q_deg",
-// "tau [Nm]".
+// FloBaRoID, figaroh, joint states of ROS, LeRobot. Other logs are read word by word: "q_deg", "tau
+// [Nm]".
 
 #include <cstddef>
 #include <optional>
