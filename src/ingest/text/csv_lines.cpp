@@ -96,6 +96,10 @@ void RowCursor::read_on(std::size_t bytes) {
   rest_ = window_->read_on(rest_, bytes);
 }
 
+void RowCursor::read_ahead(std::size_t bytes) {
+  if (may_go_on()) window_->read_ahead(bytes);
+}
+
 std::size_t RowCursor::next_lf() {
   // Once for each LF, not once for each line: lines may end with CR alone.
   if (lf_at_ && *lf_at_ >= walked_) return *lf_at_ - walked_;

@@ -39,6 +39,9 @@ class RowCursor {
   void pass(std::size_t bytes, std::size_t lines, bool any_lf, bool any_cr_lf);
   /// Reads on until what is behind the row is as long, or the text ends; row() is then empty.
   void read_on(std::size_t bytes);
+  /// Has so many bytes read behind what is in memory, for the next read_on(); while this works,
+  /// rest() may be read by other threads.
+  void read_ahead(std::size_t bytes);
 
   /// What is behind the row, as far as it is in memory.
   [[nodiscard]] std::string_view rest() const { return rest_; }

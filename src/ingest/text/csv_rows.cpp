@@ -9,11 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "parallel/parallel_for.h"
-
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
-#include "ingest/text/plain_rows.h"
+#include "ingest/text/plain_stretches.h"
 #include "ingest/text/row_refusals.h"
 
 namespace tribolog {
@@ -78,7 +76,8 @@ class RowReader {
         layout_(layout),
         table_(table),
         values_(table.columns.size()),
-        slots_(table.columns.size(), layout) {}
+        slots_(table.columns.size(), layout),
+        stretches_(table.columns) {}
 
   /// By turns: rows that need a closer look one by one, all others in long stretches.
   void read_all() {
@@ -114,36 +113,24 @@ class RowReader {
     const std::size_t before = table_.rows;
     for (bool goes_on = true; goes_on;) {
       cursor_.read_on(stretch_bytes);
-      std::vector<PlainRows> parts =
-          read_side_by_side(cursor_.rest(), *slots_.plain_layout(table_));
-      const auto last = std::find_if(parts.begin(), parts.end(),
-                                     [](const PlainRows& part) { return !part.is_whole; });
-      goes_on = !parts.empty() && last == parts.end();
-      if (last != parts.end()) parts.erase(last + 1, parts.end());
-      append(parts);
+      const auto round = stretches_.read(cursor_.rest(), *slots_.plain_layout(table_),
+                                         [&] { cursor_.read_ahead(stretch_bytes); });
+      for (const PlainRows& part : round.parts) pass(part);
+      goes_on = round.is_whole;
     }
+    stretches_.finish();
     rows_since_stretch_ = 0;
     patience_ = table_.rows - before >= few ? 1 : std::min(2 * patience_, longest_wait);
   }
 
-  void append(const std::vector<PlainRows>& parts) {
-    // Column by column: most of the time goes into memory that is touched for the first time.
-    parallel_for(table_.columns.size(), [&](std::size_t k) {
-      LogColumn& column = table_.columns[k];
-      for (const PlainRows& part : parts) {
-        column.values.insert(column.values.end(), part.values[k].begin(), part.values[k].end());
-        column.gaps += part.gaps[k];
-      }
-    });
-    for (const PlainRows& part : parts) {
-      if (part.rows == 0) continue;
-      if (cursor_.line() + 1 != expected_line_) {
-        table_.line_breaks.emplace_back(table_.rows, cursor_.line() + 1);
-      }
-      table_.rows += part.rows;
-      cursor_.pass(part.bytes, part.rows, part.any_lf, part.any_cr_lf);
-      expected_line_ = cursor_.line() + 1;
+  void pass(const PlainRows& part) {
+    if (part.rows == 0) return;
+    if (cursor_.line() + 1 != expected_line_) {
+      table_.line_breaks.emplace_back(table_.rows, cursor_.line() + 1);
     }
+    table_.rows += part.rows;
+    cursor_.pass(part.bytes, part.rows, part.any_lf, part.any_cr_lf);
+    expected_line_ = cursor_.line() + 1;
   }
 
   /// Any row. @return false for a last row that is cut off. @throw InputError
@@ -238,6 +225,7 @@ class RowReader {
   CsvTable& table_;
   std::vector<double> values_;
   SlotReadings slots_;
+  PlainStretches stretches_;
   long expected_line_{-1};
   std::size_t rows_since_stretch_{0};
   std::size_t patience_{1};

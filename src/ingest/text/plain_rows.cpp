@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include "parallel/parallel_for.h"
 
 #include "ingest/text/plain_number.h"
 
@@ -13,22 +10,28 @@ namespace {
 
 class PlainRowReader {
  public:
-  PlainRowReader(std::string_view text, const PlainLayout& layout)
+  PlainRowReader(std::string_view text, const PlainLayout& layout, PlainRows& rows)
       : layout_(layout),
         by_blanks_(layout.delimiter == Delimiter::spaces),
         delimiter_(static_cast<char>(layout.delimiter)),
         mark_(layout.mark == DecimalMark::comma ? ',' : '.'),
         begin_(text.data()),
         end_(text.data() + text.size()),
-        row_(layout.slots) {
+        row_(layout.slots),
+        out_(rows) {
     out_.values.resize(layout.slots);
-    out_.gaps.resize(layout.slots);
+    out_.gaps.assign(layout.slots, 0);
+    out_.rows = 0;
+    out_.any_lf = out_.any_cr_lf = false;
     // A guess that saves most of the growing; a row has two bytes a column at least.
     constexpr std::size_t usual_row_bytes = 24;
-    for (auto& values : out_.values) values.reserve(text.size() / usual_row_bytes);
+    for (auto& values : out_.values) {
+      values.clear();
+      values.reserve(text.size() / usual_row_bytes);
+    }
   }
 
-  PlainRows read() {
+  void read() {
     const char* p = begin_;
     while (p != end_) {
       const char* const next = read_row(p);
@@ -42,7 +45,6 @@ class PlainRowReader {
     }
     out_.bytes = static_cast<std::size_t>(p - begin_);
     out_.is_whole = p == end_;
-    return std::move(out_);
   }
 
  private:
@@ -122,30 +124,13 @@ class PlainRowReader {
   const char* begin_;
   const char* end_;
   std::vector<double> row_;
-  PlainRows out_;
+  PlainRows& out_;
 };
 
 }  // namespace
 
-PlainRows read_plain_rows(std::string_view text, const PlainLayout& layout) {
-  return PlainRowReader(text, layout).read();
-}
-
-std::vector<PlainRows> read_side_by_side(std::string_view text, const PlainLayout& layout) {
-  constexpr std::size_t stretch_bytes = std::size_t{1} << 19;
-  constexpr std::size_t stretches = 16;
-  std::vector<std::string_view> parts;
-  while (!text.empty() && parts.size() < stretches) {
-    std::size_t bytes = std::min(stretch_bytes, text.size());
-    const std::size_t line_end = text.substr(0, bytes).rfind('\n');
-    if (line_end == std::string_view::npos) break;  // a long line, or the last one
-    bytes = line_end + 1;
-    parts.push_back(text.substr(0, bytes));
-    text.remove_prefix(bytes);
-  }
-  std::vector<PlainRows> rows(parts.size());
-  parallel_for(parts.size(), [&](std::size_t k) { rows[k] = read_plain_rows(parts[k], layout); });
-  return rows;
+void read_plain_rows(std::string_view text, const PlainLayout& layout, PlainRows& rows) {
+  PlainRowReader(text, layout, rows).read();
 }
 
 }  // namespace tribolog

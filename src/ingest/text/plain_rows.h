@@ -41,10 +41,7 @@ struct PlainRows {
 
 /// Reads rows from the start of `text` until its end or the first line that is none: a blank one, a
 /// comment, quotes, text, another number of fields, a lone CR, no line end.
-PlainRows read_plain_rows(std::string_view text, const PlainLayout& layout);
-
-/// The next rows of `text`, stretches of about a megabyte on all cores; in their order, as many of
-/// them as one goes at a time. Those behind one that is not whole have no meaning.
-std::vector<PlainRows> read_side_by_side(std::string_view text, const PlainLayout& layout);
+/// @param rows is overwritten; its memory is used again.
+void read_plain_rows(std::string_view text, const PlainLayout& layout, PlainRows& rows);
 
 }  // namespace tribolog

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -26,17 +27,33 @@ class TextWindow {
   /// @throw InputError for a NUL byte from the second call on, and whatever the source throws.
   std::string_view read_on(std::string_view unread, std::size_t wanted_bytes);
 
+  /// Reads so many bytes behind those returned last, for the next read_on(). What was returned last
+  /// keeps its meaning, and may be read meanwhile by other threads. Nothing is thrown here.
+  void read_ahead(std::size_t bytes);
+
   /// Nothing comes behind what was returned last.
-  [[nodiscard]] bool at_end() const { return at_end_; }
+  [[nodiscard]] bool at_end() const { return at_end_ && ahead_.filled == 0 && !failure_; }
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
+  /// Bytes that were read ahead, with room in front of them for what is unread then.
+  struct Ahead {
+    std::unique_ptr<char[]> bytes;
+    std::size_t room{0};
+    std::size_t filled{0};
+  };
+
+  /// From the source to `to`. @return how many; fewer only at the end.
+  std::size_t fill(char* to, std::size_t wanted);
+  std::string_view take_ahead(std::string_view unread);
   void make_room(std::string_view unread, std::size_t bytes);
 
   ByteSource& source_;
   const std::string& file_;
   std::unique_ptr<char[]> bytes_;
   std::size_t room_{0};
+  Ahead ahead_;
+  std::exception_ptr failure_;  ///< Of reading ahead; due when its bytes are asked for.
   std::uint64_t bytes_read_{0};
   bool at_end_{false};
   bool is_read_on_{false};

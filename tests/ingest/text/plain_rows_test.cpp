@@ -142,7 +142,8 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
 TEST(PlainRows, AQuoteInFrontOfAFieldIsNoPlainRow) {
   const PlainLayout layout{
       Delimiter::comma, DecimalMark::point, {{0, {}, false}, {1, {}, false}, {2, {}, false}}, 3};
-  const PlainRows rows = read_plain_rows("1,2,3\n1,\"2\n", layout);
+  PlainRows rows;
+  read_plain_rows("1,2,3\n1,\"2\n", layout, rows);
   EXPECT_EQ(rows.rows, 1U);
   EXPECT_FALSE(rows.is_whole);
 }
