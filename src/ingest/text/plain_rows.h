@@ -30,13 +30,14 @@ struct PlainLayout {
 };
 
 struct PlainRows {
-  std::vector<std::vector<double>> values;  ///< By slot; NaN where there is a gap.
-  std::vector<std::size_t> gaps;            ///< By slot.
-  std::size_t rows{};                       ///< And as many lines.
-  std::size_t bytes{};                      ///< Of these rows.
-  bool is_whole{};                          ///< No row of the text needs a closer look.
-  bool any_lf{};                            ///< Lines end with LF,
-  bool any_cr_lf{};                         ///< or CR LF.
+  /// By slot; NaN where there is a gap. The first `rows` of each have a meaning.
+  std::vector<std::vector<double>> values;
+  std::vector<std::size_t> gaps;  ///< By slot.
+  std::size_t rows{};             ///< And as many lines.
+  std::size_t bytes{};            ///< Of these rows.
+  bool is_whole{};                ///< No row of the text needs a closer look.
+  bool any_lf{};                  ///< Lines end with LF,
+  bool any_cr_lf{};               ///< or CR LF.
 };
 
 /// Reads rows from the start of `text` until its end or the first line that is none: a blank one, a

@@ -56,7 +56,8 @@ void PlainStretches::finish() {
 void PlainStretches::append(std::size_t column) {
   LogColumn& to = columns_[column];
   for (const PlainRows& part : std::span(waiting_).first(waiting_parts_)) {
-    to.values.insert(to.values.end(), part.values[column].begin(), part.values[column].end());
+    const double* const first = part.values[column].data();
+    to.values.insert(to.values.end(), first, first + part.rows);
     to.gaps += part.gaps[column];
   }
 }
