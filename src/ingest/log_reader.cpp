@@ -66,16 +66,6 @@ std::vector<std::string> names_of(const LogTable& table) {
                                         list_of_names(names), "", hint});
 }
 
-/// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
-/// log's are.
-void count_from_first(LogColumn& column) {
-  const auto first = std::find_if(column.values.begin(), column.values.end(),
-                                  [](double value) { return !std::isnan(value); });
-  if (first == column.values.end() || std::abs(*first) < counts_from_1970) return;
-  column.origin = std::floor(*first);
-  for (double& value : column.values) value -= column.origin;
-}
-
 }  // namespace
 
 LogFormat format_of_log(const std::string& path) {
@@ -110,6 +100,14 @@ std::vector<LogTable> read_tables(const std::string& path, LogFormat format) {
       break;
   }
   throw InputError({path, 0, 0}, {"is a text log", "", "", ""});
+}
+
+void count_from_first(LogColumn& clock) {
+  const auto first = std::find_if(clock.values.begin(), clock.values.end(),
+                                  [](double value) { return !std::isnan(value); });
+  if (first == clock.values.end() || std::abs(*first) < counts_from_1970) return;
+  clock.origin = std::floor(*first);
+  for (double& value : clock.values) value -= clock.origin;
 }
 
 LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns) {

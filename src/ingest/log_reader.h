@@ -18,6 +18,10 @@ LogFormat format_of_log(const std::string& path);
 /// @throw InputError as the format's reader does, and for text.
 std::vector<LogTable> read_tables(const std::string& path, LogFormat format);
 
+/// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
+/// log's are.
+void count_from_first(LogColumn& clock);
+
 /// The one table that has all the columns, with these alone and in their order. Where several
 /// tables have a column of the same name, it is named with its group:
 /// "/left/joint_states/q.position".

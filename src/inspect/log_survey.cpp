@@ -16,8 +16,6 @@ namespace tribolog {
 namespace {
 
 constexpr std::size_t most_distinct = 1000;
-// Beyond, a clock counts from 1970, and is read again so that no nanosecond is lost.
-constexpr double largest_short_clock = 1e8;
 constexpr std::size_t most_columns_by_numbers = 64;  // pairs of them are compared
 
 std::vector<double> numbers_of(const LogColumn& column) {
@@ -57,11 +55,12 @@ std::vector<LogTable> tables_of(const std::string& path, LogFormat format,
   return {read_csv(bytes, path, {}, rules)};
 }
 
+/// So that no nanosecond is lost of one that counts from 1970.
 void read_clock_again(const std::string& path, const TextLogRules& rules, std::size_t column,
                       LogTable& table) {
   const std::vector<double>& values = table.columns[column].values;
   const bool is_long = std::any_of(values.begin(), values.end(),
-                                   [](double t) { return std::abs(t) > largest_short_clock; });
+                                   [](double t) { return std::abs(t) >= counts_from_1970; });
   if (!is_long) return;
   InputFileSource bytes(path);
   const std::string name = table.columns[column].header.full;
@@ -190,7 +189,11 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
   if (table.time) {
     LogColumn& column = data.columns[*table.time];
     const bool is_iso = format == LogFormat::text && column.origin != 0;
-    if (format == LogFormat::text && !is_iso) read_clock_again(path, rules, *table.time, data);
+    if (format != LogFormat::text) {
+      count_from_first(column);
+    } else if (!is_iso) {
+      read_clock_again(path, rules, *table.time, data);
+    }
     table.clock = survey_clock(column, *table.columns[*table.time].meaning, is_iso);
     table.columns[*table.time].meaning->unit = table.clock->unit;
   }

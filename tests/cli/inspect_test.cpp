@@ -1,5 +1,6 @@
 // `tribolog inspect` and `tribolog init`: from logs to a manifest that `identify` takes.
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -220,6 +221,25 @@ TEST(Inspect, JointStatesInMcapGiveAManifestThatIdentifyTakes) {
   const std::string log = scratch.write("states.mcap", joint_state_log());
   const nlohmann::json calibration = identified(scratch, quoted(log));
   EXPECT_EQ(calibration["robot"]["joint"], "elbow") << "the wrist stands still";
+  const double gravity_Nm = calibration["cog"]["rough"]["gravity_joint_Nm"]["estimate"];
+  EXPECT_NEAR(gravity_Nm, 3, 0.01);
+}
+
+/// The windows that are proposed have to count as the reader counts.
+TEST(Inspect, AClockFrom1970InABinaryLogGivesWindowsThatIdentifyTakes) {
+  const ScratchDirectory scratch;
+  nlohmann::json log;
+  for (int i = 0; i < 5000; ++i) {
+    const double t = 0.01 * i;
+    const double way = std::clamp(t - 5, 0.0, 40.0);  // rest, there and back, rest
+    const double q = way < 20 ? -1 + 0.1 * way : 1 - 0.1 * (way - 20);
+    const double direction = t < 5 || t > 45 ? 0 : way < 20 ? 1 : -1;
+    log["stamp"].push_back(1.7e9 + t);
+    log["q_rad"].push_back(q);
+    log["tau_Nm"].push_back(3 * std::cos(q - 0.2) + 0.5 * direction);
+  }
+  const nlohmann::json calibration =
+      identified(scratch, quoted(scratch.write("run.json", log.dump())));
   const double gravity_Nm = calibration["cog"]["rough"]["gravity_joint_Nm"]["estimate"];
   EXPECT_NEAR(gravity_Nm, 3, 0.01);
 }
