@@ -68,6 +68,12 @@ class OutputError : public Error {
   explicit OutputError(const std::string& message) : Error(ExitStatus::output_failed, message) {}
 };
 
+/// The archive is damaged, locked, lost, of a newer program or none at all. It was left as it is.
+class ArchiveError : public Error {
+ public:
+  explicit ArchiveError(const std::string& message) : Error(ExitStatus::archive_failed, message) {}
+};
+
 /// A figure could not be drawn.
 class FigureError : public Error {
  public:

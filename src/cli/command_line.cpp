@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/archive/archive_commands.h"
 #include "cli/commands.h"
 
 namespace tribolog {
@@ -25,7 +26,8 @@ constexpr const char* exit_statuses = R"(
 Exit status: 0 done; 1 the verdict fails and --fail-on asked for that, or a check
 of the paper does not hold; 2 usage; 3 an input file is refused; 4 an output file
 cannot be written (nothing was changed); 5 a figure could not be drawn (the
-numbers are kept); 70 a fault of the program.)";
+numbers are kept); 6 the archive is damaged, locked or of a newer program; 70 a
+fault of the program.)";
 
 constexpr const char* manifest_help = R"(
 The manifest says, for example:
@@ -297,6 +299,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   StudyCommandOptions study;
   add_study(*study_command, study);
 
+  const auto chosen_of_archive = cli::add_archive(app);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& call) {
@@ -323,6 +327,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   }
   if (*paper_command) return run_paper(paper, arguments, console);
   if (*plan_command) return run_plan(plan, arguments, console);
+  if (const cli::Run run = chosen_of_archive()) return run({arguments, console});
   if (*study_command) return run_study_command(study, arguments, console);
   std::cout << app.help();
   return ExitStatus::usage;

@@ -59,13 +59,6 @@ void write_all(const std::string& path, const FileDescriptor& file, std::string_
   }
 }
 
-/// The umask can only be read by setting it.
-mode_t file_mode() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
-}
-
 /// A directory's entries are flushed too; file systems that cannot do that say EINVAL.
 void flush_directory(const std::string& path, const fs::path& directory) {
   const FileDescriptor handle(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -107,7 +100,7 @@ void AtomicFiles::add(const std::string& path, std::string_view bytes) {
   auto temporary = std::make_unique<TemporaryFile>(target);
   if (!temporary->file().is_open()) refuse(path, errno);
   write_all(path, temporary->file(), bytes);
-  if (::fchmod(temporary->file().get(), file_mode()) != 0) refuse(path, errno);
+  if (!temporary->open_to_others()) refuse(path, errno);
   // Any number of files may be pending: none is kept open until all are flushed.
   if (!temporary->file().close()) refuse(path, errno);
   pending_.push_back({path, target, std::move(temporary)});

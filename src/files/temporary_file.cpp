@@ -50,6 +50,17 @@ bool TemporaryFile::flush() const {
   return handle.is_open() && ::fsync(handle.get()) == 0;
 }
 
+bool TemporaryFile::open_to_others() const {
+  // The umask can only be read by setting it.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return ::chmod(path_.c_str(), 0666 & ~mask) == 0;
+}
+
+bool TemporaryFile::link_to(const std::filesystem::path& target) {
+  return ::link(path_.c_str(), target.c_str()) == 0;
+}
+
 bool TemporaryFile::rename_to(const std::filesystem::path& target) {
   if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
   path_.clear();

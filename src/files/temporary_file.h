@@ -21,6 +21,12 @@ class TemporaryFile {
   [[nodiscard]] FileDescriptor& file() { return file_; }
   /// Its bytes are on the disk. Works whether it is open or not. @return false: errno tells why.
   [[nodiscard]] bool flush() const;
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// Gets the permissions that a new file has by the umask. @return false: errno tells why.
+  [[nodiscard]] bool open_to_others() const;
+  /// Takes the target's name, if nothing has it. @return false: errno tells why, and nothing has
+  /// changed.
+  [[nodiscard]] bool link_to(const std::filesystem::path& target);
   /// Takes the target's place. @return false: errno tells why, and nothing has changed.
   [[nodiscard]] bool rename_to(const std::filesystem::path& target);
 

@@ -1,0 +1,21 @@
+#pragma once
+// What an archive holds, as JSON for scripts. Keys are in the same order always.
+
+#include <string>
+#include <vector>
+
+#include "archive/store/calibration_archive.h"
+
+namespace tribolog::archive {
+
+/// {"schema": "tribolog-archive-1", "calibrations": [...]}
+std::string entries_json(const std::vector<Entry>& entries);
+
+/// One with its quantities, inputs and documents.
+std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantities,
+                       const std::vector<Input>& inputs,
+                       const std::vector<StoredDocument>& documents);
+
+std::string verification_json(const Verification& outcome);
+
+}  // namespace tribolog::archive

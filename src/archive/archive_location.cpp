@@ -1,0 +1,61 @@
+#include "archive/archive_location.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "archive/store/schema.h"
+
+#include "error.h"
+#include "files/atomic_file.h"
+
+namespace tribolog::archive {
+namespace {
+
+std::string absolute_path_in(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && value[0] == '/' ? value : "";
+}
+
+void make_if_missing(const std::string& path, bool is_default) {
+  std::error_code error;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) return;
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  if (is_default) create_directory(directory.string());
+  check_output_can_be_written(path);
+  sql::create_sqlite(path, [](sql::Connection& connection) { create_schema(connection); });
+}
+
+}  // namespace
+
+std::string default_location() {
+  std::string data = absolute_path_in("XDG_DATA_HOME");
+  if (data.empty()) {
+    const std::string home = absolute_path_in("HOME");
+    if (home.empty()) {
+      throw UsageError(
+          "where is the archive? Neither XDG_DATA_HOME nor HOME is set to an absolute path; state "
+          "--archive PATH");
+    }
+    data = home + "/.local/share";
+  }
+  return data + "/tribolog/archive.tribolog";
+}
+
+bool is_server(const std::string& location) {
+  return location.starts_with("postgresql://") || location.starts_with("postgres://");
+}
+
+CalibrationArchive open_archive(const std::string& location, sql::Access access, int wait_ms) {
+  const bool is_default = location.empty();
+  const std::string path = is_default ? default_location() : location;
+  if (is_server(path)) throw UsageError("PostgreSQL archives are not built in");
+  if (access == sql::Access::write) {
+    make_if_missing(path, is_default);
+  } else if (std::error_code error; !std::filesystem::exists(path, error)) {
+    throw InputError({path, 0, 0}, {"there is no archive here", "", "",
+                                    "tribolog archive add, or report --archive, starts one"});
+  }
+  return CalibrationArchive(sql::open_sqlite(path, access, wait_ms));
+}
+
+}  // namespace tribolog::archive

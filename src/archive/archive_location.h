@@ -1,0 +1,29 @@
+#pragma once
+// Where an archive is: a file, or a PostgreSQL server.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "archive/sql/sqlite_connection.h"
+#include "archive/store/calibration_archive.h"
+
+namespace tribolog::archive {
+
+/// `tribolog/archive.tribolog` in the user's data directory by the XDG rules: $XDG_DATA_HOME, or
+/// $HOME/.local/share.
+/// @throw UsageError: neither is set to an absolute path.
+std::string default_location();
+
+/// "postgresql://..." or "postgres://..."; anything else is a file's path.
+bool is_server(const std::string& location);
+
+/// @param location empty: default_location().
+/// @param access with Access::write an archive that is not there is made, and the directories of
+///        the default one.
+/// @throw InputError: not there, with Access::read. @throw ArchiveError, OutputError: as
+///        open_sqlite(); a newer schema.
+CalibrationArchive open_archive(const std::string& location, sql::Access access,
+                                int wait_ms = sql::usual_wait_ms);
+
+}  // namespace tribolog::archive

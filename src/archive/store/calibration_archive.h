@@ -1,0 +1,108 @@
+#pragma once
+// Calibrations, kept: each one transaction, each with a digest, each addition and removal a link
+// of a chain, so that a loss or an alteration is found.
+//
+// What add() has returned is on the disk, whatever happens to the program or the machine.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "archive/archived_calibration.h"
+#include "archive/sql/sql_connection.h"
+
+namespace tribolog::archive {
+
+/// Which entries; what is absent excludes none.
+struct Filter {
+  std::optional<std::string> robot;
+  std::optional<std::string> serial;
+  std::optional<std::string> joint;
+  bool latest_revisions{false};  ///< Of what was archived several times the last one alone.
+};
+
+struct Added {
+  std::string id;
+  bool is_new{};             ///< false: the same inputs are archived already, under this id.
+  std::string tool_version;  ///< By which what is there was made.
+};
+
+/// An entry and its results.
+struct Measured {
+  Entry entry;
+  std::vector<Quantity> quantities;
+};
+
+/// A document's place and fingerprint, without its bytes.
+struct StoredDocument {
+  DocumentKind kind{};
+  std::string name;
+  std::uint64_t bytes{};
+  std::uint64_t stored_bytes{};
+  std::string sha256;
+};
+
+struct Verification {
+  std::size_t entries{};
+  std::size_t documents{};
+  std::size_t events{};
+  std::string head;                 ///< The chain's last link: names this state of the archive.
+  bool contains_head{true};         ///< The link that was asked for is one of the chain.
+  std::vector<std::string> faults;  ///< Empty: all is as it was archived.
+};
+
+class CalibrationArchive {
+ public:
+  /// @throw ArchiveError: the schema is newer than the program, or there is none.
+  explicit CalibrationArchive(std::unique_ptr<sql::Connection> connection);
+
+  /// @param again archives it as a new revision where the same inputs are archived already.
+  /// @param now_utc for the chain.
+  Added add(const NewCalibration& calibration, bool again, const std::string& now_utc);
+
+  /// The report that was made of an entry. @return false: it has one already, which stays.
+  bool attach_report(const std::string& id, std::string_view html, const std::string& now_utc);
+
+  /// By robot, serial, joint, time and revision, in the order of the texts' bytes.
+  std::vector<Entry> list(const Filter& filter);
+
+  /// @param digits the first of an id; at least four.
+  /// @throw UsageError: none has them, or several do.
+  Entry find(const std::string& digits);
+
+  std::vector<Quantity> quantities(const Entry& entry);
+  std::vector<Input> inputs(const Entry& entry);
+  std::vector<StoredDocument> documents(const Entry& entry);
+
+  /// The filtered entries with their results, in the order of list(), of one state of the archive.
+  std::vector<Measured> measured(const Filter& filter);
+
+  /// Its bytes as they were. @return nothing where it has none.
+  /// @throw ArchiveError: they are not what was archived.
+  std::optional<std::string> document(const Entry& entry, DocumentKind kind,
+                                      const std::string& name = "");
+
+  void remove(const Entry& entry, const std::string& now_utc);
+
+  /// Reads everything. @param head a link that the chain has to have; empty: none.
+  Verification verify(const std::string& head,
+                      const std::function<void(std::size_t, std::size_t)>& progress);
+
+  /// SQLite alone: a copy in a file that does not exist yet.
+  /// @throw UsageError for a PostgreSQL archive.
+  void backup(const std::string& path);
+
+  [[nodiscard]] const std::string& name() const { return connection_->name(); }
+
+ private:
+  void append_event(const char* what, const std::string& id, const std::string& digest,
+                    const std::string& now_utc);
+  void add_document(std::int64_t calibration, const Document& document);
+
+  std::unique_ptr<sql::Connection> connection_;
+};
+
+}  // namespace tribolog::archive

@@ -1,0 +1,32 @@
+#pragma once
+// What an archive's entries and events are proven by: SHA-256 over all of their fields.
+
+#include <string>
+#include <vector>
+
+#include "archive/archived_calibration.h"
+
+namespace tribolog::archive {
+
+/// Of an entry's facts, quantities and inputs and the fingerprint of its calibration. Each field
+/// goes in with its length, numbers with all their bits.
+std::string digest_of(const std::string& id, const Facts& facts,
+                      const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
+                      const std::string& calibration_sha256);
+
+/// The id of a revision of an identity.
+std::string id_of(const std::string& identity, int revision);
+
+/// An addition or removal.
+struct Event {
+  std::int64_t number{};
+  std::string at_utc;
+  std::string what;
+  std::string id;
+  std::string digest;
+};
+
+/// The link that follows `previous`; empty: the first one.
+std::string chain_link(const std::string& previous, const Event& event);
+
+}  // namespace tribolog::archive

@@ -1,0 +1,146 @@
+#include "archive/store/schema.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "error.h"
+
+namespace tribolog::archive {
+namespace {
+
+// INT, REAL_, BYTES, KEY and STRICT_ are written as each database has them.
+constexpr const char* tables = R"(
+CREATE TABLE calibration (
+  number KEY,
+  id TEXT NOT NULL UNIQUE CHECK (length(id) = 64),
+  identity TEXT NOT NULL CHECK (length(identity) = 64),
+  revision INT NOT NULL CHECK (revision >= 1),
+  robot TEXT NOT NULL,
+  serial TEXT NOT NULL,
+  joint TEXT NOT NULL,
+  measured_at TEXT NOT NULL CHECK (length(measured_at) = 20),
+  measured_on TEXT NOT NULL,
+  time_is_stated INT NOT NULL CHECK (time_is_stated IN (0, 1)),
+  created_utc TEXT NOT NULL,
+  operator TEXT NOT NULL,
+  note TEXT NOT NULL,
+  payload TEXT NOT NULL,
+  payload_kg REAL_ CHECK (payload_kg >= 0),
+  payload_distance_m REAL_ CHECK (payload_distance_m > 0),
+  temperature_C REAL_ CHECK (temperature_C > -273.15),
+  gear_ratio REAL_ NOT NULL CHECK (gear_ratio <> 0),
+  sampling_Hz REAL_ CHECK (sampling_Hz > 0),
+  verdict TEXT NOT NULL CHECK (verdict IN ('usable', 'doubtful', 'not_identifiable')),
+  sentence TEXT NOT NULL,
+  configuration TEXT NOT NULL,
+  tool_version TEXT NOT NULL,
+  git_revision TEXT NOT NULL,
+  digest TEXT NOT NULL CHECK (length(digest) = 64),
+  UNIQUE (identity, revision)
+) STRICT_;
+CREATE INDEX calibration_of_joint ON calibration (robot, serial, joint, measured_at);
+
+CREATE TABLE quantity (
+  calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
+  place INT NOT NULL,
+  name TEXT NOT NULL,
+  words TEXT NOT NULL,
+  unit TEXT NOT NULL,
+  verdict TEXT NOT NULL CHECK (verdict IN ('usable', 'doubtful', 'not_identifiable')),
+  value REAL_ CHECK (abs(value) <= 1.7976931348623157e308),
+  low REAL_ CHECK (low <= value),
+  high REAL_ CHECK (high >= value),
+  PRIMARY KEY (calibration, place),
+  UNIQUE (calibration, name)
+) STRICT_;
+
+CREATE TABLE input (
+  calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
+  place INT NOT NULL,
+  name TEXT NOT NULL,
+  role TEXT NOT NULL,
+  bytes INT NOT NULL CHECK (bytes >= 0),
+  sha256 TEXT NOT NULL CHECK (length(sha256) = 64),
+  PRIMARY KEY (calibration, place)
+) STRICT_;
+
+CREATE TABLE document (
+  number KEY,
+  calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
+  kind TEXT NOT NULL CHECK (kind IN ('calibration', 'report', 'input')),
+  name TEXT NOT NULL,
+  bytes INT NOT NULL CHECK (bytes >= 0),
+  sha256 TEXT NOT NULL CHECK (length(sha256) = 64),
+  stored_bytes INT NOT NULL,
+  UNIQUE (calibration, kind, name)
+) STRICT_;
+
+CREATE TABLE content (
+  document INT PRIMARY KEY REFERENCES document (number) ON DELETE CASCADE,
+  zstd BYTES NOT NULL
+) STRICT_;
+
+CREATE TABLE event (
+  number INT PRIMARY KEY CHECK (number >= 1),
+  at_utc TEXT NOT NULL,
+  what TEXT NOT NULL CHECK (what IN ('added', 'report', 'removed')),
+  id TEXT NOT NULL,
+  digest TEXT NOT NULL,
+  chain TEXT NOT NULL CHECK (length(chain) = 64)
+) STRICT_;
+)";
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+}  // namespace
+
+void create_schema(sql::Connection& connection) {
+  const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
+  std::string script = tables;
+  script = replaced(script, "REAL_", is_sqlite ? "REAL" : "DOUBLE PRECISION");
+  script = replaced(script, "STRICT_", is_sqlite ? "STRICT" : "");
+  script = replaced(script, "BYTES", is_sqlite ? "BLOB" : "BYTEA");
+  script = replaced(script, " KEY,",
+                    is_sqlite ? " INTEGER PRIMARY KEY AUTOINCREMENT,"
+                              : " BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY,");
+  script = replaced(script, " INT ", is_sqlite ? " INTEGER " : " BIGINT ");
+  connection.run_script(script);
+  connection.run_script(is_sqlite ? fmt::format("PRAGMA user_version = {}", schema_version)
+                                  : fmt::format("CREATE TABLE archive (version BIGINT NOT NULL); "
+                                                "INSERT INTO archive VALUES ({})",
+                                                schema_version));
+}
+
+int version_of(sql::Connection& connection) {
+  const auto number = [&](const char* statement) {
+    const sql::Rows rows = connection.run(statement);
+    return rows.empty() ? 0 : static_cast<int>(rows.front().front().integer());
+  };
+  if (connection.dialect() == sql::Dialect::sqlite) return number("PRAGMA user_version");
+  const int tables_named_so = number(
+      "SELECT count(*) FROM information_schema.tables "
+      "WHERE table_schema = current_schema() AND table_name = 'archive'");
+  return tables_named_so == 0 ? 0 : number("SELECT version FROM archive");
+}
+
+void refuse_other_versions(sql::Connection& connection) {
+  const int version = version_of(connection);
+  const std::string name = printable(connection.name(), longest_path);
+  if (version > schema_version) {
+    throw ArchiveError(
+        fmt::format("{}: the archive is of a newer tribolog (schema {}, this program "
+                    "knows {}); it is left as it is; update tribolog",
+                    name, version, schema_version));
+  }
+  if (version < 1) {
+    throw ArchiveError(name + ": holds no tables of an archive; it is left as it is");
+  }
+}
+
+}  // namespace tribolog::archive

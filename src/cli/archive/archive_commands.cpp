@@ -1,0 +1,55 @@
+#include "cli/archive/archive_commands.h"
+
+#include <iostream>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace tribolog::cli {
+
+archive::CalibrationArchive ArchiveOptions::open(sql::Access access) const {
+  return archive::open_archive(location, access, static_cast<int>(1e3 * wait_s));
+}
+
+std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
+  constexpr double longest_s = 3600;
+  auto options = std::make_shared<ArchiveOptions>();
+  command.add_option("--archive", options->location,
+                     "the archive: a file, or postgresql://...; default: "
+                     "tribolog/archive.tribolog in the user's data directory");
+  command
+      .add_option("--wait", options->wait_s, "seconds to wait while another process writes to it")
+      ->check(CLI::Range(0.0, longest_s))
+      ->capture_default_str();
+  return options;
+}
+
+void add_filter(CLI::App& command, archive::Filter& filter) {
+  command.add_option("--robot", filter.robot, "of this robot alone");
+  command.add_option("--serial", filter.serial, "of this serial number alone");
+  command.add_option("--joint", filter.joint, "of this joint alone");
+}
+
+std::function<Run()> add_archive(CLI::App& app) {
+  CLI::App* const archive =
+      app.add_subcommand("archive", "keep calibrations, compare them, watch them");
+  archive->require_subcommand(1);
+  archive->fallthrough();
+  std::vector<std::pair<CLI::App*, Run>> commands;
+  for (Run (*add)(CLI::App&) :
+       {add_add, add_list, add_show, add_report, add_verify, add_backup, add_remove}) {
+    Run run = add(*archive);
+    commands.emplace_back(archive->get_subcommands({}).back(), std::move(run));
+  }
+  return [archive, commands]() -> Run {
+    if (!*archive) return {};
+    for (const auto& [command, run] : commands) {
+      if (*command) return run;
+    }
+    return {};
+  };
+}
+
+void print_json(const std::string& json) { std::cout << json << std::flush; }
+
+}  // namespace tribolog::cli
