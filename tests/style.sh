@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Formatting and a short list of clang-tidy checks, as errors. Needs a configured build directory.
-#   tests/style.sh BUILD [format|tidy]
+#   tests/style.sh BUILD [format|types|tidy]
 # Skips, saying so, where the tools are not installed.
 set -euo pipefail
 build=$(realpath "$1")
@@ -13,6 +13,16 @@ case $what in
     clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
       { echo "SKIPPED: clang-format 14 is not installed"; exit 0; }
     clang-format --dry-run --Werror "${sources[@]}"
+    ;;
+  types)
+    # Two types of one name in one namespace are mixed up by the linker without a word.
+    twice=$(git ls-files 'src/*.h' 'render/*.h' | xargs awk '
+      FNR == 1 { room = "" }
+      /^namespace [a-z:_]+ \{/ { room = $2 }
+      /^(struct|class|enum class) [A-Za-z]+( final)?( :.*)? \{/ {
+        name = room "::" ($1 == "enum" ? $3 : $2); sub(/:$/, "", name); print name, FILENAME
+      }' | sort | awk '{ if ($1 == last) print $1 ": " file ", " $2; last = $1; file = $2 }')
+    [ -z "$twice" ] || { printf 'two types of one name:\n%s\n' "$twice"; exit 1; }
     ;;
   tidy)
     command -v clang-tidy >/dev/null || { echo "SKIPPED: clang-tidy is not installed"; exit 0; }

@@ -113,23 +113,24 @@ const std::map<std::string, Side> sides{{"motor", Side::motor}, {"joint", Side::
 
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format")->required();
-  command.add_option("--joint", logs.joint,
+  command.add_option("--joint", logs.known.joint,
                      "the joint, by its name in the logs; default: the one "
                      "that moves most");
-  command.add_option("--gear-ratio", logs.gear_ratio, "motor angle / joint angle")
+  command.add_option("--gear-ratio", logs.known.gear_ratio, "motor angle / joint angle")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--torque-constant", logs.torque_constant_Nm_A,
+      .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
                   "N·m per ampere, of a motor current")
       ->check(CLI::PositiveNumber);
   command
       .add_option_function<std::string>(
-          "--effort-side", [&logs](const std::string& word) { logs.effort_side = sides.at(word); },
+          "--effort-side",
+          [&logs](const std::string& word) { logs.known.effort_side = sides.at(word); },
           "side of the gear on which the effort acts: motor, joint")
       ->check(CLI::IsMember(sides))
       ->type_name("SIDE");
-  command.add_option("--robot", logs.robot, "the robot's name");
-  command.add_flag("--decimal-comma", logs.decimal_comma, "text logs have decimal commas");
+  command.add_option("--robot", logs.known.robot, "the robot's name");
+  command.add_flag("--decimal-comma", logs.known.decimal_comma, "text logs have decimal commas");
 }
 
 void add_study(CLI::App& command, StudyCommandOptions& study) {

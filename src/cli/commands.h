@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "inspect/manifest_proposal.h"
+
 #include "calibration.h"
 #include "cli/console.h"
 #include "error.h"
@@ -78,12 +80,7 @@ struct StudyCommandOptions {
 /// What inspect and init are told of the logs.
 struct InspectedLogs {
   std::vector<std::string> files;
-  std::optional<std::string> joint;  ///< Absent: the one that moves most.
-  std::optional<double> gear_ratio;
-  std::optional<double> torque_constant_Nm_A;
-  std::optional<Side> effort_side;
-  std::optional<std::string> robot;
-  bool decimal_comma{false};
+  ProposalOptions known;
 };
 
 struct InspectOptions {

@@ -16,9 +16,9 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   }
   check_output_can_be_written(options.output, options.logs.files);
   const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
-  const std::string directory = fs::path(options.output).parent_path().string();
-  const ManifestProposal proposal =
-      propose_manifest(logs, proposal_options(options.logs, directory));
+  ProposalOptions known = options.logs.known;
+  known.directory = fs::path(options.output).parent_path().string();
+  const ManifestProposal proposal = propose_manifest(logs, known);
   write_file_atomically(options.output, proposal.text);
   tell_proposal(proposal, console);
   console.say("manifest: " + printable(options.output, 400));

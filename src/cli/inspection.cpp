@@ -12,7 +12,7 @@ namespace tribolog {
 
 std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& console) {
   TextLogRules rules;
-  if (options.decimal_comma) rules.decimal_mark = DecimalMark::comma;
+  if (options.known.decimal_comma) rules.decimal_mark = DecimalMark::comma;
   std::vector<LogSurvey> logs;
   std::optional<InputError> first;
   for (std::size_t k = 0; k < options.files.size(); ++k) {
@@ -40,23 +40,10 @@ ExitStatus status_of(const std::vector<LogSurvey>& logs) {
   return one_refused ? ExitStatus::input_refused : ExitStatus::done;
 }
 
-ProposalOptions proposal_options(const InspectedLogs& options, const std::string& directory) {
-  ProposalOptions proposal;
-  proposal.joint = options.joint;
-  proposal.gear_ratio = options.gear_ratio;
-  proposal.torque_constant_Nm_A = options.torque_constant_Nm_A;
-  proposal.effort_side = options.effort_side;
-  proposal.robot = options.robot;
-  proposal.decimal_comma = options.decimal_comma;
-  proposal.directory = directory;
-  return proposal;
-}
-
-Proposed try_to_propose(const std::vector<LogSurvey>& logs, const InspectedLogs& options,
-                        const std::string& directory) {
+Proposed try_to_propose(const std::vector<LogSurvey>& logs, const ProposalOptions& known) {
   Proposed proposed;
   try {
-    const ManifestProposal proposal = propose_manifest(logs, proposal_options(options, directory));
+    const ManifestProposal proposal = propose_manifest(logs, known);
     proposed.text = proposal.text;
     proposed.joint = proposal.joint;
   } catch (const InputError& error) {

@@ -19,9 +19,6 @@ std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& consol
 /// 3 if a log was refused.
 ExitStatus status_of(const std::vector<LogSurvey>& logs);
 
-/// @param directory of the manifest; empty: the current one.
-ProposalOptions proposal_options(const InspectedLogs& options, const std::string& directory);
-
 struct Proposed {
   std::string text;  ///< Empty: none could be proposed.
   std::string joint;
@@ -29,8 +26,7 @@ struct Proposed {
 };
 
 /// A manifest, or why there is none. @throw UsageError for a joint that no log has.
-Proposed try_to_propose(const std::vector<LogSurvey>& logs, const InspectedLogs& options,
-                        const std::string& directory);
+Proposed try_to_propose(const std::vector<LogSurvey>& logs, const ProposalOptions& known);
 
 /// A few lines: the joint, the roles found, and what to correct.
 void tell_proposal(const ManifestProposal& proposal, Console& console);

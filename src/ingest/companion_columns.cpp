@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "error.h"
+#include "ingest/clock_steps.h"
 #include "ingest/closest_match.h"
 #include "ingest/column_conversions.h"
 
@@ -69,21 +70,10 @@ void refuse_other_number_of_rows(const RecordingEntry& entry, const LogTable& ow
                     "or bring them to one clock in one file"});
 }
 
-double median_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  }
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 /// A time that is a gap in either file says nothing.
 void refuse_other_times(const RecordingEntry& entry, const LogColumn& own, const LogTable& table) {
   const LogColumn& other = table.columns.back();
-  const double allowed = largest_time_difference * median_step(own.values);
+  const double allowed = largest_time_difference * median_clock_step(own.values);
   const double later = other.origin - own.origin;
   const bool is_iso = entry.columns.time->reading == ColumnReading::iso_time;
   const std::string unit = is_iso ? "s" : printable(entry.columns.time->unit);

@@ -87,6 +87,28 @@ bool is_json(std::string_view text, const std::string& path) {
 
 }  // namespace
 
+std::string to_string(LogFormat format) {
+  switch (format) {
+    case LogFormat::text:
+      return "text (CSV or a dialect)";
+    case LogFormat::mat:
+      return "MAT (MATLAB)";
+    case LogFormat::hdf5:
+      return "HDF5";
+    case LogFormat::npz:
+      return "NumPy archive (.npz)";
+    case LogFormat::npy:
+      return "NumPy array (.npy)";
+    case LogFormat::json:
+      return "JSON";
+    case LogFormat::mcap:
+      return "MCAP";
+    case LogFormat::sqlite_bag:
+      return "rosbag2 (.db3)";
+  }
+  return "";
+}
+
 LogFormat detect_log_format(std::string_view first_bytes, const std::string& path) {
   for (const Signature& signature : signatures) {
     if (first_bytes.starts_with(signature.start)) return signature.format;

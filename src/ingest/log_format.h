@@ -9,6 +9,9 @@ namespace tribolog {
 
 enum class LogFormat { text, mat, hdf5, npz, npy, json, mcap, sqlite_bag };
 
+/// "CSV or the like", for people.
+std::string to_string(LogFormat format);
+
 /// Bytes from the start of a file that detect_log_format() wants to see, if there are as many.
 inline constexpr std::size_t log_format_bytes = 4096;
 

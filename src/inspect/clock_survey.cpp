@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ingest/clock_steps.h"
 #include "ingest/units.h"
-#include "stages/median.h"
 
 namespace tribolog {
 namespace {
@@ -24,15 +24,6 @@ std::string unit_by_magnitude(double interval) {
   return "s";
 }
 
-double median_step(const std::vector<double>& values) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = values[i] - values[i - 1];
-    if (step > 0) steps.push_back(step);
-  }
-  return steps.empty() ? 0 : median(std::move(steps));
-}
-
 }  // namespace
 
 ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, bool is_iso) {
@@ -44,7 +35,7 @@ ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, 
     if (std::isfinite(value)) values.push_back(value);
   }
   clock.missing = column.values.size() - values.size();
-  const double interval = median_step(values);
+  const double interval = median_clock_step(values);
   clock.unit_is_stated = is_iso || meaning.unit_is_stated;
   clock.unit = is_iso                   ? "iso8601"
                : meaning.unit_is_stated ? meaning.unit

@@ -203,28 +203,6 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
 
 }  // namespace
 
-std::string to_string(LogFormat format) {
-  switch (format) {
-    case LogFormat::text:
-      return "text (CSV or a dialect)";
-    case LogFormat::mat:
-      return "MAT (MATLAB)";
-    case LogFormat::hdf5:
-      return "HDF5";
-    case LogFormat::npz:
-      return "NumPy archive (.npz)";
-    case LogFormat::npy:
-      return "NumPy array (.npy)";
-    case LogFormat::json:
-      return "JSON";
-    case LogFormat::mcap:
-      return "MCAP";
-    case LogFormat::sqlite_bag:
-      return "rosbag2 (.db3)";
-  }
-  return "";
-}
-
 LogSurvey survey_log(const std::string& path, const TextLogRules& rules) {
   LogSurvey survey;
   survey.file = path;

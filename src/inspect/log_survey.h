@@ -66,7 +66,4 @@ struct LogSurvey {
 /// @throw InputError for a log that cannot be read.
 LogSurvey survey_log(const std::string& path, const TextLogRules& rules = {});
 
-/// "CSV or the like", for people.
-std::string to_string(LogFormat format);
-
 }  // namespace tribolog

@@ -19,13 +19,6 @@ namespace {
 constexpr std::size_t usual_decimals = 3;
 constexpr double shares_of_interval = 10;
 
-const TableSurvey& table_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
-  return logs[of.log].tables[of.table];
-}
-const JointSurvey& joint_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
-  return table_of(logs, of).joints[of.joint];
-}
-
 /// A comment may not break its line, whatever a log's name holds.
 std::string comment(const std::string& text) {
   return text.empty() ? "" : "  # " + printable(text, 200);

@@ -30,10 +30,6 @@ double stroke_s(const MotionSegment& s) { return s.duration_s() / static_cast<do
 
 bool same_speed(double a, double b) { return std::max(a, b) <= other_speed * std::min(a, b); }
 
-const JointSurvey& joint_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
-  return logs[of.log].tables[of.table].joints[of.joint];
-}
-
 class RoleChooser {
  public:
   RoleChooser(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint)

@@ -19,6 +19,13 @@ struct JointInLog {
   std::size_t joint{};
 };
 
+inline const TableSurvey& table_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
+  return logs[of.log].tables[of.table];
+}
+inline const JointSurvey& joint_of(const std::vector<LogSurvey>& logs, const JointInLog& of) {
+  return table_of(logs, of).joints[of.joint];
+}
+
 struct ProposedRecording {
   JointInLog of;
   Role role{};

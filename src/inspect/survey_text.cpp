@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "inspect/column_table.h"
 #include "inspect/effort_proposal.h"
 #include "inspect/recording_roles.h"
 #include "inspect/text_table.h"
@@ -15,22 +16,14 @@
 namespace tribolog {
 namespace {
 
-constexpr std::size_t page_width = 100;
 constexpr std::size_t gaps_told = 3;
 constexpr double noticeable_jitter_percent = 1;
 constexpr std::size_t segments_in_row = 4;
-constexpr std::size_t longest_name = 40;
-
-std::string plural(std::size_t n, const std::string& word) {
-  return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
-}
-
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.5g}", value); }
 
 std::string paragraph(const std::string& first, const std::string& text) {
   TextTable table(2);
   table.add({first, text});
-  return table.text(page_width);
+  return table.text();
 }
 
 std::string clock_words(const ClockSurvey& c) {
@@ -57,89 +50,6 @@ std::string clock_words(const ClockSurvey& c) {
     if (c.gaps.size() > gaps_told) words += ", ...";
   }
   return words;
-}
-
-/// Columns of tables that look alike, over all of them.
-struct ColumnOfAll {
-  ColumnSurvey column;
-  bool is_constant{true};
-};
-
-/// Remarks on columns, each once below the table.
-class Remarks {
- public:
-  /// The mark by which a remark is found: "(1)".
-  std::string mark_of(const std::string& remark) {
-    auto at = std::find(remarks_.begin(), remarks_.end(), remark);
-    if (at == remarks_.end()) at = remarks_.insert(at, remark);
-    return fmt::format("({})", at - remarks_.begin() + 1);
-  }
-  [[nodiscard]] std::string text() const {
-    TextTable lines(2);
-    for (std::size_t k = 0; k < remarks_.size(); ++k) {
-      lines.add({fmt::format("({})", k + 1), remarks_[k]});
-    }
-    return remarks_.empty() ? "" : lines.text(page_width);
-  }
-
- private:
-  std::vector<std::string> remarks_;
-};
-
-std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remarks) {
-  const ColumnSurvey& c = of_all.column;
-  std::vector<std::string> cells{printable(c.name, longest_name)};
-  std::vector<std::string> notes;
-  if (c.meaning) {
-    const ColumnMeaning& m = *c.meaning;
-    cells.push_back((m.is_target ? "target " : "") + quantity_word(m.quantity));
-    cells.push_back(printable(m.joint, longest_name));
-    cells.push_back(printable(m.unit) + (m.unit_is_stated ? "" : "?"));
-    if (!c.guessed_by.empty()) notes.push_back("guessed: " + c.guessed_by);
-    if (!m.effort.remark.empty()) notes.push_back(remarks.mark_of(m.effort.remark));
-  } else {
-    cells.insert(cells.end(), {"?", "", printable(c.unit)});
-  }
-  cells.push_back(number(c.lowest));
-  cells.push_back(number(c.highest));
-  cells.push_back(c.step > 0 ? fmt::format("{:.3g}", c.step) : "");
-  if (std::isnan(c.lowest)) {
-    notes.emplace_back("nothing but gaps");
-  } else if (of_all.is_constant) {
-    notes.emplace_back("constant");
-  }
-  if (c.gaps > 0 && !std::isnan(c.lowest)) notes.push_back(plural(c.gaps, "gap"));
-  std::string note;
-  for (const std::string& one : notes) note += (note.empty() ? "" : "; ") + one;
-  cells.push_back(note);
-  return cells;
-}
-
-void take_in(const ColumnSurvey& other, ColumnOfAll& all) {
-  const bool same = other.lowest == all.column.lowest && other.highest == all.column.highest;
-  all.is_constant = all.is_constant && other.is_constant() && same;
-  all.column.gaps += other.gaps;
-  all.column.lowest = std::fmin(all.column.lowest, other.lowest);
-  all.column.highest = std::fmax(all.column.highest, other.highest);
-  if (other.step > 0) {
-    all.column.step = all.column.step > 0 ? std::min(all.column.step, other.step) : other.step;
-  }
-}
-
-std::string columns_text(const std::vector<const TableSurvey*>& tables) {
-  TextTable table(2);
-  Remarks remarks;
-  table.add({"column", "meaning", "joint", "unit", "lowest", "highest", "step", ""});
-  for (std::size_t k = 0; k < tables.front()->columns.size(); ++k) {
-    const ColumnSurvey& first = tables.front()->columns[k];
-    ColumnOfAll all{first, first.is_constant()};
-    for (std::size_t t = 1; t < tables.size(); ++t) take_in(tables[t]->columns[k], all);
-    table.add(column_cells(all, remarks));
-  }
-  std::string text = table.text(page_width);
-  const bool guessed = text.find("?") != std::string::npos;
-  if (guessed) text += "  (?: not stated by the log)\n";
-  return text + remarks.text();
 }
 
 std::string joint_title(const TableSurvey& table, const JointSurvey& joint) {
@@ -169,7 +79,7 @@ std::string motion_text(const TableSurvey& table) {
       rows.add({fmt::format("{:.3f}", s.from_s), fmt::format("{:.3f}", s.to_s), to_string(s.kind),
                 describe(s)});
     }
-    text += rows.text(page_width);
+    text += rows.text();
   }
   if (!still.empty()) text += fmt::format("\n{}", paragraph("at rest", list_of_names(still)));
   return text;
@@ -269,7 +179,7 @@ std::string block(const std::vector<const LogSurvey*>& logs, const std::string& 
               clock ? fmt::format("{:.4g}", clock->rate_Hz()) : "",
               clock ? clock_in_short(*clock) : "none", motion_in_short(*tables[k], joint)});
   }
-  return text + rows.text(page_width);
+  return text + rows.text();
 }
 
 bool look_alike(const LogSurvey& a, const LogSurvey& b) {

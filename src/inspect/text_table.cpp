@@ -24,6 +24,10 @@ std::vector<std::string> broken(const std::string& text, std::size_t width) {
 
 }  // namespace
 
+std::string plural(std::size_t n, const std::string& word) {
+  return std::to_string(n) + ' ' + word + (n == 1 ? "" : "s");
+}
+
 std::size_t places(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not the rest of a character

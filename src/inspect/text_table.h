@@ -10,6 +10,12 @@ namespace tribolog {
 /// Places that a UTF-8 text takes, one for each character.
 std::size_t places(const std::string& text);
 
+/// Places that a name takes in a cell at most.
+inline constexpr std::size_t longest_name = 40;
+
+/// "1 gap", "3 gaps"
+std::string plural(std::size_t n, const std::string& word);
+
 class TextTable {
  public:
   /// @param indent blanks before each row.

@@ -48,7 +48,7 @@ Calibration identify_once(const Dataset& dataset, std::uint64_t seed) {
 std::vector<Reading> readings_with_ramps(const Calibration& c) {
   std::vector<Reading> all = readings_of(c);
   if (c.break_away.mean_Nm) {
-    all.push_back({"break_away", Quantity::static_torque, *c.break_away.mean_Nm});
+    all.push_back({"break_away", ReadingKind::static_torque, *c.break_away.mean_Nm});
   }
   return all;
 }

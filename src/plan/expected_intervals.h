@@ -15,7 +15,7 @@ namespace tribolog {
 
 struct ExpectedInterval {
   std::string name;  ///< Of the reading (study/readings.h), or "break_away".
-  Quantity quantity{Quantity::gravity};
+  ReadingKind quantity{ReadingKind::gravity};
   std::string words;  ///< "gravity torque, mid-line"
   double truth{};     ///< Of the assumed joint.
   std::size_t runs{};

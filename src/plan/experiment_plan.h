@@ -23,7 +23,7 @@ namespace tribolog {
 /// A stretch in which the torque leads: it changes by rate_Nm_s from what the drive holds at its
 /// start. The joint stands until it slides; there, or after largest_travel_rad, the drive has to
 /// take the angle over and return to where the ramp began.
-struct TorqueRamp {
+struct PlannedRamp {
   double direction{1};          ///< +1 or -1
   double rate_Nm_s{};           ///< > 0, motor side.
   double largest_change_Nm{};   ///< > 0, motor side.
@@ -37,7 +37,7 @@ struct PlannedSegment {
   double from_s{};  ///< Window of the recording, absolute times.
   double to_s{};
   std::shared_ptr<const PlannedMotion> motion;  ///< Joint side; time counts from start_s.
-  std::optional<TorqueRamp> ramp;               ///< From from_s to to_s.
+  std::optional<PlannedRamp> ramp;              ///< From from_s to to_s.
 
   [[nodiscard]] double end_s() const { return start_s + motion->duration_s(); }
 };

@@ -114,7 +114,7 @@ void Timeline::go_to(double angle_rad) {
 
 void Timeline::record(const std::string& name, Role role,
                       std::shared_ptr<const PlannedMotion> motion, double from_s, double to_s,
-                      const std::optional<TorqueRamp>& ramp) {
+                      const std::optional<PlannedRamp>& ramp) {
   PlannedSegment s;
   s.name = name;
   s.role = role;

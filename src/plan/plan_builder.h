@@ -33,7 +33,7 @@ class Timeline {
   /// The motion begins where the joint stands.
   /// @param from_s, to_s window of the recording within the motion.
   void record(const std::string& name, Role role, std::shared_ptr<const PlannedMotion> motion,
-              double from_s, double to_s, const std::optional<TorqueRamp>& ramp = {});
+              double from_s, double to_s, const std::optional<PlannedRamp>& ramp = {});
   [[nodiscard]] double now_s() const { return plan_.duration_s(); }
 
  private:

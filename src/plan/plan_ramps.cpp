@@ -58,7 +58,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
     part.help = "a finer encoder";
   }
   if (part.state == PartState::planned) {
-    const TorqueRamp up{1, j.static_Nm / seconds_to_break_away, change, travel};
+    const PlannedRamp up{1, j.static_Nm / seconds_to_break_away, change, travel};
     const double ramp_s = change / up.rate_Nm_s;
     const double q = range.with_room(j.q_peak_rad, travel);
     const auto repeats = static_cast<int>(std::clamp(
@@ -66,7 +66,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
     const double begins_s = timeline.now_s();
     timeline.go_to(q);
     for (int k = 0; k < 2 * repeats; ++k) {
-      TorqueRamp ramp = up;
+      PlannedRamp ramp = up;
       ramp.direction = k % 2 == 0 ? 1 : -1;
       timeline.record(fmt::format("break-away {} of {}, torque {}", k + 1, 2 * repeats,
                                   k % 2 == 0 ? "rising" : "falling"),

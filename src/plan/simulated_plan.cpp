@@ -89,7 +89,7 @@ class Follower {
   }
 
   void replace_ramp(const PlannedSegment& segment, std::size_t first, std::size_t last) {
-    const TorqueRamp& ramp = *segment.ramp;
+    const PlannedRamp& ramp = *segment.ramp;
     BreakAwayExperiment e;
     e.centre_rad = segment.motion->angle(0);
     e.rate_Nm_s = ramp.rate_Nm_s;

@@ -52,9 +52,7 @@ std::string models_page(const ContactParameters& contact,
                         const std::vector<render::DrawnFigure>& drawn,
                         const Provenance& provenance) {
   TemplateValues values;
-  fill_style(values);
-  values.set("TOOL", "tribolog " + provenance.tool_version);
-  values.set("CREATED", or_dash(provenance.created_utc));
+  fill_head(provenance, values);
   fill_facts(contact_facts(contact), values);
   fill_table(models_table(), "TABLE", values);
   for (const ModelExperiment& experiment : experiments) {

@@ -1,9 +1,14 @@
 #pragma once
 // Internal to the report: what the head of every page has.
 
+#include "provenance.h"
+
 #include "report/template_engine.h"
 
 namespace tribolog::report {
+
+/// fill_style(), and TOOL, CREATED and COMMAND_LINE from the provenance.
+void fill_head(const Provenance& provenance, TemplateValues& values);
 
 /// CSS, the embedded style sheet, and CSP, the content security policy that allows it by its hash
 /// and nothing else but pictures as data URIs.

@@ -80,9 +80,7 @@ void fill_selection(const Calibration& calibration, TemplateValues& section) {
 std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
                        const std::vector<render::DrawnFigure>& drawn) {
   TemplateValues values;
-  fill_style(values);
-  values.set("TOOL", "tribolog " + paper.provenance.tool_version);
-  values.set("CREATED", or_dash(paper.provenance.created_utc));
+  fill_head(paper.provenance, values);
   fill_outcome_of(paper, drawn, values);
   const std::vector<FigureCard> cards = figure_cards(paper.figures, drawn);
   for (const PaperSection& section : paper.sections) {

@@ -10,6 +10,7 @@
 #include "joint/degrees.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
+#include "report/rounding.h"
 #include "report/view_parts.h"
 
 namespace tribolog {
@@ -121,8 +122,7 @@ Table assumptions_table(const AssumedJoint& joint) {
   table.columns = {{"Quantity", "", false, true}, {"Value", "", true}, {"From", "", false, true}};
   constexpr int digits = 6;
   for (const Assumption& a : joint.assumptions) {
-    const std::string value = fmt::format("{:.{}g}", a.value, digits);
-    const std::string shown = value.front() == '-' ? "−" + value.substr(1) : value;
+    const std::string shown = with_minus_sign(fmt::format("{:.{}g}", a.value, digits));
     const std::string unit = a.unit.empty() || a.unit == "°" ? a.unit : " " + a.unit;
     table.rows.push_back(
         {{a.what, shown + unit, a.is_known ? a.source : "assumed: " + a.source}, false});
@@ -132,14 +132,13 @@ Table assumptions_table(const AssumedJoint& joint) {
 
 std::vector<Fact> facts_of(const ExperimentPlan& plan) {
   const JointFacts& f = plan.joint.facts;
-  const auto deg = [](double rad) { return fmt::format("{:.4g}", rad * degrees_per_rad); };
-  const auto minus = [](std::string text) {
-    return text.front() == '-' ? "−" + text.substr(1) : text;
+  const auto deg = [](double rad) {
+    return with_minus_sign(fmt::format("{:.4g}", rad * degrees_per_rad));
   };
   return {{"Robot", or_dash(f.robot)},
           {"Joint", or_dash(f.joint)},
           {"Gear ratio", fmt::format("{:.6g}", f.gear_ratio)},
-          {"Angle limits", minus(deg(f.lowest_rad)) + "° to " + minus(deg(f.highest_rad)) + "°"},
+          {"Angle limits", deg(f.lowest_rad) + "° to " + deg(f.highest_rad) + "°"},
           {"Speed limit", deg(f.speed_limit_rad_s) + "°/s"},
           {"Acceleration limit", deg(f.acceleration_limit_rad_s2) + "°/s²"},
           {"Torque limit at the motor", fmt::format("{:.4g} N·m", f.torque_limit_Nm)},
@@ -179,10 +178,7 @@ std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>&
                       const std::vector<render::DrawnFigure>& drawn) {
   const ExperimentPlan& plan = report.plan;
   TemplateValues values;
-  fill_style(values);
-  values.set("TOOL", "tribolog " + report.provenance.tool_version);
-  values.set("CREATED", or_dash(report.provenance.created_utc));
-  values.set("COMMAND_LINE", or_dash(report.provenance.command_line));
+  fill_head(report.provenance, values);
   values.set("JOINT_FILE", or_dash(report.joint_file));
   values.set("JOINT_TEXT", or_dash(report.joint_text));
   values.set("TITLE", fmt::format("{}, joint {}", or_dash(plan.joint.facts.robot),

@@ -14,13 +14,6 @@ constexpr double lopsided_share = 0.1;
 
 int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-std::string with_minus_sign(std::string digits) {
-  const bool is_zero = digits.find_first_of("123456789") == std::string::npos;
-  if (digits.empty() || digits.front() != '-') return digits;
-  digits.erase(0, 1);
-  return is_zero ? digits : "\u2212" + digits;
-}
-
 /// An exponent in superscript: "⁻⁹".
 std::string raised(int exponent) {
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -30,6 +23,13 @@ std::string raised(int exponent) {
 }
 
 }  // namespace
+
+std::string with_minus_sign(std::string digits) {
+  const bool is_zero = digits.find_first_of("123456789") == std::string::npos;
+  if (digits.empty() || digits.front() != '-') return digits;
+  digits.erase(0, 1);
+  return is_zero ? digits : "\u2212" + digits;
+}
 
 int decimals_for(double half_width) {
   const int decimals = 1 - exponent_of(half_width);

@@ -35,6 +35,9 @@ RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale);
 /// "3.8832 ± 0.0043 N·m"; lopsided: "3.8832 N·m (3.8789 … 3.8899)".
 std::string in_words(const Estimate& estimate, const Scale& scale);
 
+/// A hyphen in front becomes U+2212; in front of a zero it goes.
+std::string with_minus_sign(std::string digits);
+
 /// Decimal places that show `half_width` to two significant digits; negative: tens, hundreds.
 int decimals_for(double half_width);
 

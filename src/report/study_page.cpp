@@ -24,7 +24,7 @@ struct ErrorScale {
 };
 
 ErrorScale error_scale(const StudiedReading& r) {
-  if (r.quantity == Quantity::peak_angle) return {1e3 * degrees_per_rad, "10⁻³ °"};
+  if (r.quantity == ReadingKind::peak_angle) return {1e3 * degrees_per_rad, "10⁻³ °"};
   return {100 / std::abs(r.errors.truth), "%"};
 }
 
@@ -214,10 +214,7 @@ std::string study_page(const StudyReport& report, const std::vector<ReportFigure
                        const std::vector<render::DrawnFigure>& drawn) {
   const StudyResult& study = report.study;
   TemplateValues values;
-  fill_style(values);
-  values.set("TOOL", "tribolog " + report.provenance.tool_version);
-  values.set("CREATED", or_dash(report.provenance.created_utc));
-  values.set("COMMAND_LINE", or_dash(report.provenance.command_line));
+  fill_head(report.provenance, values);
   values.set("SCENARIO_FILE", or_dash(report.scenario_file));
   values.set("SCENARIO_TEXT", or_dash(report.scenario_text));
   fill_facts(base_facts(report), values);

@@ -197,14 +197,14 @@ class Maker {
 /// The recordings that a reading comes from.
 bool is_read_from(const Reading& reading, Role role) {
   switch (reading.quantity) {
-    case Quantity::peak_angle:
+    case ReadingKind::peak_angle:
       return role == Role::rough_sweep || role == Role::precise_sweep;
-    case Quantity::sweep_friction:
+    case ReadingKind::sweep_friction:
       return role == Role::rough_sweep;
-    case Quantity::gravity:
+    case ReadingKind::gravity:
       return role == (reading.name == "sweep" ? Role::rough_sweep : Role::oscillation);
-    case Quantity::stiffness:
-    case Quantity::static_torque:
+    case ReadingKind::stiffness:
+    case ReadingKind::static_torque:
       return role == Role::oscillation;
     default:
       return role == Role::constant_speed;
@@ -222,13 +222,13 @@ std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
     if (!is_recorded || is_single_point(reading.name)) continue;
     // Where eq. (6) is put in, no straight line is.
     const bool is_line =
-        reading.quantity == Quantity::coulomb || reading.quantity == Quantity::viscous;
+        reading.quantity == ReadingKind::coulomb || reading.quantity == ReadingKind::viscous;
     if (is_line &&
         (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
       continue;
     }
     const double value =
-        reading.quantity == Quantity::gravity ? gravity_Nm : reading.estimate.value;
+        reading.quantity == ReadingKind::gravity ? gravity_Nm : reading.estimate.value;
     reading.estimate = {value, value, value, "put in"};
     kept.push_back(std::move(reading));
   }

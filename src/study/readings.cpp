@@ -10,10 +10,10 @@ namespace {
 
 class Reader {
  public:
-  void add(const std::string& name, Quantity quantity, const Estimate& estimate) {
+  void add(const std::string& name, ReadingKind quantity, const Estimate& estimate) {
     if (std::isfinite(estimate.value)) all_.push_back({name, quantity, estimate});
   }
-  void add(const std::string& name, Quantity quantity, const std::optional<Estimate>& estimate) {
+  void add(const std::string& name, ReadingKind quantity, const std::optional<Estimate>& estimate) {
     if (estimate) add(name, quantity, *estimate);
   }
   std::vector<Reading> all() { return std::move(all_); }
@@ -26,7 +26,7 @@ void read_masses(const Calibration& c, const char* const* first, const char* con
                  Reader& out) {
   for (const char* const* name = first; name != last; ++name) {
     if (const SurrogateMass* mass = c.masses.find(*name)) {
-      out.add(*name, Quantity::gravity, mass->gravity_Nm);
+      out.add(*name, ReadingKind::gravity, mass->gravity_Nm);
     }
   }
 }
@@ -36,7 +36,7 @@ void read_steady_points(const Calibration& c, Reader& out) {
   for (const LoopPoint& point : c.hysteresis.steady_points) {
     if (point.name != 'A' && point.name != 'B') continue;
     const double cosine = c.q_peak_rad ? std::cos(point.q_rad - c.q_peak_rad->value) : 1.0;
-    out.add(std::string(1, point.name) + "_steady", Quantity::gravity,
+    out.add(std::string(1, point.name) + "_steady", ReadingKind::gravity,
             scaled({point.torque_Nm, point.torque_low_Nm, point.torque_high_Nm,
                     "scatter of the cycles"},
                    1 / cosine));
@@ -45,47 +45,47 @@ void read_steady_points(const Calibration& c, Reader& out) {
 
 void read_loop_fit(const LuGreFit& fit, Reader& out) {
   if (!fit.converged) return;
-  out.add("fit", Quantity::gravity, fit.gravity_Nm);
-  out.add("bristle_stiffness", Quantity::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
-  out.add("static_torque", Quantity::static_torque, fit.shown("static_Nm"));
+  out.add("fit", ReadingKind::gravity, fit.gravity_Nm);
+  out.add("bristle_stiffness", ReadingKind::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
+  out.add("static_torque", ReadingKind::static_torque, fit.shown("static_Nm"));
 }
 
 void read_curve(const FrictionParametersResult& friction, Reader& out) {
   if (const auto& line = friction.coulomb_viscous) {
-    out.add("coulomb", Quantity::coulomb, line->coulomb_Nm);
-    out.add("viscous", Quantity::viscous, line->viscous_Nms_rad);
+    out.add("coulomb", ReadingKind::coulomb, line->coulomb_Nm);
+    out.add("viscous", ReadingKind::viscous, line->viscous_Nms_rad);
   }
   if (const auto& w = friction.waiboer; w && w->converged) {
-    out.add("asperity_torque", Quantity::asperity_torque, w->asperity_torque_Nm);
-    out.add("stribeck_speed", Quantity::stribeck_speed, w->stribeck_speed_rad_s);
-    out.add("stribeck_power", Quantity::stribeck_power, w->stribeck_power);
-    out.add("viscous_coefficient", Quantity::viscous_factor, w->viscous_coefficient);
-    out.add("viscous_power", Quantity::viscous_power, w->viscous_power);
+    out.add("asperity_torque", ReadingKind::asperity_torque, w->asperity_torque_Nm);
+    out.add("stribeck_speed", ReadingKind::stribeck_speed, w->stribeck_speed_rad_s);
+    out.add("stribeck_power", ReadingKind::stribeck_power, w->stribeck_power);
+    out.add("viscous_coefficient", ReadingKind::viscous_factor, w->viscous_coefficient);
+    out.add("viscous_power", ReadingKind::viscous_power, w->viscous_power);
   }
 }
 
 }  // namespace
 
-std::string unit_of(Quantity quantity) {
+std::string unit_of(ReadingKind quantity) {
   switch (quantity) {
-    case Quantity::gravity:
-    case Quantity::static_torque:
-    case Quantity::sweep_friction:
-    case Quantity::coulomb:
-    case Quantity::asperity_torque:
+    case ReadingKind::gravity:
+    case ReadingKind::static_torque:
+    case ReadingKind::sweep_friction:
+    case ReadingKind::coulomb:
+    case ReadingKind::asperity_torque:
       return "N·m";
-    case Quantity::peak_angle:
+    case ReadingKind::peak_angle:
       return "rad";
-    case Quantity::stiffness:
+    case ReadingKind::stiffness:
       return "N·m/rad";
-    case Quantity::viscous:
+    case ReadingKind::viscous:
       return "N·m·s/rad";
-    case Quantity::stribeck_speed:
+    case ReadingKind::stribeck_speed:
       return "rad/s";
-    case Quantity::viscous_factor:
+    case ReadingKind::viscous_factor:
       return "N·m·(s/rad)^(1−δ_v)";
-    case Quantity::stribeck_power:
-    case Quantity::viscous_power:
+    case ReadingKind::stribeck_power:
+    case ReadingKind::viscous_power:
       break;
   }
   return "";
@@ -99,8 +99,8 @@ std::vector<Reading> readings_of(const Calibration& c) {
   read_steady_points(c, out);
   read_masses(c, averages.data(), averages.data() + averages.size(), out);
   if (c.hysteresis.lugre) read_loop_fit(*c.hysteresis.lugre, out);
-  out.add("q_peak", Quantity::peak_angle, c.q_peak_rad);
-  if (c.rough.found) out.add("sweep_friction", Quantity::sweep_friction, c.rough.coulomb_Nm);
+  out.add("q_peak", ReadingKind::peak_angle, c.q_peak_rad);
+  if (c.rough.found) out.add("sweep_friction", ReadingKind::sweep_friction, c.rough.coulomb_Nm);
   read_curve(c.friction, out);
   return out.all();
 }

@@ -10,7 +10,7 @@
 namespace tribolog {
 
 /// What a number is of; numbers of one kind share a unit and the bounds of what matters.
-enum class Quantity {
+enum class ReadingKind {
   gravity,          ///< Gravity torque at the motor, centre of gravity level [N·m].
   peak_angle,       ///< q_peak [rad]
   stiffness,        ///< Bristle stiffness s0 [N·m/rad]
@@ -26,7 +26,7 @@ enum class Quantity {
 };
 
 /// "N·m", "rad"; empty: a pure number.
-std::string unit_of(Quantity quantity);
+std::string unit_of(ReadingKind quantity);
 
 struct Reading {
   /// Stable: "A" to "F" (the paper's reading), "A_steady", "B_steady" (of the steady loop), "AB",
@@ -35,7 +35,7 @@ struct Reading {
   /// "asperity_torque", "stribeck_speed", "stribeck_power", "viscous_coefficient",
   /// "viscous_power".
   std::string name;
-  Quantity quantity{Quantity::gravity};
+  ReadingKind quantity{ReadingKind::gravity};
   Estimate estimate;
 };
 

@@ -57,26 +57,26 @@ StudiedCase run_case(const std::string& name, const Scenario& scenario,
 
 /// The scenario's own number for a reading, or nullopt where it states none.
 std::optional<double> stated_truth(const Scenario& s, const Reading& reading) {
-  if (reading.quantity == Quantity::gravity) return s.load.amplitude_Nm() / s.gear_ratio;
-  if (reading.quantity == Quantity::peak_angle) return s.load.q_peak_rad();
+  if (reading.quantity == ReadingKind::gravity) return s.load.amplitude_Nm() / s.gear_ratio;
+  if (reading.quantity == ReadingKind::peak_angle) return s.load.q_peak_rad();
   if (const auto* lugre = dynamic_cast<const LuGreFriction*>(s.presliding.get())) {
-    if (reading.quantity == Quantity::stiffness) {
+    if (reading.quantity == ReadingKind::stiffness) {
       return lugre->parameters().bristle_stiffness_Nm_rad;
     }
-    if (reading.quantity == Quantity::static_torque) return lugre->parameters().static_Nm;
+    if (reading.quantity == ReadingKind::static_torque) return lugre->parameters().static_Nm;
   }
   if (const auto* curve = dynamic_cast<const WaiboerFriction*>(s.sliding.get())) {
     const WaiboerFriction::Parameters& p = curve->parameters();
     switch (reading.quantity) {
-      case Quantity::asperity_torque:
+      case ReadingKind::asperity_torque:
         return p.asperity_torque_Nm;
-      case Quantity::stribeck_speed:
+      case ReadingKind::stribeck_speed:
         return p.stribeck_speed_rad_s;
-      case Quantity::stribeck_power:
+      case ReadingKind::stribeck_power:
         return p.stribeck_power;
-      case Quantity::viscous_factor:
+      case ReadingKind::viscous_factor:
         return p.viscous_coefficient;
-      case Quantity::viscous_power:
+      case ReadingKind::viscous_power:
         return p.viscous_power;
       default:
         break;

@@ -28,7 +28,7 @@ struct StudyOptions {
 /// One estimator in one case.
 struct StudiedReading {
   std::string name;  ///< Of the reading, readings.h.
-  Quantity quantity{Quantity::gravity};
+  ReadingKind quantity{ReadingKind::gravity};
   ErrorStatistics errors;
 };
 

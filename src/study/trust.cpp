@@ -40,7 +40,7 @@ bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
 std::string bias_words(const ErrorStatistics& e) {
   const std::string numbers = fmt::format("{:+.3f} ± {:.3f} %", percent(e.bias, e.truth),
                                           percent(e.bias_standard_error, e.truth));
-  const bool biased = e.is_biased(practical_bounds(Quantity::gravity, e.truth).fine);
+  const bool biased = e.is_biased(practical_bounds(ReadingKind::gravity, e.truth).fine);
   return biased ? "biased by " + numbers : "free of bias that matters (" + numbers + ")";
 }
 
@@ -48,12 +48,12 @@ void add_bias_findings(const StudiedCase& base, std::vector<std::string>& findin
   std::vector<std::string> biased;
   std::vector<std::string> unbiased;
   for (const StudiedReading& r : base.readings) {
-    if (r.quantity != Quantity::gravity) continue;
+    if (r.quantity != ReadingKind::gravity) continue;
     const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
     if (is_extreme) continue;  // their pair means stand for them
     const std::string words = fmt::format("{} {}", reading_words(r.name), bias_words(r.errors));
     const bool is_biased =
-        r.errors.is_biased(practical_bounds(Quantity::gravity, r.errors.truth).fine);
+        r.errors.is_biased(practical_bounds(ReadingKind::gravity, r.errors.truth).fine);
     (is_biased ? biased : unbiased).push_back(words);
   }
   if (!biased.empty()) {
@@ -105,9 +105,9 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
 
 }  // namespace
 
-PracticalBounds practical_bounds(Quantity quantity, double truth) {
-  if (quantity == Quantity::peak_angle) return {0.02 * rad_per_degree, 0.1 * rad_per_degree};
-  if (quantity == Quantity::gravity) return {1e-3 * std::abs(truth), 3e-3 * std::abs(truth)};
+PracticalBounds practical_bounds(ReadingKind quantity, double truth) {
+  if (quantity == ReadingKind::peak_angle) return {0.02 * rad_per_degree, 0.1 * rad_per_degree};
+  if (quantity == ReadingKind::gravity) return {1e-3 * std::abs(truth), 3e-3 * std::abs(truth)};
   return {0.01 * std::abs(truth), 0.05 * std::abs(truth)};
 }
 

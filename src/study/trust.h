@@ -17,7 +17,7 @@ struct PracticalBounds {
 };
 
 /// Gravity 0.1 and 0.3 %; the peak's angle 0.02 and 0.1 degrees; parameters of friction 1 and 5 %.
-PracticalBounds practical_bounds(Quantity quantity, double truth);
+PracticalBounds practical_bounds(ReadingKind quantity, double truth);
 
 enum class Criterion {
   fine,      ///< 95 of 100 errors within the fine bound.

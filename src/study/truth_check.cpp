@@ -27,11 +27,11 @@ double what_matters(const Reading& put_in) {
   constexpr double share = 1e-3;
   constexpr double curve_share = 1e-2;  // parameters of a curve, whose errors cancel within it
   switch (put_in.quantity) {
-    case Quantity::peak_angle:
+    case ReadingKind::peak_angle:
       return angle_rad;
-    case Quantity::gravity:
-    case Quantity::static_torque:
-    case Quantity::sweep_friction:
+    case ReadingKind::gravity:
+    case ReadingKind::static_torque:
+    case ReadingKind::sweep_friction:
       return share * std::abs(put_in.estimate.value);
     default:
       break;

@@ -14,7 +14,7 @@
 namespace tribolog {
 namespace {
 
-StudiedReading reading(const std::string& name, Quantity quantity, double truth, double bias) {
+StudiedReading reading(const std::string& name, ReadingKind quantity, double truth, double bias) {
   ErrorStatistics e;
   e.runs = e.found = 10;
   e.truth = truth;
@@ -32,11 +32,11 @@ StudyResult two_levels() {
   factor.levels.push_back({13, "8192 counts", true, "one", {}});
   factor.levels.push_back({17, "131072 counts", false, "two", {}});
   study.factors.push_back(factor);
-  study.cases = {
-      {"one",
-       {reading("B", Quantity::gravity, 4, -0.02), reading("midline", Quantity::gravity, 4, 0.004),
-        reading("q_peak", Quantity::peak_angle, -0.4, 1e-5)}},
-      {"two", {reading("B", Quantity::gravity, 4, -0.04)}}};
+  study.cases = {{"one",
+                  {reading("B", ReadingKind::gravity, 4, -0.02),
+                   reading("midline", ReadingKind::gravity, 4, 0.004),
+                   reading("q_peak", ReadingKind::peak_angle, -0.4, 1e-5)}},
+                 {"two", {reading("B", ReadingKind::gravity, 4, -0.04)}}};
   return study;
 }
 

@@ -3,6 +3,8 @@
 # OUT/<target>-crash-..., and is exit status 1.
 # usage: tests/fuzz/run.sh [EXECUTIONS=100000] [OUT=build-fuzz] [TARGET...]
 # What a target learns is kept in OUT/corpus, so that a second run goes on from there.
+# MAT and HDF5 are read in the very process here, and in a child of its own in the program: a crash
+# of matio or libhdf5 found here is to be given to `tribolog inspect`, which has to refuse the file.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 executions=${1:-100000}
@@ -20,8 +22,15 @@ for target in "${targets[@]}"; do
   mkdir -p "$out/corpus/$target"
   longest=4096
   [[ $target != hdf5 ]] || longest=8192  # the format's smallest file has 6 kB
-  if ASAN_OPTIONS=quarantine_size_mb=8 "$out/tests/fuzz/fuzz_$target" -runs="$executions" \
-    -max_len="$longest" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
+  memory=(-malloc_limit_mb=1024)
+  sanitizer=quarantine_size_mb=8
+  # matio makes room for what a damaged file claims, before it reads; more than this fails there.
+  if [[ $target == mat ]]; then
+    memory=(-malloc_limit_mb=0)
+    sanitizer+=:allocator_may_return_null=1:max_allocation_size_mb=512
+  fi
+  if ASAN_OPTIONS=$sanitizer "$out/tests/fuzz/fuzz_$target" -runs="$executions" \
+    -max_len="$longest" -timeout=60 -rss_limit_mb=2048 "${memory[@]}" -print_final_stats=1 \
     -artifact_prefix="$out/$target-" "$out/corpus/$target" "$root/tests/fuzz/corpus/$target" \
     >"$out/fuzz_$target.log" 2>&1; then
     sed -n "s/^stat::number_of_executed_units: */$target: nothing found, executions: /p;

@@ -65,10 +65,10 @@ TEST(PlanJson, HoldsThePlan) {
 }
 
 TEST(PlanTable, NumbersEndWhereTheirIntervalBegins) {
-  EXPECT_EQ(interval_text(3.8831857, 2.13e-4, Quantity::gravity), "3.88319 ± 0.00021 N·m");
-  EXPECT_EQ(interval_text(465.42, 12.3, Quantity::stiffness), "465 ± 12 N·m/rad");
-  EXPECT_EQ(interval_text(-0.388, 1e-4, Quantity::peak_angle), "−22.2308° ± 0.0057°");
-  EXPECT_EQ(interval_text(1, std::nan(""), Quantity::gravity), "–");
+  EXPECT_EQ(interval_text(3.8831857, 2.13e-4, ReadingKind::gravity), "3.88319 ± 0.00021 N·m");
+  EXPECT_EQ(interval_text(465.42, 12.3, ReadingKind::stiffness), "465 ± 12 N·m/rad");
+  EXPECT_EQ(interval_text(-0.388, 1e-4, ReadingKind::peak_angle), "−22.2308° ± 0.0057°");
+  EXPECT_EQ(interval_text(1, std::nan(""), ReadingKind::gravity), "–");
   EXPECT_EQ(duration_text(59.6), "1 min 0 s");
 }
 

@@ -16,7 +16,7 @@ StudiedReading reading(const std::string& name, double off, double half_width) {
     const double little = (i % 2 == 0 ? 1 : -1) * 1e-5;
     estimates.push_back(symmetric_estimate(truth + off + little, half_width, ""));
   }
-  return {name, Quantity::gravity, error_statistics(estimates, truth, 100)};
+  return {name, ReadingKind::gravity, error_statistics(estimates, truth, 100)};
 }
 
 /// One factor of five levels, the third is the base case; the mid-line is off by these.

@@ -91,9 +91,9 @@ std::vector<std::string> plan_lines(const ExperimentPlan& plan) {
   return lines;
 }
 
-std::string quantity_text(double value_si, Quantity quantity, int digits) {
+std::string quantity_text(double value_si, ReadingKind quantity, int digits) {
   if (!std::isfinite(value_si)) return "–";
-  const bool is_angle = quantity == Quantity::peak_angle;
+  const bool is_angle = quantity == ReadingKind::peak_angle;
   const double value = is_angle ? value_si * degrees_per_rad : value_si;
   const std::string text =
       with_minus(fmt::format("{:.{}f}", value, decimals_for(std::abs(value), digits)));
@@ -102,9 +102,9 @@ std::string quantity_text(double value_si, Quantity quantity, int digits) {
   return text + (unit.empty() ? "" : " " + unit);
 }
 
-std::string interval_text(double value_si, double half_width_si, Quantity quantity) {
+std::string interval_text(double value_si, double half_width_si, ReadingKind quantity) {
   if (!(half_width_si > 0) || !std::isfinite(value_si)) return "–";
-  const bool is_angle = quantity == Quantity::peak_angle;
+  const bool is_angle = quantity == ReadingKind::peak_angle;
   const double factor = is_angle ? degrees_per_rad : 1;
   const double half_width = half_width_si * factor;
   const int decimals = decimals_for(half_width, 2);
@@ -132,7 +132,7 @@ std::vector<std::string> plan_instructions(const ExperimentPlan& plan) {
   all.push_back(fmt::format(
       "Before the first set point move the joint to {} and let it rest; the other joints stand, in "
       "a pose in which this joint's axis is horizontal.",
-      quantity_text(plan.angle_rad(0), Quantity::peak_angle, 5)));
+      quantity_text(plan.angle_rad(0), ReadingKind::peak_angle, 5)));
   all.push_back(
       fmt::format("The drive follows setpoints.csv, {:.4g} set points a second, and interpolates "
                   "between them. No set point leaves the stated limits of angle, speed and "

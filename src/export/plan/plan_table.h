@@ -28,11 +28,11 @@ std::vector<std::string> plan_lines(const ExperimentPlan& plan);
 std::vector<std::string> expectation_lines(const ExpectedIntervals& expected);
 
 /// A number of a quantity with its unit; angles in degrees: "3.883 N·m", "−22.23°".
-std::string quantity_text(double value_si, Quantity quantity, int digits);
+std::string quantity_text(double value_si, ReadingKind quantity, int digits);
 
 /// "3.88319 ± 0.00021 N·m": the interval to two digits, the value to the same place. "–" where the
 /// half width is not known.
-std::string interval_text(double value_si, double half_width_si, Quantity quantity);
+std::string interval_text(double value_si, double half_width_si, ReadingKind quantity);
 
 /// What the one who runs the experiment must know: sentences.
 std::vector<std::string> plan_instructions(const ExperimentPlan& plan);

@@ -1,15 +1,21 @@
 #include "ingest/bags/byte_reader.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace tribolog {
 namespace {
 
-constexpr std::size_t buffer_bytes = std::size_t{1} << 18;
+/// A small source gets a small buffer; where it grows meanwhile, it is read in more pieces.
+std::size_t buffer_bytes(const ByteSource& source) {
+  constexpr std::uint64_t least = 4096;
+  constexpr std::uint64_t most = std::uint64_t{1} << 18;
+  return std::clamp(source.likely_bytes(), least, most);
+}
 
 }  // namespace
 
-ByteReader::ByteReader(ByteSource& source) : source_(source), buffer_(buffer_bytes, '\0') {}
+ByteReader::ByteReader(ByteSource& source) : source_(source), buffer_(buffer_bytes(source), '\0') {}
 
 std::string_view ByteReader::next(std::uint64_t most) {
   if (most == 0) return {};

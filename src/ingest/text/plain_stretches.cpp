@@ -8,9 +8,16 @@
 namespace tribolog {
 namespace {
 
+constexpr std::size_t stretch_bytes = std::size_t{1} << 19;
+
+/// Starting a thread takes longer than reading a few lines.
+std::size_t threads_for(std::size_t bytes) {
+  constexpr std::size_t few_bytes = std::size_t{1} << 16;
+  return bytes < few_bytes ? 1 : 0;
+}
+
 /// Of whole lines, about half a megabyte each.
 std::vector<std::string_view> stretches_of(std::string_view text) {
-  constexpr std::size_t stretch_bytes = std::size_t{1} << 19;
   std::vector<std::string_view> stretches;
   while (!text.empty()) {
     const std::size_t bytes = std::min(stretch_bytes, text.size());
@@ -29,7 +36,7 @@ PlainStretches::Round PlainStretches::read(std::string_view text, const PlainLay
   const std::vector<std::string_view> stretches = stretches_of(text);
   if (parts_.size() < stretches.size()) parts_.resize(stretches.size());
   const std::size_t columns = waiting_parts_ > 0 ? columns_.size() : 0;
-  parallel_for(1 + columns + stretches.size(), [&](std::size_t k) {
+  const auto work = [&](std::size_t k) {
     if (k == 0) {
       meanwhile();
     } else if (k <= columns) {
@@ -38,7 +45,9 @@ PlainStretches::Round PlainStretches::read(std::string_view text, const PlainLay
       const std::size_t i = k - 1 - columns;
       read_plain_rows(stretches[i], layout, parts_[i]);
     }
-  });
+  };
+  parallel_for(1 + columns + stretches.size(), work, threads_for(waiting_bytes_ + text.size()));
+  waiting_bytes_ = text.size();
   const auto end = parts_.begin() + static_cast<std::ptrdiff_t>(stretches.size());
   const auto last =
       std::find_if(parts_.begin(), end, [](const PlainRows& part) { return !part.is_whole; });
@@ -49,7 +58,10 @@ PlainStretches::Round PlainStretches::read(std::string_view text, const PlainLay
 }
 
 void PlainStretches::finish() {
-  if (waiting_parts_ > 0) parallel_for(columns_.size(), [&](std::size_t k) { append(k); });
+  if (waiting_parts_ > 0) {
+    parallel_for(
+        columns_.size(), [&](std::size_t k) { append(k); }, threads_for(waiting_bytes_));
+  }
   waiting_parts_ = 0;
 }
 

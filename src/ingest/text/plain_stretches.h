@@ -38,6 +38,7 @@ class PlainStretches {
   std::vector<PlainRows> parts_;    ///< Of the round that goes on; kept for their memory.
   std::vector<PlainRows> waiting_;  ///< Of the round before, the first ones
   std::size_t waiting_parts_{0};    ///< of which are to be appended.
+  std::size_t waiting_bytes_{0};    ///< Of the text that they were read from.
 };
 
 }  // namespace tribolog

@@ -7,6 +7,12 @@
 #include "error.h"
 
 namespace tribolog {
+namespace {
+
+/// Longest unread rest in front of which what was read ahead is put; a longer one is moved.
+constexpr std::size_t lead_bytes = std::size_t{1} << 21;
+
+}  // namespace
 
 void refuse_nul(std::string_view text, std::uint64_t first_byte, const std::string& file) {
   const std::size_t at = text.find('\0');
@@ -14,13 +20,6 @@ void refuse_nul(std::string_view text, std::uint64_t first_byte, const std::stri
   throw InputError({file, 0, 0}, {"binary data at byte " + std::to_string(first_byte + at), "",
                                   "a text file of columns", ""});
 }
-
-namespace {
-
-/// Longest unread rest in front of which what was read ahead is put; a longer one is moved.
-constexpr std::size_t lead_bytes = std::size_t{1} << 21;
-
-}  // namespace
 
 std::size_t TextWindow::fill(char* to, std::size_t wanted) {
   std::size_t filled = 0;
@@ -67,7 +66,6 @@ std::string_view TextWindow::take_ahead(std::string_view unread) {
 
 std::string_view TextWindow::read_on(std::string_view unread, std::size_t wanted_bytes) {
   unread = take_ahead(unread);
-  is_read_on_ = is_read_on_ || bytes_read_ > 0;
   if (at_end_ || unread.size() >= wanted_bytes) return unread;
   // A small file gets a small window; one more byte, so that its end is seen.
   const std::uint64_t likely_rest =
