@@ -22,15 +22,15 @@ bool is_one_of(const std::string& state, std::initializer_list<const char*> stat
 
 std::string in_one_line(const std::string& message) {
   std::string line;
-  std::string gap;
+  const char* gap = "";
   for (const char c : message) {
     if (c == '\n') {
       gap = "; ";
     } else if (c == ' ' || c == '\t') {
-      if (gap.empty()) gap = " ";
+      if (*gap == '\0') gap = " ";
     } else {
       if (!line.empty()) line += gap;
-      gap.clear();
+      gap = "";
       line += c;
     }
   }
