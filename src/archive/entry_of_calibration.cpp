@@ -144,9 +144,8 @@ void refuse_nul(const Json& value, const std::string& file) {
       refuse(file, "the character NUL stands in " + in_quotes(text), "text without it");
     }
   }
-  for (const Json& inner : value) {
-    if (inner.is_structured() || inner.is_string()) refuse_nul(inner, file);
-  }
+  if (!value.is_structured()) return;
+  for (const Json& inner : value) refuse_nul(inner, file);
 }
 
 std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
