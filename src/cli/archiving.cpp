@@ -4,10 +4,10 @@
 
 #include "archive/archive_location.h"
 #include "archive/entry_of_calibration.h"
-#include "error.h"
 #include "provenance.h"
 
 #include "cli/archive/archived_inputs.h"
+#include "error.h"
 
 namespace tribolog {
 
@@ -18,6 +18,10 @@ Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
   } else if (options.inputs || options.again) {
     throw UsageError("--archive-inputs and --archive-again need --archive");
   }
+}
+
+std::string Archiving::file() const {
+  return archive_ && !archive::is_server(archive_->name()) ? archive_->name() : "";
 }
 
 void Archiving::keep_numbers(const std::string& calibration, const std::string& file,

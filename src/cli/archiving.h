@@ -32,6 +32,9 @@ class Archiving {
   /// Nothing where nothing is archived.
   void keep_report(const std::string& html, Console& console);
 
+  /// A file that no output may replace; empty: there is none.
+  [[nodiscard]] std::string file() const;
+
   /// The id that the numbers have; empty where nothing is archived.
   [[nodiscard]] const std::string& id() const { return id_; }
 

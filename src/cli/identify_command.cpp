@@ -13,6 +13,7 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
   Archiving archiving(options.archiving);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
+  if (!archiving.file().empty()) check_output_can_be_written(options.output, {archiving.file()});
   const Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);

@@ -39,6 +39,10 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
+  if (!archiving.file().empty()) {
+    check_output_can_be_written(options.output, {archiving.file()});
+    check_output_can_be_written(numbers, {archiving.file()});
+  }
   const Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);

@@ -33,6 +33,9 @@ struct ArchiveOptions {
   double wait_s{5};
 
   [[nodiscard]] archive::CalibrationArchive open(sql::Access access) const;
+  /// To be called for each output before anything is written; empty: none was asked for.
+  /// @throw OutputError: it cannot be written. UsageError: it is the archive itself.
+  void protect_from(const std::string& output) const;
 };
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command);
 
