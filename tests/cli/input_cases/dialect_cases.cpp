@@ -36,6 +36,23 @@ InputCase skipped(InputCase one, const std::string& left_out) {
   return with_manifest(one, with_log_table("skip_bad_rows = true"));
 }
 
+/// Counts of 2^20 to a turn, and per mille of 2.5 N·m.
+InputCase in_counts_and_per_mille() {
+  constexpr double turn_rad = 6.283185307179586;
+  InputCase one = with_manifest(
+      accepted("22e", "CountsAndPerMille",
+               case_log(
+                   [](int, Row& row) {
+                     row[1] = scaled(row[1], (1 << 20) / turn_rad, 0, 0);
+                     row[2] = scaled(row[2], 1000 / 2.5);
+                   },
+                   "t,q [inc],tau [‰]")),
+      replaced(case_manifest("\"tau\", unit = \"Nm\"", "\"tau\", unit = \"0.0025 Nm\""),
+               "\"q\", unit = \"rad\"", "\"q\", unit = \"9.5367431640625e-7 turn\""));
+  one.numbers = Numbers::close;
+  return one;
+}
+
 }  // namespace
 
 std::vector<InputCase> dialect_cases() {
@@ -120,6 +137,7 @@ std::vector<InputCase> dialect_cases() {
               "'Tau'? " +
                   missing),
       accepted("22c", "UnitInBrackets", case_log({}, "t [s],q (rad),tau [Nm]")),
+      in_counts_and_per_mille(),
       refused("22d", "OtherUnitInBrackets", case_log({}, "t,q,tau [mNm]"),
               "dataset.toml:13:19: unit contradicts the header of the log, found 'Nm', expected "
               "'mNm' as in 'tau [mNm]'"),
