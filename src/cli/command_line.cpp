@@ -132,6 +132,10 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_flag_callback(
       "--decimal-comma", [&rules] { rules.decimal_mark = DecimalMark::comma; },
       "text logs have decimal commas");
+  command
+      .add_option("--header-line", rules.header_line,
+                  "line of the columns' names, where others stand in front of it")
+      ->check(CLI::PositiveNumber);
   command.add_flag_callback(
       "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
       "names in text logs are in Latin-1, not UTF-8");

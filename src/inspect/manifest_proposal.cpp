@@ -111,6 +111,7 @@ class ManifestText {
     std::string lines;
     if (rules.decimal_mark == DecimalMark::comma) lines += "decimal_comma = true\n";
     if (rules.encoding == TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
+    if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
     if (!lines.empty()) text_ += "\n[log]\n" + lines;
   }
 
