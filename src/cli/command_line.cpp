@@ -152,7 +152,17 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       ->check(CLI::IsMember(sides))
       ->type_name("SIDE");
   command.add_option("--robot", logs.known.robot, "the robot's name");
-  command.add_flag("--decimal-comma", logs.known.decimal_comma, "text logs have decimal commas");
+  TextLogRules& rules = logs.known.log_rules;
+  command.add_flag_callback(
+      "--decimal-comma", [&rules] { rules.decimal_mark = DecimalMark::comma; },
+      "text logs have decimal commas");
+  command
+      .add_option("--header-line", rules.header_line,
+                  "line of the columns' names, where others stand in front of it")
+      ->check(CLI::PositiveNumber);
+  command.add_flag_callback(
+      "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
+      "names in text logs are in Latin-1, not UTF-8");
 }
 
 void add_study(CLI::App& command, StudyCommandOptions& study) {
