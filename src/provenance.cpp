@@ -42,7 +42,18 @@ bool is_absolute(const std::string& path) {
   return !path.empty() && (path.front() == '/' || path.front() == '~');
 }
 
+/// "postgresql://..." may hold a password; so may a broken one.
+std::string without_server(const std::string& argument) {
+  const std::size_t begin = argument.find("://");
+  if (begin == std::string::npos ||
+      argument.substr(0, begin).find("postgres") == std::string::npos) {
+    return argument;
+  }
+  return argument.substr(0, begin) + "://...";
+}
+
 std::string without_directories(const std::string& argument) {
+  if (argument != without_server(argument)) return without_server(argument);
   if (is_absolute(argument)) return last_part(argument);
   const std::size_t equals = argument.find('=');
   if (equals == std::string::npos || !is_absolute(argument.substr(equals + 1))) return argument;

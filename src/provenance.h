@@ -45,7 +45,8 @@ Provenance make_provenance(const std::vector<std::string>& arguments);
 std::string creation_time_utc(const char* source_date_epoch);
 
 /// The arguments as one line for a shell. An absolute path (from `/` or `~`), alone or behind an
-/// option's `=`, is cut to its last part, so that results do not tell about the machine.
+/// option's `=`, is cut to its last part, so that results do not tell about the machine; of a
+/// PostgreSQL connection string nothing is left, which may hold a password.
 std::string command_line_text(const std::vector<std::string>& arguments);
 
 }  // namespace tribolog

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "archive/sql/postgres_connection.h"
 #include "archive/store/schema.h"
 
 #include "error.h"
@@ -23,6 +24,22 @@ void make_if_missing(const std::string& path, bool is_default) {
   if (is_default) create_directory(directory.string());
   check_output_can_be_written(path);
   sql::create_sqlite(path, [](sql::Connection& connection) { create_schema(connection); });
+}
+
+[[noreturn]] void refuse_absent(const std::string& name) {
+  throw InputError({name, 0, 0}, {"there is no archive here", "", "",
+                                  "tribolog archive add, or report --archive, starts one"});
+}
+
+CalibrationArchive open_on_server(const std::string& uri, sql::Access access, int wait_ms) {
+  auto connection = sql::open_postgres(uri, access, wait_ms);
+  if (version_of(*connection) == 0) {
+    if (access == sql::Access::read) refuse_absent(connection->name());
+    connection->write([&] {  // another process may have been first
+      if (version_of(*connection) == 0) create_schema(*connection);
+    });
+  }
+  return CalibrationArchive(std::move(connection));
 }
 
 }  // namespace
@@ -48,12 +65,11 @@ bool is_server(const std::string& location) {
 CalibrationArchive open_archive(const std::string& location, sql::Access access, int wait_ms) {
   const bool is_default = location.empty();
   const std::string path = is_default ? default_location() : location;
-  if (is_server(path)) throw UsageError("PostgreSQL archives are not built in");
+  if (is_server(path)) return open_on_server(path, access, wait_ms);
   if (access == sql::Access::write) {
     make_if_missing(path, is_default);
   } else if (std::error_code error; !std::filesystem::exists(path, error)) {
-    throw InputError({path, 0, 0}, {"there is no archive here", "", "",
-                                    "tribolog archive add, or report --archive, starts one"});
+    refuse_absent(path);
   }
   return CalibrationArchive(sql::open_sqlite(path, access, wait_ms));
 }

@@ -20,9 +20,9 @@ bool is_server(const std::string& location);
 
 /// @param location empty: default_location().
 /// @param access with Access::write an archive that is not there is made, and the directories of
-///        the default one.
+///        the default one; a server's database has to be there, its tables are made.
 /// @throw InputError: not there, with Access::read. @throw ArchiveError, OutputError: as
-///        open_sqlite(); a newer schema.
+///        open_sqlite() and open_postgres(); a newer schema.
 CalibrationArchive open_archive(const std::string& location, sql::Access access,
                                 int wait_ms = sql::usual_wait_ms);
 

@@ -1,44 +1,25 @@
+// What holds of an archive wherever it is kept.
+
 #include "archive/store/calibration_archive.h"
 
-#include <gtest/gtest.h>
-#include <sqlite3.h>
+#include <limits>
+#include <random>
+#include <thread>
 
-#include "archive/archive_location.h"
+#include "archive/archive_place.h"
 #include "archive/sample_calibration.h"
 
 #include "error.h"
-#include "files/temporary_directory.h"
 
 namespace tribolog::archive {
 namespace {
 
-using test::refusal_of;
+using test::AnyArchive;
 using test::sample_calibration;
-using test::TemporaryDirectory;
 
 const std::string now = "2026-12-24T12:00:00Z";
 
-class CalibrationArchiveTest : public testing::Test {
- protected:
-  [[nodiscard]] std::string path() const { return directory_.path("a.tribolog"); }
-  [[nodiscard]] CalibrationArchive open(sql::Access access = sql::Access::write) const {
-    return open_archive(path(), access, 200);
-  }
-  /// As another program would.
-  void run(const std::string& statement) const {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, statement.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-        << sqlite3_errmsg(database);
-    sqlite3_close(database);
-  }
-  std::vector<std::string> faults(const std::string& head = "") const {
-    return open(sql::Access::read).verify(head, {}).faults;
-  }
-  TemporaryDirectory directory_;
-};
-
-TEST_F(CalibrationArchiveTest, GivesBackWhatWasAdded) {
+TEST_P(AnyArchive, GivesBackWhatWasAdded) {
   const NewCalibration given = sample_calibration(1, 2, 3, 0.45);
   const Added added = open().add(given, false, now);
   EXPECT_TRUE(added.is_new);
@@ -60,7 +41,7 @@ TEST_F(CalibrationArchiveTest, GivesBackWhatWasAdded) {
   EXPECT_TRUE(faults().empty());
 }
 
-TEST_F(CalibrationArchiveTest, TheSameInputsAreOneEntry) {
+TEST_P(AnyArchive, TheSameInputsAreOneEntry) {
   CalibrationArchive archive = open();
   NewCalibration one = sample_calibration(1, 2, 3, 0.45);
   const Added first = archive.add(one, false, now);
@@ -82,7 +63,7 @@ TEST_F(CalibrationArchiveTest, TheSameInputsAreOneEntry) {
   EXPECT_TRUE(archive.add(one, false, now).is_new);
 }
 
-TEST_F(CalibrationArchiveTest, KeepsTheFirstReport) {
+TEST_P(AnyArchive, KeepsTheFirstReport) {
   CalibrationArchive archive = open();
   const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
   const std::string html = "<html>" + std::string(100000, 'x') + "</html>";
@@ -94,7 +75,7 @@ TEST_F(CalibrationArchiveTest, KeepsTheFirstReport) {
   EXPECT_TRUE(faults().empty());
 }
 
-TEST_F(CalibrationArchiveTest, ListsByJointAndTime) {
+TEST_P(AnyArchive, ListsByJointAndTime) {
   CalibrationArchive archive = open();
   for (const int day : {9, 3, 30}) {
     for (const int joint : {2, 1}) {
@@ -117,7 +98,7 @@ TEST_F(CalibrationArchiveTest, ListsByJointAndTime) {
   EXPECT_EQ(archive.list({}).size(), 12U);
 }
 
-TEST_F(CalibrationArchiveTest, FindsByEnoughDigits) {
+TEST_P(AnyArchive, FindsByEnoughDigits) {
   CalibrationArchive archive = open();
   const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
   EXPECT_EQ(archive.find(added.id.substr(0, 4)).id, added.id);
@@ -126,7 +107,7 @@ TEST_F(CalibrationArchiveTest, FindsByEnoughDigits) {
   EXPECT_THROW((void)archive.find("0000000000"), UsageError);
 }
 
-TEST_F(CalibrationArchiveTest, VerifyFindsEveryAlteration) {
+TEST_P(AnyArchive, VerifyFindsEveryAlteration) {
   std::string id;
   std::string head;
   const auto fill = [&] {
@@ -144,27 +125,30 @@ TEST_F(CalibrationArchiveTest, VerifyFindsEveryAlteration) {
         "UPDATE calibration SET temperature_C = 26 WHERE number = 1",
         "UPDATE calibration SET robot = 'R7' WHERE number = 2",
         "DELETE FROM quantity WHERE calibration = 2 AND place = 1",
-        "DELETE FROM calibration WHERE number = 1", "DELETE FROM event WHERE number = 2",
+        "DELETE FROM calibration WHERE number = 1", "DELETE FROM calibration WHERE number = 2",
+        "DELETE FROM event WHERE number = 2",
         "UPDATE event SET at_utc = '2020-01-01T00:00:00Z' WHERE number = 1",
-        "UPDATE content SET zstd = zeroblob(20) WHERE document = 1",
+        "UPDATE content SET zstd = (SELECT zstd FROM content WHERE document = 2) "
+        "WHERE document = 1",
         "DELETE FROM document WHERE kind = 'report'", "DELETE FROM content WHERE document = 2",
-        "UPDATE input SET bytes = bytes + 1", "PRAGMA foreign_keys=0; DELETE FROM document",
-        "PRAGMA foreign_keys=0; DELETE FROM calibration WHERE number = 2"}) {
-    std::filesystem::remove(path());
-    fill();
-    run(statement);
-    EXPECT_FALSE(faults().empty()) << statement;
+        "UPDATE input SET bytes = bytes + 1", "DELETE FROM document"}) {
+    for (const bool cascades : {false, true}) {
+      place_->start_again();
+      fill();
+      place_->run(statement, cascades);
+      EXPECT_FALSE(faults().empty()) << statement;
+    }
   }
   // Cut off at its end, the chain alone is whole: the head that was written down tells.
-  std::filesystem::remove(path());
+  place_->start_again();
   fill();
-  run("PRAGMA foreign_keys=1; DELETE FROM event WHERE number = 3; "
-      "DELETE FROM document WHERE kind = 'report'");
+  place_->run("DELETE FROM event WHERE number = 3; DELETE FROM document WHERE kind = 'report'",
+              true);
   EXPECT_TRUE(faults().empty());
   EXPECT_FALSE(faults(head).empty());
 }
 
-TEST_F(CalibrationArchiveTest, RemovesAndRemembersThatItDid) {
+TEST_P(AnyArchive, RemovesAndRemembersThatItDid) {
   CalibrationArchive archive = open();
   const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
   archive.remove(archive.find(added.id), now);
@@ -175,116 +159,129 @@ TEST_F(CalibrationArchiveTest, RemovesAndRemembersThatItDid) {
   EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
 }
 
-TEST_F(CalibrationArchiveTest, BacksUpWithoutReplacingAFile) {
-  CalibrationArchive archive = open();
-  archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
-  const std::string copy = directory_.path("copy.tribolog");
-  archive.backup(copy);
-  CalibrationArchive other = open_archive(copy, sql::Access::read);
-  EXPECT_EQ(other.list({}).size(), 1U);
-  EXPECT_TRUE(other.verify(archive.verify("", {}).head, {}).faults.empty());
-  EXPECT_THROW(archive.backup(copy), OutputError);
+/// Of characters that no compression makes shorter.
+std::string noise_text(std::size_t characters) {
+  std::mt19937 random(7);
+  std::string text;
+  for (std::size_t k = 0; k < characters; ++k) text += static_cast<char>('!' + random() % 90);
+  return text;
 }
 
-TEST_F(CalibrationArchiveTest, HostileTextsAreText) {
+TEST_P(AnyArchive, HostileTextsAreText) {
   NewCalibration hostile = sample_calibration(1, 2, 3, 0.45);
   hostile.facts.of.robot = "'; DROP TABLE calibration; --";
-  hostile.facts.of.serial = "../../x\xe2\x80\xae";
-  hostile.facts.of.joint = std::string(10000, 'J');
+  hostile.facts.of.serial = "../../x\xe2\x80\xae\\x41%s$1";
+  hostile.facts.of.joint = noise_text(10000);
+  hostile.facts.note = "\xf0\x9f\xa4\x96";
+  hostile.quantities[1].name = noise_text(9000);
+  hostile.inputs[1].name = noise_text(11000);
+  hostile.documents.push_back({DocumentKind::input, hostile.inputs[1].name, "a log"});
   CalibrationArchive archive = open();
   const Added added = archive.add(hostile, false, now);
-  EXPECT_EQ(archive.find(added.id).facts.of, hostile.facts.of);
+  const Entry entry = archive.find(added.id);
+  EXPECT_EQ(entry.facts.of, hostile.facts.of);
+  EXPECT_EQ(entry.facts.note, hostile.facts.note);
+  EXPECT_EQ(archive.document(entry, DocumentKind::input, hostile.inputs[1].name), "a log");
   Filter filter;
   filter.robot = hostile.facts.of.robot;
+  filter.joint = hostile.facts.of.joint;
   EXPECT_EQ(archive.list(filter).size(), 1U);
   EXPECT_TRUE(faults().empty());
 }
 
-TEST_F(CalibrationArchiveTest, ImpossibleNumbersAreRefusedAndNothingIsKept) {
+TEST_P(AnyArchive, TakesNoTextThatOneOfBothWouldNotKeep) {
+  CalibrationArchive archive = open();
+  for (const std::string& text : {std::string("\xff"), std::string("J\xc3"), std::string("a\0b", 3),
+                                  std::string("\xed\xa0\x80")}) {
+    NewCalibration wrong = sample_calibration(1, 2, 3, 0.45);
+    wrong.facts.of.joint = text;
+    EXPECT_THROW(archive.add(wrong, false, now), UsageError);
+    wrong = sample_calibration(1, 2, 3, 0.45);
+    wrong.inputs[0].name = text;
+    EXPECT_THROW(archive.add(wrong, false, now), UsageError);
+    Filter filter;
+    filter.serial = text;
+    EXPECT_THROW((void)archive.list(filter), UsageError);
+  }
+  EXPECT_EQ(archive.verify("", {}).events, 0U);
+}
+
+TEST_P(AnyArchive, GivesBackEveryBit) {
+  using Limits = std::numeric_limits<double>;
+  NewCalibration given = sample_calibration(1, 2, 3, 0.45);
+  given.quantities.clear();
+  for (const double value : {1.0 / 3, 0.1, -0.1, 5.0, 0.0, -0.0, Limits::max(), Limits::lowest(),
+                             Limits::min(), Limits::denorm_min(), 1e15 + 0.3, 9007199254740993.0}) {
+    given.quantities.push_back({fmt::format("q{}", given.quantities.size()), "", "N·m",
+                                Verdict::usable, Estimate{value, value, value, ""}});
+  }
+  given.inputs[0].bytes = 9007199254740993;  // no double has it
+  std::string bytes;
+  for (int k = 0; k < 4 * 256; ++k) bytes += static_cast<char>(k * 37);
+  given.documents.push_back({DocumentKind::input, "log.bin", bytes});
+  CalibrationArchive archive = open();
+  const Entry entry = archive.find(archive.add(given, false, now).id);
+  const auto quantities = archive.quantities(entry);
+  ASSERT_EQ(quantities.size(), given.quantities.size());
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    EXPECT_EQ(quantities[k].estimate->value, given.quantities[k].estimate->value);
+    EXPECT_EQ(quantities[k].unit, "N·m");
+  }
+  EXPECT_EQ(archive.inputs(entry)[0].bytes, 9007199254740993U);
+  EXPECT_EQ(archive.document(entry, DocumentKind::input, "log.bin"), bytes);
+  EXPECT_TRUE(faults().empty());
+}
+
+TEST_P(AnyArchive, ManyAtOnceMakeOneArchiveAndLoseNothing) {
+  constexpr int writers = 4;
+  constexpr int each = 8;
+  std::vector<std::thread> threads;
+  for (int writer = 0; writer < writers; ++writer) {
+    threads.emplace_back([&, writer] {
+      CalibrationArchive archive = open_archive(place_->location(), sql::Access::write, 60000);
+      for (int k = 0; k < each; ++k) {
+        EXPECT_TRUE(archive.add(sample_calibration(writer, k, 3, 0.45), false, now).is_new);
+        (void)archive.add(sample_calibration(99, k, 3, 0.45), false, now);  // all of them do
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const Verification outcome = open(sql::Access::read).verify("", {});
+  EXPECT_TRUE(outcome.faults.empty());
+  EXPECT_EQ(outcome.entries, static_cast<std::size_t>((writers + 1) * each));
+  EXPECT_EQ(outcome.events, outcome.entries);
+}
+
+TEST_P(AnyArchive, AReaderSeesOneState) {
+  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
+  std::size_t removed = 0;
+  const Verification outcome = open(sql::Access::read).verify("", [&](std::size_t, std::size_t) {
+    try {
+      CalibrationArchive other = open();
+      for (const Entry& entry : other.list({})) {
+        other.remove(entry, now);
+        ++removed;
+      }
+    } catch (const ArchiveError&) {
+      // An SQLite file's writer waits for its readers.
+    }
+  });
+  EXPECT_TRUE(outcome.faults.empty());
+  EXPECT_EQ(outcome.entries, 1U);
+  EXPECT_EQ(open(sql::Access::read).list({}).size(), 1U - removed);
+}
+
+TEST_P(AnyArchive, IsAskedForWhereThereIsNone) {
+  EXPECT_THROW((void)open(sql::Access::read), InputError);
+}
+
+TEST_P(AnyArchive, ImpossibleNumbersAreRefusedAndNothingIsKept) {
   NewCalibration wrong = sample_calibration(1, 2, 3, 0.45);
   wrong.quantities[0].estimate->low = 0.5;
   CalibrationArchive archive = open();
   EXPECT_ANY_THROW(archive.add(wrong, false, now));
   EXPECT_TRUE(archive.list({}).empty());
   EXPECT_EQ(archive.verify("", {}).events, 0U);
-}
-
-std::string refusal(const std::string& path, sql::Access access, ExitStatus& status) {
-  try {
-    (void)open_archive(path, access, 100);
-  } catch (const Error& error) {
-    status = error.status();
-    return error.what();
-  }
-  status = ExitStatus::done;
-  return "";
-}
-
-TEST_F(CalibrationArchiveTest, LeavesOtherFilesAlone) {
-  const auto expect = [&](const std::string& bytes, ExitStatus wanted, const char* words) {
-    (void)directory_.file("a.tribolog", bytes);
-    for (const sql::Access access : {sql::Access::read, sql::Access::write}) {
-      ExitStatus status{};
-      EXPECT_NE(refusal(path(), access, status).find(words), std::string::npos)
-          << refusal(path(), access, status);
-      EXPECT_EQ(status, wanted);
-      EXPECT_EQ(directory_.contents("a.tribolog"), bytes);
-    }
-  };
-  expect("", ExitStatus::archive_failed, "empty file");
-  expect("robot,serial\n1,2\n", ExitStatus::archive_failed, "is no archive");
-  expect(std::string(5000, '\x5a'), ExitStatus::archive_failed, "is no archive");
-}
-
-TEST_F(CalibrationArchiveTest, RefusesAnotherProgramsDatabaseANewerSchemaAndATruncatedFile) {
-  ExitStatus status{};
-  run("CREATE TABLE t (x)");
-  EXPECT_NE(refusal(path(), sql::Access::write, status).find("of another program"),
-            std::string::npos);
-  EXPECT_EQ(status, ExitStatus::archive_failed);
-  std::filesystem::remove(path());
-  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
-  const std::string whole = directory_.contents("a.tribolog");
-  run("PRAGMA user_version = 7");
-  EXPECT_NE(refusal(path(), sql::Access::read, status).find("newer tribolog"), std::string::npos);
-  EXPECT_EQ(status, ExitStatus::archive_failed);
-  (void)directory_.file("a.tribolog", whole.substr(0, whole.size() / 2));
-  EXPECT_NE(refusal(path(), sql::Access::read, status).find("damaged"), std::string::npos);
-  EXPECT_EQ(status, ExitStatus::archive_failed);
-  EXPECT_EQ(directory_.contents("a.tribolog").size(), whole.size() / 2);
-}
-
-TEST_F(CalibrationArchiveTest, SaysThatAnotherProcessHasLockedIt) {
-  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
-  ExitStatus status{};
-  EXPECT_NE(refusal(path(), sql::Access::read, status).find("locked by another process"),
-            std::string::npos);
-  EXPECT_EQ(status, ExitStatus::archive_failed);
-  sqlite3_close(database);
-}
-
-TEST(ArchiveLocation, IsAskedForWhereThereIsNone) {
-  const TemporaryDirectory directory;
-  ExitStatus status{};
-  EXPECT_NE(refusal(directory.path("none"), sql::Access::read, status).find("no archive here"),
-            std::string::npos);
-  EXPECT_EQ(status, ExitStatus::input_refused);
-  EXPECT_NE(refusal(directory.path("no/such/a"), sql::Access::write, status), "");
-  EXPECT_EQ(status, ExitStatus::output_failed);
-}
-
-TEST(ArchiveLocation, FollowsTheXdgRules) {
-  setenv("XDG_DATA_HOME", "/data", 1);
-  EXPECT_EQ(default_location(), "/data/tribolog/archive.tribolog");
-  setenv("XDG_DATA_HOME", "relative", 1);
-  setenv("HOME", "/home/a", 1);
-  EXPECT_EQ(default_location(), "/home/a/.local/share/tribolog/archive.tribolog");
-  unsetenv("XDG_DATA_HOME");
-  unsetenv("HOME");
-  EXPECT_THROW((void)default_location(), UsageError);
 }
 
 }  // namespace

@@ -17,6 +17,11 @@ namespace tribolog::sql {
 /// What the two write differently.
 enum class Dialect { sqlite, postgres };
 
+enum class Access { read, write };
+
+/// How long a statement waits for another process before it gives up.
+inline constexpr int usual_wait_ms = 5000;
+
 class Connection {
  public:
   Connection() = default;

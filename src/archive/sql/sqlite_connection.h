@@ -11,11 +11,6 @@ namespace tribolog::sql {
 /// Says what the file is by SQLite's own field for it: "trib".
 inline constexpr int application_id = 0x74726962;
 
-enum class Access { read, write };
-
-/// How long a statement waits for another process before it gives up.
-inline constexpr int usual_wait_ms = 5000;
-
 /// Opens a file that exists. Rollback journal and `synchronous=EXTRA`: what was committed survives
 /// a power failure, and the archive is one file.
 /// @throw ArchiveError: no SQLite file, of another program, damaged or truncated; it is left as it

@@ -10,6 +10,7 @@
 #include "archive/store/compressed.h"
 #include "archive/store/digest.h"
 #include "archive/store/entry_rows.h"
+#include "archive/store/kept_texts.h"
 #include "archive/store/schema.h"
 
 #include "error.h"
@@ -45,6 +46,7 @@ std::pair<std::string, std::vector<Value>> conditions(const Filter& filter) {
   add("robot", filter.robot);
   add("serial", filter.serial);
   add("joint", filter.joint);
+  refuse_unkept_texts(values);
   if (filter.latest_revisions) {
     text += values.empty() ? " WHERE" : " AND";
     text +=
@@ -85,6 +87,7 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
   Entry entry;
   entry.facts = calibration.facts;
   entry.identity = calibration.identity();
+  refuse_unkept_texts(calibration);
   const std::string calibration_hash = calibration_sha256(calibration.documents);
   Added added;
   connection_->write([&] {

@@ -16,7 +16,8 @@ class Fields {
 
   void add(const std::string& text) { hash_.add(fmt::format("{}:{};", text.size(), text)); }
   void add(std::uint64_t number) { hash_.add(fmt::format("#{};", number)); }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  /// SQLite keeps -0 as 0.
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number)); }
   void add(const std::optional<double>& number) {
     if (number) {
       add(*number);

@@ -9,7 +9,7 @@
 namespace tribolog::archive {
 namespace {
 
-// INT, REAL_, BYTES, KEY and STRICT_ are written as each database has them.
+// INT, REAL_, TEXT, BYTES, KEY and STRICT_ are written as each database has them.
 constexpr const char* tables = R"(
 CREATE TABLE calibration (
   number KEY,
@@ -39,7 +39,6 @@ CREATE TABLE calibration (
   digest TEXT NOT NULL CHECK (length(digest) = 64),
   UNIQUE (identity, revision)
 ) STRICT_;
-CREATE INDEX calibration_of_joint ON calibration (robot, serial, joint, measured_at);
 
 CREATE TABLE quantity (
   calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
@@ -51,8 +50,7 @@ CREATE TABLE quantity (
   value REAL_ CHECK (abs(value) <= 1.7976931348623157e308),
   low REAL_ CHECK (low <= value),
   high REAL_ CHECK (high >= value),
-  PRIMARY KEY (calibration, place),
-  UNIQUE (calibration, name)
+  PRIMARY KEY (calibration, place)
 ) STRICT_;
 
 CREATE TABLE input (
@@ -72,9 +70,10 @@ CREATE TABLE document (
   name TEXT NOT NULL,
   bytes INT NOT NULL CHECK (bytes >= 0),
   sha256 TEXT NOT NULL CHECK (length(sha256) = 64),
-  stored_bytes INT NOT NULL,
-  UNIQUE (calibration, kind, name)
+  stored_bytes INT NOT NULL
 ) STRICT_;
+CREATE INDEX document_of_calibration ON document (calibration);
+CREATE UNIQUE INDEX one_document_of_a_kind ON document (calibration, kind) WHERE kind <> 'input';
 
 CREATE TABLE content (
   document INT PRIMARY KEY REFERENCES document (number) ON DELETE CASCADE,
@@ -91,6 +90,14 @@ CREATE TABLE event (
 ) STRICT_;
 )";
 
+constexpr const char* sqlite_index =
+    "CREATE INDEX calibration_of_joint ON calibration (robot, serial, joint, measured_at)";
+
+// A tree of the server's takes no text of more than some kB.
+constexpr const char* postgres_indices =
+    "CREATE INDEX calibration_of_robot ON calibration USING hash (robot);"
+    "CREATE INDEX calibration_of_serial ON calibration USING hash (serial)";
+
 std::string replaced(std::string text, const std::string& word, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size()) {
     text.replace(at, word.size(), by);
@@ -105,12 +112,15 @@ void create_schema(sql::Connection& connection) {
   std::string script = tables;
   script = replaced(script, "REAL_", is_sqlite ? "REAL" : "DOUBLE PRECISION");
   script = replaced(script, "STRICT_", is_sqlite ? "STRICT" : "");
+  // Texts are told apart by their bytes, not by a locale.
+  script = replaced(script, " TEXT ", is_sqlite ? " TEXT " : " TEXT COLLATE \"C\" ");
   script = replaced(script, "BYTES", is_sqlite ? "BLOB" : "BYTEA");
   script = replaced(script, " KEY,",
                     is_sqlite ? " INTEGER PRIMARY KEY AUTOINCREMENT,"
                               : " BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY,");
   script = replaced(script, " INT ", is_sqlite ? " INTEGER " : " BIGINT ");
   connection.run_script(script);
+  connection.run_script(is_sqlite ? sqlite_index : postgres_indices);
   connection.run_script(is_sqlite ? fmt::format("PRAGMA user_version = {}", schema_version)
                                   : fmt::format("CREATE TABLE archive (version BIGINT NOT NULL); "
                                                 "INSERT INTO archive VALUES ({})",

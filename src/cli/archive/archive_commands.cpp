@@ -25,9 +25,14 @@ void ArchiveOptions::protect_from(const std::string& output) const {
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
   constexpr double longest_s = 3600;
   auto options = std::make_shared<ArchiveOptions>();
-  command.add_option("--archive", options->location,
-                     "the archive: a file, or postgresql://...; default: "
-                     "tribolog/archive.tribolog in the user's data directory");
+  command
+      .add_option("--archive", options->location,
+                  "the archive: a file, or postgresql://...; default: "
+                  "tribolog/archive.tribolog in the user's data directory")
+      ->check([](const std::string& location) {  // a variable of a script that is not set
+        return location.empty() ? std::string("is empty; state a file, or leave --archive out")
+                                : std::string();
+      });
   command
       .add_option("--wait", options->wait_s, "seconds to wait while another process writes to it")
       ->check(CLI::Range(0.0, longest_s))

@@ -1,0 +1,21 @@
+#pragma once
+// An archive in a database of a PostgreSQL server.
+
+#include <memory>
+#include <string>
+
+#include "archive/sql/sql_connection.h"
+
+namespace tribolog::sql {
+
+/// Connects. write() waits for other writers at an advisory lock of the database; what it has kept
+/// is on the server's disk even where the server is set to answer earlier
+/// (`synchronous_commit = off`).
+/// @param uri as libpq takes it; the password may also come from PGPASSWORD or ~/.pgpass, and no
+///        message shows it.
+/// @throw ArchiveError: no server, no such database, no right to connect, or a database that is not
+///        in UTF-8. @throw OutputError: read-only, with Access::write. @throw UsageError: no
+///        connection string.
+std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms);
+
+}  // namespace tribolog::sql

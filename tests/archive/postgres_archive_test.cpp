@@ -1,0 +1,214 @@
+// What an archive on a server does with servers and databases that cannot serve it.
+
+#include <gtest/gtest.h>
+
+#include "archive/postgres_place.h"
+#include "archive/sample_calibration.h"
+#include "archive/sql/postgres_connection.h"
+
+#include "error.h"
+
+namespace tribolog::archive {
+namespace {
+
+using test::AnyArchive;
+using test::PostgresPlace;
+using test::PostgresServer;
+using test::sample_calibration;
+
+const std::string now = "2026-12-24T12:00:00Z";
+
+INSTANTIATE_TEST_SUITE_P(
+    Postgres, AnyArchive,
+    testing::Values([](std::string& why) -> std::unique_ptr<test::ArchivePlace> {
+      why = PostgresServer::of_this_program().why_not();
+      if (!why.empty()) return nullptr;
+      return std::make_unique<PostgresPlace>();
+    }));
+
+class PostgresArchive : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!server_.why_not().empty()) GTEST_SKIP() << server_.why_not();
+  }
+  /// What opening refuses with.
+  struct Refusal {
+    ExitStatus status{};
+    std::string words;
+  };
+  template <class Action>
+  Refusal refusal_of(const Action& action) const {
+    try {
+      action();
+    } catch (const Error& error) {
+      const std::string words = error.what();
+      EXPECT_EQ(words.find(PostgresServer::password_in_uri()), std::string::npos) << words;
+      EXPECT_EQ(words.find("p@ss"), std::string::npos) << words;
+      EXPECT_EQ(words.find('\n'), std::string::npos) << words;
+      return {error.status(), words};
+    }
+    return {};
+  }
+  Refusal refusal(const std::string& uri, sql::Access access = sql::Access::write) const {
+    return refusal_of([&] { (void)open_archive(uri, access, 300); });
+  }
+  void expect(const Refusal& refused, ExitStatus status, const char* words) const {
+    EXPECT_EQ(refused.status, status) << refused.words;
+    EXPECT_NE(refused.words.find(words), std::string::npos) << refused.words;
+  }
+  static std::string replaced(std::string text, const std::string& from, const std::string& by) {
+    return text.replace(text.find(from), from.size(), by);
+  }
+
+  PostgresServer& server_{PostgresServer::of_this_program()};
+};
+
+TEST_F(PostgresArchive, SaysInOneLineWhyThereIsNoConnection) {
+  constexpr ExitStatus failed = ExitStatus::archive_failed;
+  const std::string uri = server_.new_database();
+  const std::string password = PostgresServer::password_in_uri();
+  const std::string port = uri.substr(uri.rfind(':') + 1, uri.rfind('/') - uri.rfind(':') - 1);
+  expect(refusal(replaced(uri, password, "wrong")), failed, "password authentication failed");
+  expect(refusal(replaced(uri, ":" + password, "")), failed, "no password supplied");
+  expect(refusal(replaced(uri, ":" + port, ":1")), failed, "Connection refused");
+  expect(refusal(server_.uri("none")), failed, "database \"none\" does not exist");
+  expect(refusal("postgresql://127.0.0.1:1/none"), failed, "postgresql://127.0.0.1:1/none");
+}
+
+TEST_F(PostgresArchive, RefusesAStringFromWhichAPasswordCouldShow) {
+  for (const char* const uri :
+       {"postgresql://u:sec@ret@host/db", "postgresql://u:sec/ret@host/db",
+        "postgresql://u:sec?ret@host/db", "postgresql://u:sec%zzret@host/db",
+        "postgresql://u@host/db?nosuch=secret", "postgresql://u:secret@host:12secret/db",
+        "postgresql://[secret/db"}) {
+    const Refusal refused = refusal(uri);
+    expect(refused, ExitStatus::usage, "connection string cannot be read");
+    for (const char* const part : {"sec", "ret"}) {
+      EXPECT_EQ(replaced(refused.words, "characters", "").find(part), std::string::npos)
+          << refused.words;
+    }
+  }
+}
+
+TEST_F(PostgresArchive, ShowsItsNameWithoutThePassword) {
+  const std::string uri = server_.new_database();
+  const std::string shown = replaced(uri, ":" + PostgresServer::password_in_uri(), "");
+  EXPECT_EQ(open_archive(uri, sql::Access::write).name(), shown);
+}
+
+TEST_F(PostgresArchive, ReadOnlyIsAnOutputErrorAndChangesNothing) {
+  const std::string uri = server_.new_database();
+  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  CalibrationArchive earlier = open_archive(uri, sql::Access::write);
+  const std::string name = uri.substr(uri.rfind('/') + 1);
+  server_.run("ALTER DATABASE " + name + " SET default_transaction_read_only = on", uri);
+  expect(refusal(uri), ExitStatus::output_failed, "read-only");
+  EXPECT_EQ(open_archive(uri, sql::Access::read).list({}).size(), 1U);
+  EXPECT_TRUE(open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
+}
+
+TEST_F(PostgresArchive, WhoMayNotWriteReadsAndIsToldSo) {
+  const std::string uri = server_.new_database();
+  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  server_.run(
+      "CREATE ROLE reader LOGIN PASSWORD 'r'; GRANT SELECT ON ALL TABLES IN SCHEMA public "
+      "TO reader",
+      uri);
+  const std::string as_reader =
+      replaced(uri, "tribolog:" + PostgresServer::password_in_uri(), "reader:r");
+  EXPECT_EQ(open_archive(as_reader, sql::Access::read).list({}).size(), 1U);
+  CalibrationArchive archive = open_archive(as_reader, sql::Access::write);
+  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 4, 0.45), false, now); }),
+         ExitStatus::output_failed, "permission denied");
+  EXPECT_EQ(archive.list({}).size(), 1U);
+}
+
+TEST_F(PostgresArchive, AFullDiskIsAnOutputErrorAndKeepsNothing) {
+  const std::string uri = server_.new_database();
+  CalibrationArchive archive = open_archive(uri, sql::Access::write);
+  // What the server answers when it cannot make a file longer.
+  server_.run(
+      "CREATE FUNCTION no_space() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
+      "'could not extend file: No space left on device' USING ERRCODE = 'disk_full'; END $$;"
+      "CREATE TRIGGER no_space BEFORE INSERT ON event EXECUTE FUNCTION no_space()",
+      uri);
+  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+         ExitStatus::output_failed, "no space left");
+  EXPECT_TRUE(archive.list({}).empty());
+  server_.run("DROP TRIGGER no_space ON event", uri);
+  EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+  EXPECT_TRUE(archive.verify("", {}).faults.empty());
+}
+
+TEST_F(PostgresArchive, SaysThatAnotherProcessHasLockedIt) {
+  const std::string uri = server_.new_database();
+  CalibrationArchive waiting = open_archive(uri, sql::Access::write, 300);
+  const auto holder = sql::open_postgres(uri, sql::Access::write, 300);
+  holder->write([&] {
+    expect(refusal_of([&] { waiting.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+           ExitStatus::archive_failed, "locked by another process, for more than 0.3 s");
+    CalibrationArchive at_once = open_archive(uri, sql::Access::write, 0);
+    expect(refusal_of([&] { at_once.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+           ExitStatus::archive_failed, "locked by another process");
+    EXPECT_TRUE(waiting.list({}).empty()) << "a reader waits for no writer";
+  });
+  EXPECT_TRUE(waiting.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+}
+
+TEST_F(PostgresArchive, SaysThatTheConnectionWasLost) {
+  const std::string uri = server_.new_database();
+  CalibrationArchive archive = open_archive(uri, sql::Access::write);
+  archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  server_.run(
+      "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE datname = "
+      "current_database() AND pid <> pg_backend_pid()",
+      uri);
+  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 4, 0.45), false, now); }),
+         ExitStatus::archive_failed, "the connection to the server was lost");
+  CalibrationArchive again = open_archive(uri, sql::Access::write);
+  EXPECT_EQ(again.list({}).size(), 1U);
+  EXPECT_TRUE(again.verify("", {}).faults.empty());
+}
+
+TEST_F(PostgresArchive, ANewerSchemaAndOtherTablesAreLeftAlone) {
+  const std::string newer = server_.new_database();
+  open_archive(newer, sql::Access::write);
+  server_.run("UPDATE archive SET version = 7", newer);
+  expect(refusal(newer), ExitStatus::archive_failed, "newer tribolog");
+  const std::string other = server_.new_database();
+  server_.run("CREATE TABLE document (x int)", other);
+  expect(refusal(other), ExitStatus::archive_failed, "another program's tables");
+  EXPECT_EQ(server_.run("SELECT count(*) FROM pg_tables WHERE schemaname = 'public'", other), "1");
+  server_.run("CREATE TABLE archive (x int)", other);
+  expect(refusal(other), ExitStatus::archive_failed, "damaged");
+}
+
+TEST_F(PostgresArchive, TakesNoDatabaseInAnotherEncoding) {
+  const std::string latin1 = server_.new_database("ENCODING 'LATIN1' TEMPLATE template0");
+  expect(refusal(latin1), ExitStatus::archive_failed, "LATIN1");
+}
+
+TEST_F(PostgresArchive, IsOnTheDiskBeforeItIsAcknowledged) {
+  const std::string uri = server_.new_database();
+  const std::string name = uri.substr(uri.rfind('/') + 1);
+  server_.run("ALTER DATABASE " + name + " SET synchronous_commit = off", uri);
+  const auto connection = sql::open_postgres(uri, sql::Access::write, 300);
+  EXPECT_EQ(connection->run("SHOW synchronous_commit").front().front().text(), "on");
+}
+
+TEST_F(PostgresArchive, KeepsTwoArchivesOfOneDatabaseApart) {
+  const std::string uri = server_.new_database();
+  server_.run("CREATE SCHEMA cell_b", uri);
+  const std::string other = uri + "?options=-csearch_path%3Dcell_b";
+  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  EXPECT_TRUE(open_archive(other, sql::Access::write).list({}).empty());
+  EXPECT_EQ(open_archive(uri, sql::Access::read).list({}).size(), 1U);
+}
+
+TEST_F(PostgresArchive, BackupIsLeftToPgDump) {
+  EXPECT_THROW(open_archive(server_.new_database(), sql::Access::write).backup("/nowhere"),
+               UsageError);
+}
+
+}  // namespace
+}  // namespace tribolog::archive

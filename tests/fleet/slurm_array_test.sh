@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# A fleet's datasets through examples/fleet/identify_fleet.sbatch, on a real Slurm of two nodes on
+# this machine, into an SQLite file and into a PostgreSQL server: the archives hold what one holds
+# into which they were archived one after the other.
+#   slurm_array_test.sh TRIBOLOG
+# Skips, saying so, where Slurm is not installed.
+set -euo pipefail
+export TRIBOLOG PER_TASK=4
+TRIBOLOG=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
+source "$here/slurm_cluster.sh"
+robots=50
+joints=4
+options=(--resamples 0 --truth-runs 0)
+export SOURCE_DATE_EPOCH=1767225600  # when it was identified is part of a calibration
+
+scratch=$(mktemp -d /tmp/tribolog-fleet-XXXXXX)
+chmod 755 "$scratch"  # for the database's own user
+finish() {
+  local status=$?
+  stop_slurm
+  [ ! -f "$scratch/postgres/server.pid" ] || kill -QUIT "$(cat "$scratch/postgres/server.pid")"
+  wait
+  rm -rf "$scratch"
+  exit "$status"
+}
+trap finish EXIT
+trap 'exit 143' TERM INT
+fail() { echo "FAILED: $*" >&2; exit 1; }
+seconds_since() { echo "$(($(date +%s%N) / 1000000 - $1))" | sed 's/...$/.& s/; s/^\./0./'; }
+now_ms() { echo $(($(date +%s%N) / 1000000)); }
+
+start_slurm "$scratch/slurm" || { [ $? -eq 77 ] && { echo "SKIPPED: no Slurm here"; exit 0; }; exit 1; }
+
+# Each joint with a friction, a load and noise of its own.
+began=$(now_ms)
+for ((robot = 1; robot <= robots; ++robot)); do
+  for ((joint = 1; joint <= joints; ++joint)); do
+    number=$((robot * joints + joint))
+    sed -e "s/@ROBOT@/R$robot/; s/@SERIAL@/S-$robot/; s/@JOINT@/J$joint/; s/@SEED@/$number/" \
+      -e "s/@COULOMB@/0.$((300 + number))/; s/@MASS@/$((40 + joint * 7)).$robot/" \
+      "$here/joint.toml.in" >"$scratch/$number.toml"
+    echo "$scratch/fleet/R$robot/J$joint/dataset.toml"
+    echo "$scratch/$number.toml $scratch/fleet/R$robot/J$joint" >>"$scratch/scenarios"
+  done
+done >"$scratch/manifests"
+datasets=$(wc -l <"$scratch/manifests")
+xargs -P "$(nproc)" -L 1 sh -c '"$TRIBOLOG" --quiet simulate "$0" -o "$1"' <"$scratch/scenarios"
+echo "$datasets datasets simulated in $(seconds_since "$began")"
+
+began=$(now_ms)
+cp -r "$scratch/fleet" "$scratch/serial"
+while IFS= read -r manifest; do
+  "$TRIBOLOG" --quiet identify "$manifest" -o "${manifest%.toml}.calibration.json" "${options[@]}" \
+    </dev/null
+  "$TRIBOLOG" --quiet archive add "${manifest%.toml}.calibration.json" \
+    --archive "$scratch/serial.tribolog" </dev/null
+done < <(sed "s|$scratch/fleet|$scratch/serial|" "$scratch/manifests")
+echo "identified and archived one after the other in $(seconds_since "$began")"
+"$TRIBOLOG" archive list --json --archive "$scratch/serial.tribolog" >"$scratch/expected.json"
+[ "$(grep -c '"digest"' "$scratch/expected.json")" -eq "$datasets" ] || fail "the serial archive"
+
+# One more, which is not there: it must be the only one that fails.
+echo "$scratch/fleet/none/dataset.toml" >>"$scratch/manifests"
+tasks=$(((datasets + PER_TASK) / PER_TASK))
+
+array_into() {  # NAME ARCHIVE
+  local began job states
+  began=$(now_ms)
+  find "$scratch/fleet" -name '*.calibration.json' -delete
+  job=$(sbatch --parsable --array="1-$tasks" --output="$scratch/$1-%a.log" \
+    "$here/../../examples/fleet/identify_fleet.sbatch" "$scratch/manifests" "$2" "${options[@]}")
+  while [ -n "$(squeue -h -j "$job" 2>/dev/null)" ]; do sleep 0.3; done
+  echo "$1: $tasks tasks of $PER_TASK in $(seconds_since "$began")"
+  states=$(scontrol -o show job "$job")
+  [ "$(grep -c 'JobState=COMPLETED' <<<"$states")" -eq $((tasks - 1)) ] &&
+    [ "$(grep -c 'JobState=FAILED' <<<"$states")" -eq 1 ] ||
+    { cat "$scratch/$1"-*.log | grep -v '^archived' | head -n 20; fail "$1: tasks failed"; }
+  for node in worker1 worker2; do
+    grep -q " NodeList=$node " <<<"$states" || fail "$1: nothing ran on $node"
+  done
+  grep -q "not archived: .*none/dataset.toml" "$scratch/$1-$tasks.log" || fail "$1: nothing said"
+  "$TRIBOLOG" archive list --json --archive "$2" >"$scratch/$1.json"
+  # Digests cover everything that a calibration says, and verify that they are true.
+  cmp "$scratch/expected.json" "$scratch/$1.json" || fail "$1: the archive holds something else"
+  "$TRIBOLOG" archive verify --archive "$2" || fail "$1: the archive is not whole"
+}
+
+array_into sqlite "$scratch/array.tribolog"
+
+"$here/../support/postgres_server.sh" "$scratch/postgres" 2>"$scratch/postgres.log" &
+server=$!
+while :; do
+  status=0
+  kill -0 "$server" 2>/dev/null || { wait "$server" || status=$?; break; }
+  [ ! -f "$scratch/postgres/uri" ] ||
+    "$TRIBOLOG" archive list --archive "$(cat "$scratch/postgres/uri")" 2>/dev/null || status=$?
+  [ "$status" -ne 3 ] || break  # it answers: there is no archive yet
+  sleep 0.2
+done
+case $status in
+  3) PGPASSFILE=/dev/null array_into postgres "$(cat "$scratch/postgres/uri")" ;;
+  77) echo "without PostgreSQL: $(cat "$scratch/postgres.log")" ;;
+  *) cat "$scratch/postgres.log"; fail "no PostgreSQL server" ;;
+esac
+echo "the archives are the same"
