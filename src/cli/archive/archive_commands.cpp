@@ -37,7 +37,7 @@ std::function<Run()> add_archive(CLI::App& app) {
   archive->fallthrough();
   std::vector<std::pair<CLI::App*, Run>> commands;
   for (Run (*add)(CLI::App&) :
-       {add_add, add_list, add_show, add_report, add_verify, add_backup, add_remove}) {
+       {add_add, add_list, add_show, add_report, add_verify, add_backup, add_remove, add_export}) {
     Run run = add(*archive);
     commands.emplace_back(archive->get_subcommands({}).back(), std::move(run));
   }
