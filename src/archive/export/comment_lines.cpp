@@ -50,8 +50,8 @@ std::string estimate_line(const Quantity& quantity, double gear_ratio, Side side
   const Estimate e = at_motor ? quantity.estimate.value() : at_joint(quantity, gear_ratio);
   const int power = at_motor ? 0 : gear_power(quantity.name).value_or(0);
   return one_line(fmt::format("{} at the {}: {:.6g} {} (95 %: {:.6g} to {:.6g}), {}; {}",
-                              quantity.words, to_string(side), e.value, quantity.unit, e.low,
-                              e.high, tribolog::to_string(quantity.verdict),
+                              without_side(quantity.words), to_string(side), e.value, quantity.unit,
+                              e.low, e.high, tribolog::to_string(quantity.verdict),
                               conversion_words(power)));
 }
 

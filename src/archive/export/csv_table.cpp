@@ -1,5 +1,7 @@
 #include "archive/export/csv_table.h"
 
+#include <fmt/format.h>
+
 #include "archive/export/comment_lines.h"
 #include "archive/export/gear_side.h"
 
@@ -48,8 +50,8 @@ std::string csv_table(const ArchivedJoint& joint) {
     if (q.estimate) append_number(text, q.estimate->low);
     text += ",";
     if (q.estimate) append_number(text, q.estimate->high);
-    text += "," + cell(q.unit) + "," + to_string(row.side) + "," + tribolog::to_string(q.verdict) +
-            "," + conversion_words(row.gear_power) + "\n";
+    text += fmt::format(",{},{},{},{}\n", cell(q.unit), to_string(row.side),
+                        tribolog::to_string(q.verdict), conversion_words(row.gear_power));
   }
   return text;
 }

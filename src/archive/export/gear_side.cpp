@@ -6,15 +6,10 @@
 #include "joint/acceptance_limit.h"
 
 namespace tribolog::archive {
-namespace {
-
-/// "Inertia at the motor" is one at the joint there.
 std::string without_side(const std::string& words) {
   constexpr std::string_view side = " at the motor";
   return words.ends_with(side) ? words.substr(0, words.size() - side.size()) : words;
 }
-
-}  // namespace
 
 std::optional<int> gear_power(const std::string& quantity) {
   std::optional<int> power;
@@ -35,10 +30,10 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
       all.push_back({quantity, Side::joint, 0});
       continue;
     }
-    all.push_back({quantity, Side::motor, 0});
-    if (!power) continue;
     Quantity joint = quantity;
     joint.words = without_side(joint.words);
+    all.push_back({joint, Side::motor, 0});
+    if (!power) continue;
     if (joint.estimate) joint.estimate = at_joint(quantity, gear_ratio);
     all.push_back({joint, Side::joint, *power});
   }

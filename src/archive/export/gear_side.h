@@ -32,6 +32,9 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
 /// The quantity at the joint.
 Estimate at_joint(const Quantity& quantity, double gear_ratio);
 
+/// "Inertia at the motor" is "Inertia": the side stands beside it.
+std::string without_side(const std::string& words);
+
 /// "as archived", "archived × n²", "archived / n".
 std::string conversion_words(int gear_power);
 
