@@ -24,7 +24,7 @@ std::string or_nothing(const std::string& path) { return path.empty() ? no_path 
 void fill_cell(const FleetCell& cell, const Fleet& fleet, TemplateValues& values) {
   const FleetColumn& column = fleet.columns[cell.column];
   const Estimate& latest = cell.results.back().estimate;
-  values.set("NAME", report::or_dash(column.words));
+  values.set("NAME", report::or_dash(without_side(column.words)));
   values.set("VALUE", report::round_by_interval(latest, {1.0, column.unit}).estimate);
   if (cell.furthest() > fleet.limit) {
     values.set_optional("KIND", "out");

@@ -37,15 +37,19 @@ std::string distance_words(const std::optional<Distance>& d, const std::string& 
                            const Estimate& latest, const std::string& unit, double limit) {
   if (!d || std::abs(d->z) <= limit) return "";
   constexpr double shown_in_full = 100;
+  constexpr double shown_with_decimal = 10;
   const Estimate median{d->median, d->median - latest.half_width(), d->median + latest.half_width(),
                         ""};
   const std::string z = std::abs(d->z) > shown_in_full
                             ? std::string("beyond 100")
                             : report::with_minus_sign(fmt::format("{:.1f}", d->z));
-  const std::string share = d->median == 0
-                                ? ""
-                                : fmt::format(", {}{:.2g} %", latest.value > d->median ? "+" : "−",
-                                              100 * std::abs(latest.value / d->median - 1));
+  // A share of an angle says nothing: its zero is a convention.
+  std::string share;
+  if (unit != "rad" && d->median != 0) {
+    const double percent = 100 * std::abs(latest.value / d->median - 1);
+    share = fmt::format(", {}{:.{}f} %", latest.value > d->median ? "+" : "−", percent,
+                        percent < shown_with_decimal ? 1 : 0);
+  }
   return fmt::format(
       "z {} against {} {}, median {}{}", z, d->count, of,
       report::with_unit(report::round_by_interval(median, {1.0, unit}).estimate, unit), share);
@@ -69,7 +73,7 @@ void fill_card(const OutlyingJoint& outlying, const Fleet& fleet, const FleetLin
     const FleetColumn& column = fleet.columns[cell->column];
     const Estimate& latest = cell->results.back().estimate;
     TemplateValues& one = values.add_section("QUANTITY");
-    one.set("NAME", report::or_dash(column.words));
+    one.set("NAME", report::or_dash(without_side(column.words)));
     one.set("VALUE", report::in_words(latest, {1.0, column.unit}));
     one.set_optional("VERDICT",
                      cell->verdict == Verdict::usable ? "" : tribolog::to_string(cell->verdict));

@@ -36,6 +36,11 @@ std::string directory_from(const std::string& page, const std::string& reports) 
   return fs::absolute(reports).lexically_normal().lexically_relative(from).generic_string();
 }
 
+/// A server, or a file without its directories, which would tell about the machine.
+std::string shown_name(const std::string& archive) {
+  return archive::is_server(archive) ? archive : std::filesystem::path(archive).filename().string();
+}
+
 /// Writes the report of each joint's latest calibration, if the archive has it.
 archive::FleetLinks write_reports(const archive::Fleet& fleet, const Options& options,
                                   archive::CalibrationArchive& kept, Console& console) {
@@ -84,8 +89,8 @@ Run add_fleet(CLI::App& archive) {
     if (options->output.empty()) return ExitStatus::done;
     archive::FleetLinks links;
     if (!options->reports.empty()) links = write_reports(fleet, *options, kept, call.console);
-    write_file_atomically(options->output,
-                          fleet_page(fleet, links, kept.name(), make_provenance(call.arguments)));
+    write_file_atomically(options->output, fleet_page(fleet, links, shown_name(kept.name()),
+                                                      make_provenance(call.arguments)));
     if (!options->json) {
       call.console.say(fmt::format("fleet sheet: {} ({} robots, {} joints)",
                                    printable(options->output, longest_path), fleet.robots.size(),
