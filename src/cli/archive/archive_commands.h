@@ -50,6 +50,8 @@ Run add_report(CLI::App& archive);
 Run add_verify(CLI::App& archive);
 Run add_backup(CLI::App& archive);
 Run add_remove(CLI::App& archive);
+Run add_export(CLI::App& archive);
+Run add_fleet(CLI::App& archive);
 
 /// Adds `tribolog archive` with all of them.
 /// @return runs the one that the command line chose; empty where it chose another command.
