@@ -91,7 +91,23 @@ class Charting {
     point.below = below_;
   }
 
-  void begin_excursion(std::size_t k, int direction, std::size_t start) {
+  /// Of the calibrations from `from` on, the one from which on the scores speak most for a shift.
+  [[nodiscard]] std::size_t likeliest_start(std::size_t from, std::size_t alarm) const {
+    double sum = 0;
+    double most = -1;
+    std::size_t start = alarm;
+    for (std::size_t i = alarm + 1; i-- > from;) {
+      sum += chart_.points[i].score;
+      const double likelihood = sum * sum / static_cast<double>(alarm - i + 1);
+      if (likelihood <= most) continue;
+      most = likelihood;
+      start = i;
+    }
+    return start;
+  }
+
+  void begin_excursion(std::size_t k, int direction, std::size_t left_zero) {
+    const std::size_t start = likeliest_start(left_zero, k);
     chart_.excursions.push_back({direction, start, k, std::nullopt});
     double sum = 0;
     for (std::size_t i = start; i <= k; ++i) sum += direction * chart_.points[i].score;

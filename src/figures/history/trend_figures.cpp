@@ -211,8 +211,7 @@ ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
   }
   if (trend.judged > 0) {
     out.how_to_read +=
-        "Below, a sum that climbs to its limit is the alarm; where it last left zero, the change "
-        "became visible.";
+        "Below, a sum that climbs to its limit is the alarm; the change began where the climb did.";
   }
   out.alt = fmt::format("{} over time from {} to {}. {}", trend.words,
                         figures::date_of(trend.points.front().measured_at),

@@ -119,7 +119,8 @@ Table compared_conditions_table(const Comparison& c) {
   Table table;
   table.id = "table-conditions";
   table.caption = "How they were measured";
-  table.columns = {{"", "", false}, {"First", "", false, true}, {"Second", "", false, true}};
+  table.columns = {
+      {"Condition", "", false}, {"First", "", false, true}, {"Second", "", false, true}};
   const auto add = [&](const char* name, const std::string& first, const std::string& second) {
     table.rows.push_back({{name, or_dash(first), or_dash(second)}, false});
   };

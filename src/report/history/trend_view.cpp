@@ -180,11 +180,13 @@ std::string chart_words(const JointTrend& t) {
       "difference, in standard deviations of its interval and of the scatter between calibrations "
       "(moving ranges) together, less {:.3g}, is added up, and the alarm is at {:.1f}: a false one "
       "comes about once in {} calibrations of the joint or more rarely, for all of its {} watched "
-      "quantities together. The date from which a change is visible is that of the first "
-      "calibration "
-      "after the sum last left zero. A change that was there before the first calibration is not "
-      "seen, and one calibration alone raises no alarm.",
-      baseline, history::cusum_allowance, history::cusum_limit(t.watched), "2000", t.watched);
+      "quantities together. The date from which a change is visible is that of the calibration, "
+      "of those since the sum last left zero, from which on a shift is most likely (Hinkley 1970). "
+      "A "
+      "change that was there before the first calibration is not seen, and one odd calibration "
+      "alone raises no alarm.",
+      baseline, history::cusum_allowance, history::cusum_limit(t.watched),
+      history::calibrations_per_false_alarm, t.watched);
 }
 
 }  // namespace tribolog::report
