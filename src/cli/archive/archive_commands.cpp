@@ -52,8 +52,8 @@ std::function<Run()> add_archive(CLI::App& app) {
   archive->require_subcommand(1);
   archive->fallthrough();
   std::vector<std::pair<CLI::App*, Run>> commands;
-  for (Run (*add)(CLI::App&) : {add_add, add_list, add_show, add_report, add_verify, add_backup,
-                                add_remove, add_export, add_fleet}) {
+  for (Run (*add)(CLI::App&) : {add_add, add_list, add_show, add_report, add_diff, add_trend,
+                                add_fleet, add_export, add_verify, add_backup, add_remove}) {
     Run run = add(*archive);
     commands.emplace_back(archive->get_subcommands({}).back(), std::move(run));
   }

@@ -47,6 +47,8 @@ Run add_add(CLI::App& archive);
 Run add_list(CLI::App& archive);
 Run add_show(CLI::App& archive);
 Run add_report(CLI::App& archive);
+Run add_diff(CLI::App& archive);
+Run add_trend(CLI::App& archive);
 Run add_verify(CLI::App& archive);
 Run add_backup(CLI::App& archive);
 Run add_remove(CLI::App& archive);
