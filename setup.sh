@@ -16,7 +16,7 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
-  tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev
+  tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema
     postgresql slurm-wlm munge) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib

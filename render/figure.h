@@ -70,6 +70,7 @@ struct Axis {
   std::optional<double> minimum;  ///< Fixed end; absent: from the data with a margin.
   std::optional<double> maximum;
   bool logarithmic{false};  ///< Decades; all data must be positive.
+  bool dates{false};        ///< Values are days since 1970-01-01 UTC; ticks are calendar dates.
 };
 
 /// One plot area. Panels of a figure are stacked from top to bottom.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "render/layout/axis_range.h"
+#include "render/layout/date_ticks.h"
 
 namespace tribolog::render {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 constexpr double x_margin_share = 0.02;
 constexpr double y_margin_share = 0.06;
 constexpr double least_plot_height = 40.0;
+
+TickSet ticks_of(const Axis& axis, const AxisRange& range, int most) {
+  if (axis.dates) return date_ticks(range, most);
+  return axis.logarithmic ? logarithmic_ticks(range, most) : linear_ticks(range, most);
+}
 
 class Framer {
  public:
@@ -84,7 +90,7 @@ class Framer {
       ranges_x_.push_back(choose_range(share ? shared : x_extent(panel), x, x_margin_share,
                                        share && i > 0 ? repeated : warnings_));
       ranges_y_.push_back(choose_range(y_extent(panel), panel.y, y_margin_share, warnings_));
-      x_logarithmic_.push_back(x.logarithmic);
+      x_axes_.push_back(&x);
     }
   }
 
@@ -130,8 +136,7 @@ class Framer {
       frame.y = AxisMap(ranges_y_[i], panel.y.logarithmic, frame.plot.bottom, frame.plot.top);
       const int most = std::clamp(
           static_cast<int>(frame.plot.height() / (2.2 * style_.tick.size_px)) + 1, 2, 11);
-      frame.y_ticks = panel.y.logarithmic ? logarithmic_ticks(ranges_y_[i], most)
-                                          : linear_ticks(ranges_y_[i], most);
+      frame.y_ticks = ticks_of(panel.y, ranges_y_[i], most);
       const double room = frame.plot.height() + 0.5 * head_of(frame);
       frame.y_title = wrap(panel.y.title, style_.axis_title, room, 3);
     }
@@ -179,11 +184,10 @@ class Framer {
   void make_x_axes() {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
-      const bool logarithmic = x_logarithmic_[i];
-      frame.x = AxisMap(ranges_x_[i], logarithmic, frame.plot.left, frame.plot.right);
+      const Axis& axis = *x_axes_[i];
+      frame.x = AxisMap(ranges_x_[i], axis.logarithmic, frame.plot.left, frame.plot.right);
       for (int most = 13; most >= 2; --most) {
-        frame.x_ticks =
-            logarithmic ? logarithmic_ticks(ranges_x_[i], most) : linear_ticks(ranges_x_[i], most);
+        frame.x_ticks = ticks_of(axis, ranges_x_[i], most);
         if (!crowded(frame)) break;
       }
       if (crowded(frame) && frame.x_ticks.major.size() > 2) frame.x_ticks.major.resize(2);
@@ -199,7 +203,7 @@ class Framer {
   FigureFrame out_;
   std::vector<AxisRange> ranges_x_;
   std::vector<AxisRange> ranges_y_;
-  std::vector<bool> x_logarithmic_;
+  std::vector<const Axis*> x_axes_;  ///< Of each panel; one for all where it is shared.
 };
 
 }  // namespace

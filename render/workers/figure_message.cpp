@@ -48,7 +48,7 @@ void visit_fields(Visitor& visit, Is<ReferenceLine> auto& item) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Is<Axis> auto& item) {
-  visit(item.title, item.minimum, item.maximum, item.logarithmic);
+  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates);
 }
 
 template <class Visitor>

@@ -1,6 +1,9 @@
 // Stages 3 and 4.
 
+#include <algorithm>
+
 #include "calibration_json/parts.h"
+#include "stages/steady_loop.h"
 
 namespace tribolog::json {
 namespace {
@@ -21,18 +24,35 @@ Json loop_points(const std::vector<LoopPoint>& points) {
   return named;
 }
 
+/// Many positions share the room of three.
+std::size_t points_of_each(std::size_t loops) {
+  return std::clamp<std::size_t>(600 / std::max<std::size_t>(loops, 1), 40, 200);
+}
+
+Json drawn_loop(const HysteresisResult& h, std::size_t k) {
+  if (k >= h.traces.size()) return nullptr;
+  const auto loop =
+      steady_loop(h.traces[k], h.oscillations[k], points_of_each(h.oscillations.size()));
+  if (!loop) return nullptr;
+  return {{"centre_rad", number(loop->centre_rad)},
+          {"angle_from_centre_rad", short_numbers(loop->from_centre_rad)},
+          {"torque_Nm", short_numbers(loop->torque_Nm)}};
+}
+
 }  // namespace
 
 Json hysteresis(const HysteresisResult& h) {
   Json oscillations = Json::array();
-  for (const Oscillation& o : h.oscillations) {
+  for (std::size_t k = 0; k < h.oscillations.size(); ++k) {
+    const Oscillation& o = h.oscillations[k];
     oscillations.push_back({{"centre_rad", number(o.centre_rad)},
                             {"amplitude_rad", number(o.amplitude_rad)},
                             {"frequency_Hz", number(o.frequency_Hz)},
                             {"cycles", number(o.cycles)},
                             {"steady_cycles", number(o.steady_cycles)},
                             {"encoder_step_rad", number(o.encoder_step_rad)},
-                            {"step_is_of_print", o.step_is_of_print}});
+                            {"step_is_of_print", o.step_is_of_print},
+                            {"steady_loop", drawn_loop(h, k)}});
   }
   return {{"found", h.found},
           {"bristle_source", text_or_null(h.bristle_source)},

@@ -1,6 +1,9 @@
 #include "calibration_json/values.h"
 
+#include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace tribolog::json {
 
@@ -11,6 +14,17 @@ Json number(const std::optional<double>& value) { return value ? number(*value) 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json short_numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) {
+    const std::string text = fmt::format("{:.6g}", value);
+    double rounded = value;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    list.push_back(number(rounded));
+  }
   return list;
 }
 

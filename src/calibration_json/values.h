@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json numbers(const std::vector<double>& values);
+/// Rounded to six significant digits: long lists that are drawn and not computed with.
+Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
 /// {"estimate", "low", "high", "method"}
 Json interval(const Estimate& e);

@@ -94,6 +94,28 @@ void add_intervals(CLI::App& command, IntervalSettings& intervals) {
                      "seed of the resamples; default: the manifest's, or 1");
 }
 
+void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
+  constexpr double longest_s = 3600;
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--archive",
+          [&archiving](const std::vector<std::string>& given) {
+            archiving.location = given.empty() ? "" : given.front();
+          },
+          "keep the numbers and the report in this archive (a file, or postgresql://...); without "
+          "a value, in the user's own")
+      ->expected(0, 1)
+      ->type_name("LOCATION");
+  command.add_flag("--archive-inputs", archiving.inputs, "manifest and recordings too");
+  command.add_flag("--archive-again", archiving.again,
+                   "where the same inputs are archived already: keep this beside that");
+  command
+      .add_option("--wait", archiving.wait_s,
+                  "seconds to wait while another process writes to the archive")
+      ->check(CLI::Range(0.0, longest_s))
+      ->capture_default_str();
+}
+
 void add_processes(CLI::App& command, int& processes) {
   command.add_option("-j,--processes", processes, "processes that draw figures")
       ->check(CLI::Range(1, 64))
@@ -130,7 +152,17 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       ->check(CLI::IsMember(sides))
       ->type_name("SIDE");
   command.add_option("--robot", logs.known.robot, "the robot's name");
-  command.add_flag("--decimal-comma", logs.known.decimal_comma, "text logs have decimal commas");
+  TextLogRules& rules = logs.known.log_rules;
+  command.add_flag_callback(
+      "--decimal-comma", [&rules] { rules.decimal_mark = DecimalMark::comma; },
+      "text logs have decimal commas");
+  command
+      .add_option("--header-line", rules.header_line,
+                  "line of the columns' names, where others stand in front of it")
+      ->check(CLI::PositiveNumber);
+  command.add_flag_callback(
+      "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
+      "names in text logs are in Latin-1, not UTF-8");
 }
 
 void add_study(CLI::App& command, StudyCommandOptions& study) {
@@ -245,6 +277,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_truth_runs(*identify_command, identify.truth_runs);
   add_fail_on(*identify_command, identify.fail_on);
   add_intervals(*identify_command, identify.intervals);
+  add_archiving(*identify_command, identify.archiving);
   identify_command->footer(manifest_help);
 
   FiguresOptions figures;
@@ -267,6 +300,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_truth_runs(*report_command, report.truth_runs);
   add_fail_on(*report_command, report.fail_on);
   add_intervals(*report_command, report.intervals);
+  add_archiving(*report_command, report.archiving);
   add_processes(*report_command, report.processes);
   report_command->footer(
       std::string("\nThe numbers are written first, then the figures are drawn, then the report\n"

@@ -8,6 +8,7 @@
 #include "inspect/manifest_proposal.h"
 
 #include "calibration.h"
+#include "cli/archiving.h"
 #include "cli/console.h"
 #include "error.h"
 
@@ -25,6 +26,7 @@ struct IdentifyArguments {
   std::size_t truth_runs{20};      ///< Of the known-truth check; 0: none.
   std::optional<Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
   IntervalSettings intervals;      ///< Win over the manifest's.
+  ArchivingOptions archiving;
 };
 
 struct FiguresOptions {
@@ -43,6 +45,7 @@ struct ReportOptions {
   IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};
+  ArchivingOptions archiving;
 };
 
 struct ModelsOptions {

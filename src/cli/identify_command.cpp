@@ -1,4 +1,5 @@
 #include "calibration_json.h"
+#include "cli/archiving.h"
 #include "cli/commands.h"
 #include "cli/identification.h"
 #include "files/atomic_file.h"
@@ -9,12 +10,16 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
                         Console& console) {
   check_output_can_be_written(options.output, {options.dataset});
   Provenance provenance = make_provenance(arguments);
+  Archiving archiving(options.archiving);
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
+  if (!archiving.file().empty()) check_output_can_be_written(options.output, {archiving.file()});
   const Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
-  write_file_atomically(options.output, calibration_json(calibration, provenance));
+  const std::string json = calibration_json(calibration, provenance);
+  write_file_atomically(options.output, json);
+  archiving.keep_numbers(json, options.output, options.dataset, console);
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));
   return status_of(calibration, options.fail_on);

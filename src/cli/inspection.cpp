@@ -11,14 +11,12 @@
 namespace tribolog {
 
 std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& console) {
-  TextLogRules rules;
-  if (options.known.decimal_comma) rules.decimal_mark = DecimalMark::comma;
   std::vector<LogSurvey> logs;
   std::optional<InputError> first;
   for (std::size_t k = 0; k < options.files.size(); ++k) {
     console.progress("reading the logs", k, options.files.size());
     try {
-      logs.push_back(survey_log(options.files[k], rules));
+      logs.push_back(survey_log(options.files[k], options.known.log_rules));
     } catch (const InputError& error) {
       if (!first) first = error;
       logs.emplace_back();

@@ -32,16 +32,24 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   check_output_can_be_written(options.output, {options.dataset, numbers});
   check_output_can_be_written(numbers, {options.dataset});
   Provenance provenance = make_provenance(arguments);
+  Archiving archiving(options.archiving);
 
   std::optional<render::FigureRenderer> renderer;  // starts while the numbers are computed
   if (options.figures) renderer.emplace(options.processes, drawings_of(options.dataset));
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
+  if (!archiving.file().empty()) {
+    check_output_can_be_written(options.output, {archiving.file()});
+    check_output_can_be_written(numbers, {archiving.file()});
+  }
   const Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
-  write_file_atomically(numbers, calibration_json(calibration, provenance));
+  const std::string json = calibration_json(calibration, provenance);
+  write_file_atomically(numbers, json);
+  archiving.keep_numbers(json, numbers, options.dataset, console);
+  if (!archiving.id().empty()) provenance.configuration.push_back({"Archived as", archiving.id()});
 
   std::vector<ReportFigure> figures;
   std::vector<render::DrawnFigure> drawn;
@@ -52,7 +60,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);
-  write_file_atomically(options.output, html_report(calibration, figures, drawn, provenance));
+  const std::string html = html_report(calibration, figures, drawn, provenance);
+  write_file_atomically(options.output, html);
+  archiving.keep_report(html, console);
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));

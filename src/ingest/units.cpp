@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -27,12 +29,18 @@ constexpr std::array times = {Unit{"s", 1},
                               Unit{"µs", 1e-6, false} /* micro sign */,
                               Unit{"μs", 1e-6, false} /* Greek mu */,
                               Unit{"sec", 1, false}};
-constexpr std::array angles = {Unit{"rad", 1}, Unit{"mrad", 1e-3}, Unit{"deg", rad_per_degree},
-                               Unit{"°", rad_per_degree, false}};
+constexpr std::array angles = {Unit{"rad", 1},
+                               Unit{"mrad", 1e-3},
+                               Unit{"deg", rad_per_degree},
+                               Unit{"turn", 2 * pi},
+                               Unit{"°", rad_per_degree, false},
+                               Unit{"rev", 2 * pi, false}};
 constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"mrad/s", 1e-3},
                                        Unit{"deg/s", rad_per_degree},
                                        Unit{"rpm", 2 * pi / 60},
+                                       Unit{"turn/s", 2 * pi},
+                                       Unit{"rev/s", 2 * pi, false},
                                        Unit{"°/s", rad_per_degree, false},
                                        Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
@@ -81,6 +89,13 @@ std::vector<std::string> listed_units(Quantity quantity) {
   return names;
 }
 
+std::optional<double> factor_of_one(Quantity quantity, std::string_view name) {
+  for (const Unit& known : units_of(quantity)) {
+    if (known.name == name) return known.si_factor;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string quantity_word(Quantity quantity) {
@@ -119,26 +134,51 @@ std::string to_string(Quantity quantity) {
   return "unknown";
 }
 
-std::optional<double> find_si_factor(Quantity quantity, std::string_view unit) {
-  const std::string name = bare(unit);
-  for (const Unit& known : units_of(quantity)) {
-    if (known.name == name) return known.si_factor;
+std::string_view example_of_multiple(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::angle:
+      return "0.018 deg";
+    case Quantity::angular_speed:
+      return "0.1 rpm";
+    case Quantity::torque:
+      return "0.0013 Nm";
+    case Quantity::current:
+      return "0.002 A";
+    case Quantity::time:
+      return "60 s";
+    case Quantity::temperature:
+      return "0.1 degC";
   }
-  return std::nullopt;
+  return "";
+}
+
+std::optional<double> find_si_factor(Quantity quantity, std::string_view unit) {
+  if (const auto factor = factor_of_one(quantity, bare(unit))) return factor;
+  double multiple = 0;
+  const char* const end = unit.data() + unit.size();
+  const auto read = std::from_chars(unit.data(), end, multiple);
+  if (read.ec != std::errc() || !(multiple > 0) || !std::isfinite(multiple)) return std::nullopt;
+  const auto factor = factor_of_one(quantity, bare({read.ptr, end}));
+  return factor ? std::optional(multiple * *factor) : std::nullopt;
 }
 
 double si_factor(Quantity quantity, std::string_view unit, const Location& where) {
   if (const auto factor = find_si_factor(quantity, unit)) return *factor;
-  throw InputError(
-      where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
-              "one of " + known_units(quantity), did_you_mean(bare(unit), listed_units(quantity))});
+  std::string hint = did_you_mean(bare(unit), listed_units(quantity));
+  if (hint.empty()) {
+    hint =
+        "a multiple of one will do, such as \"" + std::string(example_of_multiple(quantity)) + "\"";
+  }
+  throw InputError(where, {"unknown unit of " + to_string(quantity), in_quotes(unit),
+                           "one of " + known_units(quantity), hint});
 }
 
 bool is_known_unit(std::string_view unit) {
   constexpr std::array all = {Quantity::time,   Quantity::angle,   Quantity::angular_speed,
                               Quantity::torque, Quantity::current, Quantity::temperature};
+  const std::string name = bare(unit);
   return std::any_of(all.begin(), all.end(),
-                     [&](Quantity q) { return find_si_factor(q, unit).has_value(); });
+                     [&](Quantity quantity) { return factor_of_one(quantity, name).has_value(); });
 }
 
 std::string known_units(Quantity quantity) {

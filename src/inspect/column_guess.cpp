@@ -67,7 +67,9 @@ bool has(const LogLayout& layout, Quantity quantity) {
 
 bool is_told(const LogLayout& layout, std::size_t column) {
   return std::any_of(layout.columns.begin(), layout.columns.end(),
-                     [&](const ColumnMeaning& c) { return c.column == column; });
+                     [&](const ColumnMeaning& c) { return c.column == column; }) ||
+         std::any_of(layout.foreign.begin(), layout.foreign.end(),
+                     [&](const ForeignUnit& f) { return f.column == column; });
 }
 
 GuessedMeaning meaning_of(std::size_t column, Quantity quantity, std::string unit,

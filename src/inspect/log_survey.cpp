@@ -171,6 +171,7 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
   for (const LogColumn& column : data.columns) header.push_back(column.header);
   const LogLayout layout = guess_layout(header);
   table.logger = layout.logger;
+  table.foreign = layout.foreign;
   for (const LogColumn& column : data.columns) table.columns.push_back(survey_column(column));
   for (const ColumnMeaning& meaning : layout.columns) {
     table.columns[meaning.column].meaning = meaning;

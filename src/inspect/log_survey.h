@@ -46,7 +46,8 @@ struct JointSurvey {
 };
 
 struct TableSurvey {
-  std::string group;  ///< Topic or variable; empty: the only one.
+  std::vector<ForeignUnit> foreign;  ///< Columns of a known quantity in an unknown unit.
+  std::string group;                 ///< Topic or variable; empty: the only one.
   std::size_t rows{};
   std::string logger;  ///< That is known; empty: none.
   std::vector<ColumnSurvey> columns;

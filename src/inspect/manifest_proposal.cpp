@@ -107,8 +107,12 @@ class ManifestText {
   }
 
   void add_log_rules() {
-    if (!options_.decimal_comma) return;
-    text_ += "\n[log]\ndecimal_comma = true\n";
+    const TextLogRules& rules = options_.log_rules;
+    std::string lines;
+    if (rules.decimal_mark == DecimalMark::comma) lines += "decimal_comma = true\n";
+    if (rules.encoding == TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
+    if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
+    if (!lines.empty()) text_ += "\n[log]\n" + lines;
   }
 
   /// With the table in front where a log has several.

@@ -19,8 +19,8 @@ struct ProposalOptions {
   std::optional<double> torque_constant_Nm_A;
   std::optional<Side> effort_side;
   std::optional<std::string> robot;
-  bool decimal_comma{};   ///< The logs were read with it.
-  std::string directory;  ///< Of the manifest: files are named relative to it.
+  TextLogRules log_rules;  ///< The logs were read with them.
+  std::string directory;   ///< Of the manifest: files are named relative to it.
 };
 
 struct ManifestProposal {

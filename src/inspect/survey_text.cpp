@@ -90,6 +90,13 @@ std::string faults_of(const TableSurvey& table) {
   std::string text;
   if (!table.clock) text += paragraph("no clock", "no column is known as the time.");
   if (table.joints.empty()) text += paragraph("no joint", "no column is known as a joint's angle.");
+  for (const ForeignUnit& f : table.foreign) {
+    const ColumnSurvey& column = table.columns[f.column];
+    text += paragraph("unit", fmt::format("{} looks like {} in {}, a unit that is not known; a "
+                                          "manifest can state what one is: unit = \"{}\".",
+                                          in_quotes(column.name), to_string(f.quantity),
+                                          in_quotes(column.unit), example_of_multiple(f.quantity)));
+  }
   const bool has_effort = std::any_of(table.joints.begin(), table.joints.end(),
                                       [](const JointSurvey& j) { return j.effort.has_value(); });
   if (!table.joints.empty() && !has_effort) {

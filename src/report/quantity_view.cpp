@@ -6,15 +6,6 @@
 namespace tribolog::report {
 namespace {
 
-Scale scale_of(const QuantityVerdict& q) {
-  const double size = q.estimate->value;
-  if (q.unit == "rad") return degree_scale();
-  if (q.unit == "N·m") return torque_scale(size);
-  if (q.unit == "N·m/rad") return stiffness_scale(size);
-  if (q.unit == "N·m·s/rad") return viscous_scale(size);
-  return plain_scale(q.unit);
-}
-
 Outcome outcome_of(Verdict verdict) {
   return verdict == Verdict::usable     ? Outcome::good
          : verdict == Verdict::doubtful ? Outcome::partial
@@ -34,7 +25,7 @@ std::vector<QuantityRow> quantity_rows(const Judgement& judgement) {
     row.words = q.words;
     row.outcome = outcome_of(q.verdict);
     row.verdict_word = word_of(q.verdict);
-    if (q.estimate) row.estimate = in_words(*q.estimate, scale_of(q));
+    if (q.estimate) row.estimate = in_words(*q.estimate, quantity_scale(q.unit, q.estimate->value));
     for (const std::string& reason : q.reasons) row.reasons.push_back(as_sentence(reason));
     for (const LimitOutcome& limit : q.limits) {
       // A limit that is not kept is among the reasons.

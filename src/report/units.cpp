@@ -31,4 +31,12 @@ Scale degree_scale() { return {degrees_per_rad, "°"}; }
 Scale degree_per_second_scale() { return {degrees_per_rad, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
 
+Scale quantity_scale(const std::string& unit, double size) {
+  if (unit == "rad") return degree_scale();
+  if (unit == "N·m") return torque_scale(size);
+  if (unit == "N·m/rad") return stiffness_scale(size);
+  if (unit == "N·m·s/rad") return viscous_scale(size);
+  return plain_scale(unit);
+}
+
 }  // namespace tribolog::report

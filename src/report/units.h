@@ -21,4 +21,7 @@ Scale degree_scale();                 ///< rad -> °
 Scale degree_per_second_scale();      ///< rad/s -> °/s
 Scale plain_scale(std::string unit);  ///< SI as it is.
 
+/// By the unit of a quantity of the verdict, for a value of about this size.
+Scale quantity_scale(const std::string& unit, double size);
+
 }  // namespace tribolog::report

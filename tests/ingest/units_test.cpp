@@ -32,6 +32,19 @@ TEST(Units, MayBeSpeltInSeveralWays) {
   }
 }
 
+TEST(Units, MayBeAMultipleOfOne) {
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "0.018 deg"), 2 * pi / 20'000);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "5e-5turn"), 2 * pi / 20'000);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::torque, "0.0013 N·m"), 0.0013);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "1/min"), 2 * pi / 60);
+  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "2 1/min"), 4 * pi / 60);
+  for (const char* unit : {"0 deg", "-1 deg", "nan deg", "inf deg", "1e999 deg", "2", "2 2 deg"}) {
+    EXPECT_EQ(find_si_factor(Quantity::angle, unit), std::nullopt) << unit;
+  }
+  EXPECT_TRUE(is_known_unit("deg"));
+  EXPECT_FALSE(is_known_unit("0.5 s"));
+}
+
 TEST(Units, AreNeverOfAnotherQuantityOrCase) {
   EXPECT_EQ(find_si_factor(Quantity::torque, "A"), std::nullopt);
   EXPECT_EQ(find_si_factor(Quantity::time, "rad"), std::nullopt);
@@ -45,13 +58,16 @@ TEST(Units, AreListedWhereOneIsNotKnown) {
       return si_factor(quantity, unit, {"m.toml", 5, 9});
     });
   };
-  EXPECT_EQ(refusal(Quantity::angle, "degree"),
-            "m.toml:5:9: unknown unit of an angle, found 'degree', expected one of rad, mrad, deg; "
-            "hint: did you mean 'deg'?");
+  EXPECT_EQ(
+      refusal(Quantity::angle, "degree"),
+      "m.toml:5:9: unknown unit of an angle, found 'degree', expected one of rad, mrad, deg, turn; "
+      "hint: did you mean 'deg'?");
   EXPECT_EQ(refusal(Quantity::torque, "lbf"),
-            "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm");
+            "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm; "
+            "hint: a multiple of one will do, such as \"0.0013 Nm\"");
   EXPECT_EQ(refusal(Quantity::time, "min"),
-            "m.toml:5:9: unknown unit of a time, found 'min', expected one of s, ms, us, ns");
+            "m.toml:5:9: unknown unit of a time, found 'min', expected one of s, ms, us, ns; hint: "
+            "a multiple of one will do, such as \"60 s\"");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "document_checks.h"
 #include "run_python.h"
 #include "sample_calibration.h"
 
@@ -9,10 +10,6 @@
 
 namespace tribolog::test {
 namespace {
-
-const std::string hostile =
-    "\"'><script>alert(1)</script><img src=x onerror=alert(1)></title></style></table>"
-    "<!-- {{TITLE}} {{#FACTS}} ]]> &lt; javascript:alert(1) \x1b[31m \u202E \xff\xc3 \u2028";
 
 /// Every text that a manifest, a log or a library can bring in.
 Calibration filled_with(const std::string& text) {
@@ -78,17 +75,6 @@ std::string report_with(const std::string& text) {
   p.configuration = {{text, text}};
   return html_report(c, figures, drawn, p);
 }
-
-/// Tags and attribute names in order; the values of attributes that carry no text of strangers.
-const char* const skeleton = R"py(
-import html.parser, sys
-class Reader(html.parser.HTMLParser):
-    def handle_starttag(self, tag, attributes):
-        print(tag, *[n if n in ('alt', 'content') else '%s=%s' % (n, v) for n, v in attributes if n != 'src'])
-    def handle_endtag(self, tag): print('/' + tag)
-    def handle_comment(self, data): print('comment')
-reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); reader.close()
-)py";
 
 TEST(HostileText, LeavesTheDocumentAsItIs) {
   if (!has_python_module("html.parser")) GTEST_SKIP() << "python3 is not installed";

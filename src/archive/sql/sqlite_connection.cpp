@@ -245,7 +245,7 @@ void create_sqlite(const std::string& path, const std::function<void(Connection&
                     application_id));
     connection.write([&] { fill(connection); });
   }
-  if (!made.link_to(path) && errno != EEXIST) {
+  if (!made.open_to_others() || (!made.link_to(path) && errno != EEXIST)) {
     throw OutputError(shown(path) + ": no archive can be made there: " + strerror(errno));
   }
 }
@@ -256,7 +256,7 @@ void copy_sqlite(Connection& from, const std::string& path) {
     throw OutputError(shown(path) + ": cannot be written: " + strerror(errno));
   }
   from.run("VACUUM INTO $1", {made.path()});
-  if (!made.flush() || !made.link_to(path)) {
+  if (!made.flush() || !made.open_to_others() || !made.link_to(path)) {
     throw OutputError(shown(path) + ": cannot be written: " + strerror(errno) +
                       (errno == EEXIST ? "; a backup replaces no file" : ""));
   }

@@ -5,10 +5,21 @@
 
 #include <CLI/CLI.hpp>
 
+#include "files/atomic_file.h"
+
 namespace tribolog::cli {
 
 archive::CalibrationArchive ArchiveOptions::open(sql::Access access) const {
   return archive::open_archive(location, access, static_cast<int>(1e3 * wait_s));
+}
+
+void ArchiveOptions::protect_from(const std::string& output) const {
+  if (output.empty()) return;
+  std::vector<std::string> files;
+  if (!archive::is_server(location)) {
+    files.push_back(location.empty() ? archive::default_location() : location);
+  }
+  check_output_can_be_written(output, files);
 }
 
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
@@ -41,8 +52,8 @@ std::function<Run()> add_archive(CLI::App& app) {
   archive->require_subcommand(1);
   archive->fallthrough();
   std::vector<std::pair<CLI::App*, Run>> commands;
-  for (Run (*add)(CLI::App&) :
-       {add_add, add_list, add_show, add_report, add_verify, add_backup, add_remove}) {
+  for (Run (*add)(CLI::App&) : {add_add, add_list, add_show, add_report, add_diff, add_trend,
+                                add_fleet, add_export, add_verify, add_backup, add_remove}) {
     Run run = add(*archive);
     commands.emplace_back(archive->get_subcommands({}).back(), std::move(run));
   }

@@ -33,6 +33,9 @@ struct ArchiveOptions {
   double wait_s{5};
 
   [[nodiscard]] archive::CalibrationArchive open(sql::Access access) const;
+  /// To be called for each output before anything is written; empty: none was asked for.
+  /// @throw OutputError: it cannot be written. UsageError: it is the archive itself.
+  void protect_from(const std::string& output) const;
 };
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command);
 
@@ -44,9 +47,13 @@ Run add_add(CLI::App& archive);
 Run add_list(CLI::App& archive);
 Run add_show(CLI::App& archive);
 Run add_report(CLI::App& archive);
+Run add_diff(CLI::App& archive);
+Run add_trend(CLI::App& archive);
 Run add_verify(CLI::App& archive);
 Run add_backup(CLI::App& archive);
 Run add_remove(CLI::App& archive);
+Run add_export(CLI::App& archive);
+Run add_fleet(CLI::App& archive);
 
 /// Adds `tribolog archive` with all of them.
 /// @return runs the one that the command line chose; empty where it chose another command.

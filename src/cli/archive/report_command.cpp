@@ -22,6 +22,8 @@ Run add_report(CLI::App& archive) {
     if (options->output.empty() && options->calibration.empty()) {
       throw UsageError("archive report: -o REPORT or --calibration FILE is needed");
     }
+    where->protect_from(options->output);
+    where->protect_from(options->calibration);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     const archive::Entry entry = kept.find(options->id);
     const auto write = [&](archive::DocumentKind kind, const std::string& path,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "archive/archive_json.h"
+#include "inspect/text_table.h"
 
 #include "cli/archive/archive_commands.h"
 
@@ -32,9 +33,9 @@ Run add_verify(CLI::App& archive) {
     if (options->json) {
       print_json(archive::verification_json(outcome));
     } else if (outcome.faults.empty()) {
-      call.console.say(
-          fmt::format("whole: {} calibrations, {} documents, {} additions and removals\nhead: {}",
-                      outcome.entries, outcome.documents, outcome.events, outcome.head));
+      call.console.say(fmt::format(
+          "whole: {}, {}, {} of the chain\nhead: {}", plural(outcome.entries, "calibration"),
+          plural(outcome.documents, "document"), plural(outcome.events, "link"), outcome.head));
     }
     for (const std::string& fault : outcome.faults) {
       call.console.warn("damaged: " + printable(fault, 400));

@@ -111,6 +111,19 @@ const std::string& name_of(const ColumnHeader& header) {
   return is_known_unit(header.unit) ? header.name : header.full;
 }
 
+/// "qc", "inc", "%": a unit stands there, and none that is known.
+bool has_foreign_unit(const ColumnHeader& header) {
+  return !header.unit.empty() && !is_known_unit(header.unit) && !is_number(header.unit);
+}
+
+/// Of "/robot/joint_states/elbow/position" what is said last: whose signal it is, and which.
+std::string end_of_path(const std::string& name) {
+  const std::size_t last = name.rfind('/');
+  if (last == std::string::npos || last == 0) return name;
+  const std::size_t before = name.rfind('/', last - 1);
+  return before == std::string::npos ? name : name.substr(before + 1);
+}
+
 /// "_rad" at the end of "q_motor_rad", of whatever quantity; empty: none.
 std::string_view unit_at_end(std::string& name) {
   for (const Ending& e : endings) {
@@ -126,7 +139,7 @@ std::string_view unit_at_end(std::string& name) {
 /// A word, a joint's number and a unit; or else words in any order.
 std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
   for (const Word& w : words) {
-    std::string name = name_of(header);
+    std::string name = end_of_path(name_of(header));
     const auto ending = take_unit(name, w.quantity);
     name = lower(name);
     if (!name.starts_with(w.word)) continue;
@@ -139,7 +152,7 @@ std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
     meaning.unit_is_stated = ending.has_value();
     if (find_si_factor(w.quantity, header.unit) || !is_known_unit(header.unit)) return meaning;
   }
-  std::string name = name_of(header);
+  std::string name = end_of_path(name_of(header));
   const bool has_unit = is_known_unit(header.unit);
   const std::string unit(has_unit ? std::string_view(header.unit) : unit_at_end(name));
   auto meaning = meaning_by_words(name, unit);
@@ -197,6 +210,12 @@ LogLayout guess_layout(const std::vector<ColumnHeader>& header) {
   if (logger != nullptr) layout.logger = logger->name;
   for (std::size_t k = 0; k < header.size(); ++k) {
     auto meaning = logger != nullptr ? by_logger(header[k], *logger) : by_words(header[k]);
+    if (logger == nullptr && has_foreign_unit(header[k])) {
+      // In that unit it cannot be read: the name without its brackets may still tell what it is.
+      meaning = by_words({header[k].name, header[k].name, ""});
+      if (meaning) layout.foreign.push_back({k, meaning->quantity});
+      continue;
+    }
     if (!meaning) continue;
     meaning->column = k;
     if (find_si_factor(meaning->quantity, header[k].unit)) {

@@ -36,9 +36,17 @@ struct ColumnMeaning {
   EffortMeaning effort;  ///< Of a torque or a current.
 };
 
+/// A column whose name tells its quantity, in a unit that is not known: an encoder's counts, per
+/// cent of a rated value.
+struct ForeignUnit {
+  std::size_t column{};
+  Quantity quantity{};
+};
+
 struct LogLayout {
   std::string logger;                  ///< "UR RTDE"; empty: none that is known.
   std::vector<ColumnMeaning> columns;  ///< Those whose meaning can be guessed, in their order.
+  std::vector<ForeignUnit> foreign;    ///< None of these is among them.
 
   /// The first measured one of this quantity and joint; null: none.
   [[nodiscard]] const ColumnMeaning* find(Quantity quantity, const std::string& joint) const;

@@ -59,9 +59,12 @@ std::string to_string(Delimiter delimiter) {
 }
 
 Delimiter sniff_delimiter(std::string_view text, const std::string& file, DecimalMark mark) {
+  return sniff_delimiter(RowCursor(text), file, mark);
+}
+
+Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark mark) {
   constexpr std::size_t sampled_rows = 20;
   std::vector<std::string_view> rows;
-  RowCursor cursor(text);
   long header_line = 0;
   while (rows.size() < sampled_rows && cursor.next()) {
     if (rows.empty()) header_line = cursor.line();

@@ -6,6 +6,7 @@
 
 #include "ingest/log_table.h"
 #include "ingest/text/csv_fields.h"
+#include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 
 namespace tribolog {
@@ -18,6 +19,8 @@ std::string to_string(Delimiter delimiter);
 /// @throw InputError if two delimiters fit equally well.
 Delimiter sniff_delimiter(std::string_view text, const std::string& file,
                           DecimalMark mark = DecimalMark::point);
+/// The same from the header on, in front of which the cursor stands.
+Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark mark);
 
 /// The name and the unit in brackets behind it.
 ColumnHeader read_header_field(const std::string& field);

@@ -75,6 +75,15 @@ void refuse_long_line(const std::string& file, long line) {
                                      "do its rows end with line ends?"});
 }
 
+void RowCursor::go_to_line(long line, const std::string& file) {
+  while (line_ + 1 < line && !rest_.empty()) next_line();
+  if (line_ + 1 < line || rest_.empty()) {
+    throw InputError({file, line_, 0}, {"the log ends in front of its header", "",
+                                        "the header in line " + std::to_string(line),
+                                        "header_line states the line of the columns' names"});
+  }
+}
+
 bool RowCursor::next() {
   while (!rest_.empty()) {
     next_line();

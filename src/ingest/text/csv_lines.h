@@ -31,6 +31,8 @@ class RowCursor {
   /// The text is the start of this window, which is read on as need be.
   void go_on_in(TextWindow& window) { window_ = &window; }
 
+  /// Passes the lines in front of this one unread. @throw InputError as next(), or there are fewer.
+  void go_to_line(long line, const std::string& file);
   /// Goes to the next row. @return false at the end of the text.
   /// @throw InputError for a line of more than a mebibyte, and whatever the window throws.
   bool next();

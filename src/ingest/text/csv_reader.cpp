@@ -76,8 +76,28 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   return header;
 }
 
+/// Where a column's name stands further down, if it does: other lines stand in front of the header.
+std::string line_with(const std::string& name, RowCursor cursor, const CsvTable& table) {
+  constexpr std::size_t looked_at = 100;
+  for (std::size_t row = 0; row < looked_at && cursor.next(); ++row) {
+    for (const Delimiter delimiter :
+         {table.delimiter, Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
+      try {
+        const auto fields = split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
+        if (fields.size() < 2 || !has_column(fields, name)) continue;
+      } catch (const InputError&) {
+        continue;
+      }
+      return fmt::format("line {} has it: state [log] header_line = {}", cursor.line(),
+                         cursor.line());
+    }
+  }
+  return "";
+}
+
 RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns,
-                  const TextLogRules& rules, const Location& line, CsvTable& table) {
+                  const TextLogRules& rules, const RowCursor& cursor, const Location& line,
+                  CsvTable& table) {
   RowLayout layout;
   layout.header_row = header.row;
   layout.header = header.fields;
@@ -87,7 +107,10 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   for (const Field& field : layout.header) table.header.push_back(field.text);
   for (const WantedColumn& wanted : columns) {
     if (wanted.is_optional && !has_column(layout.header, wanted.name)) continue;
-    const std::size_t index = find_column(layout.header, wanted.name, wanted.if_missing, line);
+    const std::string elsewhere =
+        has_column(layout.header, wanted.name) ? "" : line_with(wanted.name, cursor, table);
+    const std::size_t index = find_column(layout.header, wanted.name,
+                                          elsewhere.empty() ? wanted.if_missing : elsewhere, line);
     if (layout.slots[index] >= 0) {
       throw InputError({table.file, line.line, static_cast<long>(layout.header[index].column)},
                        {"column " + in_quotes(wanted.name) + " is asked for twice", "", "", ""});
@@ -162,16 +185,23 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   const std::string_view text = start_of_text(window.read_on({}, first_bytes), file);
   CsvTable table;
   table.file = file;
-  table.delimiter =
-      rules.delimiter ? *rules.delimiter : sniff_delimiter(text, file, rules.decimal_mark);
   RowCursor cursor(text);
+  if (rules.header_line) {
+    cursor.go_to_line(*rules.header_line, file);
+    if (*rules.header_line > 1) {
+      table.notes.push_back(
+          fmt::format("{} lines in front of the header are not read", *rules.header_line - 1));
+    }
+  }
+  table.delimiter =
+      rules.delimiter ? *rules.delimiter : sniff_delimiter(cursor, file, rules.decimal_mark);
   RowCursor first = cursor;
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
   const Header header = read_names(cursor, columns, rules, table);
   const std::vector<WantedColumn> wanted =
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
-  const RowLayout layout = lay_out(header, wanted, rules, {file, first.line(), 0}, table);
+  const RowLayout layout = lay_out(header, wanted, rules, cursor, {file, first.line(), 0}, table);
   for (LogColumn& column : table.columns) {
     reserve_in_large_pages(column.values, likely_rows(cursor.rest(), bytes.likely_bytes()));
   }

@@ -45,12 +45,16 @@ void refuse_second_header(const RefusedRow& row) {
 
 void refuse_ragged_row(const RefusedRow& row, std::size_t found) {
   const std::size_t expected = row.layout.slots.size();
+  const bool is_first = row.table.rows == 0 && !row.layout.skip_bad_rows;
   const bool comma_suspect = found > expected && row.table.delimiter == Delimiter::comma;
   throw InputError(
       {row.table.file, row.line, 0},
       {"row has another number of fields than the header", fmt::format("{}", found),
        fmt::format("{}", expected),
-       joined(comma_suspect ? "decimal or thousands commas? write numbers with a point" : "",
+       joined(comma_suspect ? "decimal or thousands commas? write numbers with a point"
+              : is_first    ? "lines in front of the header? [log] header_line states the line of "
+                              "the columns' names"
+                            : "",
               way_out(row))});
 }
 

@@ -1,6 +1,7 @@
 #include "ingest/text/text_log_rules.h"
 
 #include <array>
+#include <cstdint>
 
 #include "ingest/manifest/toml_table.h"
 
@@ -17,6 +18,11 @@ TextLogRules read_text_log_rules(const TomlTable& log) {
   }
   if (log.has("encoding")) {
     rules.encoding = static_cast<TextEncoding>(log.choice("encoding", {"utf8", "latin1"}));
+  }
+  if (log.has("header_line")) {
+    const std::uint64_t line = log.count_or("header_line", 0);
+    if (line < 1) log.refuse("header_line", {"lines count from 1", "0", "", ""});
+    rules.header_line = static_cast<long>(line);
   }
   rules.skip_bad_rows = log.flag_or("skip_bad_rows", false);
   if (rules.decimal_mark == DecimalMark::comma && rules.delimiter == Delimiter::comma) {

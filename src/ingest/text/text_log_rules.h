@@ -17,6 +17,9 @@ struct TextLogRules {
   DecimalMark decimal_mark{DecimalMark::point};
   std::optional<Delimiter> delimiter;  ///< Absent: found out.
   TextEncoding encoding{TextEncoding::utf8};
+  /// Line of the columns' names, or of the first row where there are none; counts from 1. What
+  /// stands in front of it is not read. Absent: the first line that is no comment.
+  std::optional<long> header_line;
   /// Rows that cannot be used are left out and counted, up to `most_bad_rows` of all.
   bool skip_bad_rows{};
 };
@@ -25,7 +28,7 @@ struct TextLogRules {
 inline constexpr double most_bad_rows = 0.01;
 
 /// [log] decimal_comma = false, delimiter = "comma" | "semicolon" | "tab" | "spaces",
-///       encoding = "utf8" | "latin1", skip_bad_rows = false.
+///       encoding = "utf8" | "latin1", header_line = 7, skip_bad_rows = false.
 /// @throw InputError for an unknown key, or commas for both.
 TextLogRules read_text_log_rules(const TomlTable& log);
 

@@ -36,6 +36,25 @@ InputCase skipped(InputCase one, const std::string& left_out) {
   return with_manifest(one, with_log_table("skip_bad_rows = true"));
 }
 
+const std::string preamble = "Scope export\nStart,132000\nChannels,3\n\n";
+
+/// Counts of 2^20 to a turn, and per mille of 2.5 N·m.
+InputCase in_counts_and_per_mille() {
+  constexpr double turn_rad = 6.283185307179586;
+  InputCase one = with_manifest(
+      accepted("22e", "CountsAndPerMille",
+               case_log(
+                   [](int, Row& row) {
+                     row[1] = scaled(row[1], (1 << 20) / turn_rad, 0, 0);
+                     row[2] = scaled(row[2], 1000 / 2.5);
+                   },
+                   "t,q [inc],tau [‰]")),
+      replaced(case_manifest("\"tau\", unit = \"Nm\"", "\"tau\", unit = \"0.0025 Nm\""),
+               "\"q\", unit = \"rad\"", "\"q\", unit = \"9.5367431640625e-7 turn\""));
+  one.numbers = Numbers::close;
+  return one;
+}
+
 }  // namespace
 
 std::vector<InputCase> dialect_cases() {
@@ -120,6 +139,17 @@ std::vector<InputCase> dialect_cases() {
               "'Tau'? " +
                   missing),
       accepted("22c", "UnitInBrackets", case_log({}, "t [s],q (rad),tau [Nm]")),
+      in_counts_and_per_mille(),
+      refused("26d", "LinesInFrontOfTheHeader", preamble + case_log(),
+              "log.csv:1: column 't' is missing, found 'Scope export'; hint: line 5 has it: state "
+              "[log] header_line = 5"),
+      with_manifest(accepted("26e", "LinesInFrontOfTheHeaderAsStated", preamble + case_log(),
+                             "log.csv: 4 lines in front of the header are not read"),
+                    with_log_table("header_line = 5")),
+      with_manifest(refused("26f", "HeaderBehindTheEnd", case_log(),
+                            "log.csv:802: the log ends in front of its header, expected the header "
+                            "in line 900; hint: header_line states the line of the columns' names"),
+                    with_log_table("header_line = 900")),
       refused("22d", "OtherUnitInBrackets", case_log({}, "t,q,tau [mNm]"),
               "dataset.toml:13:19: unit contradicts the header of the log, found 'Nm', expected "
               "'mNm' as in 'tau [mNm]'"),

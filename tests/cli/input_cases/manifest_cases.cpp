@@ -81,9 +81,10 @@ std::vector<InputCase> manifest_cases() {
       manifest("48n", "UnitOfAnotherQuantity", case_manifest("\"Nm\"", "\"A\""),
                ":13:33: key 'columns.effort.unit': contradicts effort.kind, found 'A', a current, "
                "expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated rightly?"),
-      manifest("48o", "UnknownUnit", case_manifest("\"rad\"", "\"grad\""),
-               ":12:30: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg; "
-               "hint: did you mean 'rad'?"),
+      manifest(
+          "48o", "UnknownUnit", case_manifest("\"rad\"", "\"grad\""),
+          ":12:30: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg, turn; "
+          "hint: did you mean 'rad'?"),
       manifest("48p", "UnknownRole", case_manifest("rough_sweep", "ruff_sweep"),
                ":15:8: key 'recording.role': not known, found 'ruff_sweep', expected one of "
                "'rough_sweep', 'precise_sweep', 'oscillation', 'constant_speed', 'break_away'; "

@@ -106,6 +106,27 @@ TEST(LogLayout, NumbersBehindTheWordAreJoints) {
   EXPECT_NE(l.find(Quantity::current, "2"), nullptr);
 }
 
+TEST(LogLayout, TakesOfAPathWhatIsSaidLast) {
+  const LogLayout l =
+      layout_of({"__time", "/joint_states/elbow_joint/position", "/joint_states/wrist/position",
+                 "/left/joint_states/elbow_joint/effort"});
+  EXPECT_EQ(l.joints(), (std::vector<std::string>{"elbow", "wrist"}));
+  ASSERT_NE(l.find(Quantity::torque, "elbow"), nullptr);
+  EXPECT_EQ(l.find(Quantity::torque, "elbow")->column, 3U);
+}
+
+TEST(LogLayout, AUnitThatIsNotKnownIsNoRadian) {
+  const LogLayout l = layout_of({"Time [ms]", "Position actual value [qc]", "Torque [%]", "q[0]",
+                                 "Velocity actual value [rpm]", "Sum [qc]"});
+  EXPECT_EQ(l.joints(), std::vector<std::string>{"0"});
+  EXPECT_EQ(l.find(Quantity::torque, ""), nullptr);
+  ASSERT_EQ(l.foreign.size(), 2U);
+  EXPECT_EQ(l.foreign[0].column, 1U);
+  EXPECT_EQ(l.foreign[0].quantity, Quantity::angle);
+  EXPECT_EQ(l.foreign[1].column, 2U);
+  EXPECT_EQ(l.foreign[1].quantity, Quantity::torque);
+}
+
 TEST(LogLayout, SaysNothingOfWhatItDoesNotKnow) {
   EXPECT_TRUE(layout_of({"quality", "tick", "id", "", "status", "information"}).columns.empty());
 }

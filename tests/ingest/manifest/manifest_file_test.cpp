@@ -160,9 +160,10 @@ TEST(Manifest, RefusesAUnitThatContradictsTheKind) {
             "m.toml:13:32: key 'columns.effort.unit': contradicts effort.kind, found 'A', a "
             "current, expected a torque (Nm, mNm, kNm); hint: is the kind of the effort stated "
             "rightly?");
-  EXPECT_EQ(refusal(with("\"rad\"", "\"grad\"")),
-            "m.toml:12:29: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg; "
-            "hint: did you mean 'rad'?");
+  EXPECT_EQ(
+      refusal(with("\"rad\"", "\"grad\"")),
+      "m.toml:12:29: unknown unit of an angle, found 'grad', expected one of rad, mrad, deg, turn; "
+      "hint: did you mean 'rad'?");
 }
 
 TEST(Manifest, RefusesWhatIsMissing) {

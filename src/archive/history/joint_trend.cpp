@@ -1,0 +1,185 @@
+#include "archive/history/joint_trend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "archive/entry_of_calibration.h"
+#include "archive/history/quantity_series.h"
+#include "archive/history/quantity_traits.h"
+
+#include "error.h"
+#include "stages/student_t.h"
+
+namespace tribolog::history {
+namespace {
+
+using archive::Measured;
+
+/// Times between which the baseline lies, as measured_at has them.
+struct BaselineTimes {
+  std::string from;
+  std::string to;
+};
+
+std::string time_of(const std::string& text, const char* end_of_day) {
+  if (text.empty()) return "";
+  const bool is_day = text.size() == std::string("2026-01-31").size();
+  const std::string time = archive::utc_of_iso_text(is_day ? text + end_of_day : text);
+  if (time.empty()) {
+    throw UsageError("the baseline's date " + printable(text) + " is none; 2026-01-31 is one");
+  }
+  return time;
+}
+
+BaselineTimes times_of(const Baseline& baseline) {
+  if (!baseline.is_by_date() && baseline.count < fewest_learned) {
+    throw UsageError(
+        fmt::format("a baseline of {} calibrations is too short; at least {} tell "
+                    "their scatter",
+                    baseline.count, fewest_learned));
+  }
+  return {time_of(baseline.from, "T00:00:00Z"), time_of(baseline.to, "T23:59:59Z")};
+}
+
+/// How many of the first charted points the baseline holds.
+std::size_t learned_count(const std::vector<const HistoryPoint*>& charted, const Baseline& baseline,
+                          const BaselineTimes& times) {
+  if (!baseline.is_by_date()) return baseline.count;
+  const auto inside = std::count_if(charted.begin(), charted.end(), [&](const HistoryPoint* p) {
+    return times.to.empty() || p->measured_at <= times.to;
+  });
+  return std::max<std::size_t>(static_cast<std::size_t>(inside), fewest_learned);
+}
+
+FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const Excursion& e,
+                         const ReferenceLine& reference) {
+  constexpr std::size_t latest = 3;
+  const std::size_t end = e.back.value_or(charted.size());
+  const std::size_t begin = std::max(e.start, end > latest ? end - latest : 0);
+  double mean = 0, variance = 0, expectation = 0;
+  const auto n = static_cast<double>(end - begin);
+  for (std::size_t k = begin; k < end; ++k) {
+    const SeriesPoint point = series_point(*charted[k]);
+    const Expectation expected = reference.at(point.temperature_C);
+    mean += (point.value - expected.value) / n;
+    variance += (std::pow(point.standard_error, 2) + reference.between_variance) / (n * n);
+    expectation += expected.variance / n;
+  }
+  const double half_width = student_t_975(reference.freedom) * std::sqrt(variance + expectation);
+  FoundChange change;
+  change.direction = e.direction;
+  change.from = charted[e.start]->measured_at;
+  change.alarm = charted[e.alarm]->measured_at;
+  if (e.back) change.back = charted[*e.back]->measured_at;
+  change.calibrations_to_alarm = e.alarm - e.start + 1;
+  change.size = symmetric_estimate(mean, half_width, "the last three against the reference");
+  if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
+    change.percent = 100 * mean / std::abs(reference.level);
+  }
+  return change;
+}
+
+void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& times,
+           std::size_t watched) {
+  std::vector<HistoryPoint*> charted;
+  for (HistoryPoint& p : trend.points) {
+    if (p.left_out == LeftOut::none) charted.push_back(&p);
+  }
+  const std::vector<const HistoryPoint*> shown(charted.begin(), charted.end());
+  std::vector<SeriesPoint> series;
+  for (const HistoryPoint* p : shown) series.push_back(series_point(*p));
+  ChartSettings settings;
+  settings.learned = learned_count(shown, baseline, times);
+  settings.watched = watched;
+  settings.with_slope = trend.temperature == TemperatureUse::corrected;
+  const ControlChart made = make_control_chart(series, settings);
+  trend.limit = made.limit;
+  trend.reference = made.reference;
+  trend.judged = made.judged();
+  trend.learned = charted.size() - trend.judged;
+  for (std::size_t k = 0; k < charted.size(); ++k) {
+    charted[k]->chart = made.points[k];
+    if (!made.reference) continue;
+    const double away = series[k].temperature_C - made.reference->mean_temperature_C;
+    charted[k]->corrected = series[k].value - made.reference->slope_per_K * away;
+  }
+  if (trend.judged == 0 || !made.reference) return;
+  for (const Excursion& e : made.excursions) {
+    trend.changes.push_back(found_change(shown, e, *made.reference));
+  }
+  trend.state = made.warning() != nullptr ? TrendState::warning
+                : made.excursions.empty() ? TrendState::steady
+                                          : TrendState::recovered;
+}
+
+std::vector<std::string> cautions_on(const std::vector<Measured>& calibrations) {
+  std::vector<std::string> cautions;
+  const auto without_time =
+      std::count_if(calibrations.begin(), calibrations.end(),
+                    [](const Measured& m) { return !m.entry.facts.time_is_stated; });
+  if (without_time > 0) {
+    cautions.push_back(fmt::format(
+        "{} of {} calibrations do not say when they were measured; they stand at the time of their "
+        "identification",
+        without_time, calibrations.size()));
+  }
+  if (const std::string words = words_on_warming(calibrations); !words.empty()) {
+    cautions.push_back(words);
+  }
+  return cautions;
+}
+
+JointTrend trend_of(std::vector<Measured> calibrations, const Baseline& baseline,
+                    const BaselineTimes& times) {
+  std::stable_sort(calibrations.begin(), calibrations.end(),
+                   [](const Measured& a, const Measured& b) {
+                     return a.entry.facts.measured_at < b.entry.facts.measured_at;
+                   });
+  JointTrend trend;
+  trend.of = calibrations.front().entry.facts.of;
+  trend.calibrations = calibrations.size();
+  trend.first_at = calibrations.front().entry.facts.measured_at;
+  trend.last_at = calibrations.back().entry.facts.measured_at;
+  trend.baseline = baseline;
+  trend.cautions = cautions_on(calibrations);
+  trend.quantities = quantity_series(calibrations, times.from);
+  for (const QuantityTrend& q : trend.quantities) {
+    if (q.count(LeftOut::none) > fewest_learned) ++trend.watched;
+  }
+  for (QuantityTrend& q : trend.quantities) chart(q, baseline, times, trend.watched);
+  return trend;
+}
+
+}  // namespace
+
+std::size_t QuantityTrend::count(LeftOut why) const {
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [&](const HistoryPoint& p) { return p.left_out == why; }));
+}
+
+TrendState JointTrend::state() const {
+  TrendState worst = TrendState::too_few;
+  for (const QuantityTrend& q : quantities) worst = std::max(worst, q.state);
+  return worst;
+}
+
+std::vector<JointTrend> joint_trends(const std::vector<Measured>& calibrations,
+                                     const Baseline& baseline) {
+  const BaselineTimes times = times_of(baseline);
+  std::vector<JointTrend> trends;
+  for (std::size_t begin = 0; begin < calibrations.size();) {
+    std::size_t end = begin;
+    const archive::JointName& of = calibrations[begin].entry.facts.of;
+    while (end < calibrations.size() && calibrations[end].entry.facts.of == of) ++end;
+    const auto at = [&](std::size_t k) {
+      return calibrations.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    trends.push_back(trend_of({at(begin), at(end)}, baseline, times));
+    begin = end;
+  }
+  return trends;
+}
+
+}  // namespace tribolog::history

@@ -1,0 +1,103 @@
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "archive/fleet/fleet_json.h"
+#include "archive/fleet/fleet_page.h"
+#include "provenance.h"
+
+#include "cli/archive/archive_commands.h"
+#include "files/atomic_file.h"
+
+namespace tribolog::cli {
+namespace {
+
+struct Options {
+  archive::Filter filter;
+  std::string output;
+  std::string reports;
+  bool json{false};
+};
+
+void check(const Options& options) {
+  if (options.output.empty() && !options.json) {
+    throw UsageError("archive fleet: -o PAGE or --json is needed");
+  }
+  if (!options.reports.empty() && options.output.empty()) {
+    throw UsageError("archive fleet: --reports needs -o PAGE, which links to them");
+  }
+}
+
+/// The way from the page to the reports.
+std::string directory_from(const std::string& page, const std::string& reports) {
+  namespace fs = std::filesystem;
+  const fs::path from = fs::absolute(page).parent_path().lexically_normal();
+  return fs::absolute(reports).lexically_normal().lexically_relative(from).generic_string();
+}
+
+/// A server, or a file without its directories, which would tell about the machine.
+std::string shown_name(const std::string& archive) {
+  return archive::is_server(archive) ? archive : std::filesystem::path(archive).filename().string();
+}
+
+/// Writes the report of each joint's latest calibration, if the archive has it.
+archive::FleetLinks write_reports(const archive::Fleet& fleet, const Options& options,
+                                  archive::CalibrationArchive& kept, Console& console) {
+  archive::FleetLinks links{{}, directory_from(options.output, options.reports)};
+  create_directory(options.reports);
+  std::size_t done = 0;
+  for (const archive::FleetRobot& robot : fleet.robots) {
+    for (const archive::FleetJoint& joint : robot.joints) {
+      console.progress("writing the reports", done++, fleet.joints);
+      const auto html = kept.document(joint.latest, archive::DocumentKind::report);
+      if (!html) continue;
+      write_file_atomically(
+          (std::filesystem::path(options.reports) / (joint.latest.id + ".html")).string(), *html);
+      links.ids.insert(joint.latest.id);
+    }
+  }
+  console.finish();
+  return links;
+}
+
+}  // namespace
+
+Run add_fleet(CLI::App& archive) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *archive.add_subcommand("fleet", "all robots and joints on one page, outliers first");
+  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_option("--reports", options->reports,
+                     "directory for the report of each joint's latest calibration; the page links "
+                     "to them");
+  add_filter(command, options->filter);
+  const auto where = add_archive_options(command);
+  command.add_flag("--json", options->json, "as JSON, to standard output");
+  command.footer(
+      "\nEach joint's latest results against the median of the same joint of the other robots and\n"
+      "of its own past, by a robust z; the page says how. A report has the size of its figures:\n"
+      "--reports writes one for every joint that has one in the archive.");
+  return [where, options](const Invocation& call) {
+    check(*options);
+    if (!options->output.empty()) check_output_can_be_written(options->output);
+    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    archive::Filter filter = options->filter;
+    filter.latest_revisions = true;
+    const archive::Fleet fleet = archive::fleet_of(kept.measured(filter));
+    if (options->json) print_json(fleet_json(fleet));
+    if (options->output.empty()) return ExitStatus::done;
+    archive::FleetLinks links;
+    if (!options->reports.empty()) links = write_reports(fleet, *options, kept, call.console);
+    write_file_atomically(options->output, fleet_page(fleet, links, shown_name(kept.name()),
+                                                      make_provenance(call.arguments)));
+    if (!options->json) {
+      call.console.say(fmt::format("fleet sheet: {} ({} robots, {} joints)",
+                                   printable(options->output, longest_path), fleet.robots.size(),
+                                   fleet.joints));
+    }
+    return ExitStatus::done;
+  };
+}
+
+}  // namespace tribolog::cli

@@ -1,0 +1,51 @@
+#include "cli/archive/history_page.h"
+
+#include <CLI/CLI.hpp>
+
+#include "inspect/text_table.h"
+
+#include "cli/drawing.h"
+#include "files/atomic_file.h"
+
+namespace tribolog::cli {
+
+std::string text_of(const report::Table& table) {
+  constexpr std::size_t width = 160;
+  TextTable text(0);
+  std::vector<std::string> heading;
+  for (const report::Column& column : table.columns) heading.push_back(column.heading);
+  text.add(std::move(heading));
+  for (const report::Row& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const std::string& cell : row.cells) cells.push_back(printable(cell));
+    text.add(std::move(cells));
+  }
+  return text.text(width);
+}
+
+void add_drawing_processes(CLI::App& command, int& processes) {
+  constexpr int most = 64;
+  command.add_option("-j,--processes", processes, "processes that draw figures")
+      ->check(CLI::Range(1, most))
+      ->capture_default_str();
+}
+
+ExitStatus write_history_page(
+    const PageOutput& output, const std::vector<ReportFigure>& figures, const Invocation& call,
+    const std::function<std::string(const Provenance&, const std::vector<render::DrawnFigure>&)>&
+        make_page) {
+  check_output_can_be_written(output.path, {});
+  Provenance provenance = make_provenance(call.arguments);
+  std::vector<render::DrawnFigure> drawn;
+  if (!figures.empty()) {
+    render::FigureRenderer renderer(output.processes);
+    drawn = draw(renderer, figures, call.console);
+  }
+  provenance.drawing = software_that_drew(drawn);
+  write_file_atomically(output.path, make_page(provenance, drawn));
+  call.console.finish();
+  call.console.say("page: " + printable(output.path, longest_path));
+  return tell_failures(drawn, call.console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+}  // namespace tribolog::cli

@@ -1,0 +1,47 @@
+#pragma once
+// `--archive` of identify and report: the numbers first, the report once it is written.
+
+#include <optional>
+#include <string>
+
+#include "archive/store/calibration_archive.h"
+
+#include "cli/console.h"
+
+namespace tribolog {
+
+/// What the command line says about the archive.
+struct ArchivingOptions {
+  std::optional<std::string> location;  ///< Absent: nothing is archived. Empty: the user's own.
+  double wait_s{5};                     ///< For another process that writes to it.
+  bool inputs{false};                   ///< Manifest and recordings too.
+  bool again{false};                    ///< Beside one of the same inputs.
+};
+
+/// Opens the archive before anything is computed, so that one that cannot be written is told early.
+class Archiving {
+ public:
+  /// @throw as archive::open_archive(); UsageError: inputs or again without an archive.
+  explicit Archiving(const ArchivingOptions& options);
+
+  /// @param calibration the JSON, as it was written to `file`. @param manifest the dataset's.
+  /// @throw ArchiveError, OutputError: not archived; the calibration's file is there to be added.
+  void keep_numbers(const std::string& calibration, const std::string& file,
+                    const std::string& manifest, Console& console);
+
+  /// Nothing where nothing is archived.
+  void keep_report(const std::string& html, Console& console);
+
+  /// A file that no output may replace; empty: there is none.
+  [[nodiscard]] std::string file() const;
+
+  /// The id that the numbers have; empty where nothing is archived.
+  [[nodiscard]] const std::string& id() const { return id_; }
+
+ private:
+  ArchivingOptions options_;
+  std::optional<archive::CalibrationArchive> archive_;
+  std::string id_;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,235 @@
+#include "figures/history/trend_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "figures/history/history_axes.h"
+#include "figures/number_text.h"
+#include "figures/plot_data.h"
+
+namespace tribolog {
+namespace {
+
+namespace colour = render::palette;
+using figures::AxisScale;
+using history::FoundChange;
+using history::HistoryPoint;
+using history::LeftOut;
+using history::QuantityTrend;
+
+constexpr std::size_t many_points = 40;
+
+render::Series marks(const std::string& label, render::Colour c, render::Marker marker,
+                     std::size_t all) {
+  render::Series series;
+  series.label = label;
+  series.colour = c;
+  series.style = render::LineStyle::none;
+  series.marker = marker;
+  series.marker_size_px = all > many_points ? 8.0 : 13.0;
+  return series;
+}
+
+void add(render::Series& series, double x, double y) {
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
+/// Half of the time between neighbours, so that no first or last point lies on the frame.
+double margin_of(const QuantityTrend& trend) {
+  const double span = figures::day_of(trend.points.back().measured_at) -
+                      figures::day_of(trend.points.front().measured_at);
+  return std::max(0.03 * span, 0.5);
+}
+
+void set_time_axis(const QuantityTrend& trend, render::Panel& panel) {
+  panel.x.title = "measured on (UTC)";
+  panel.x.dates = true;
+  panel.x.minimum = figures::day_of(trend.points.front().measured_at) - margin_of(trend);
+  panel.x.maximum = figures::day_of(trend.points.back().measured_at) + margin_of(trend);
+}
+
+void add_reference(const QuantityTrend& trend, const AxisScale& scale, render::Panel& panel) {
+  if (!trend.reference) return;
+  constexpr double wide = 2;
+  const double level = trend.reference->level;
+  const double scatter = wide * trend.reference->scatter();
+  render::Band band;
+  band.label = "reference ± 2 standard deviations of a calibration";
+  band.x = {*panel.x.minimum, *panel.x.maximum};
+  band.low = {scale(level - scatter), scale(level - scatter)};
+  band.high = {scale(level + scatter), scale(level + scatter)};
+  band.colour = {colour::green.red, colour::green.green, colour::green.blue, 45};
+  panel.bands.push_back(std::move(band));
+  panel.series.push_back(figures::line("", {*panel.x.minimum, *panel.x.maximum},
+                                       {scale(level), scale(level)}, colour::green, 2.5,
+                                       render::LineStyle::dash));
+}
+
+/// Vertical lines at the dates of the changes.
+void mark_changes(const QuantityTrend& trend, bool with_text, render::Panel& panel) {
+  const auto add_line = [&](const std::string& date, const std::string& text, render::Colour c) {
+    render::ReferenceLine line;
+    line.at = figures::day_of(date);
+    if (with_text) line.text = text + " " + figures::date_of(date);
+    line.colour = c;
+    panel.reference_lines.push_back(std::move(line));
+  };
+  for (const FoundChange& change : trend.changes) {
+    add_line(change.from, "visible from", colour::vermilion);
+    if (change.alarm != change.from) add_line(change.alarm, "alarm", colour::grey);
+    if (!change.back.empty()) add_line(change.back, "back from", colour::green);
+  }
+}
+
+render::Panel value_panel(const QuantityTrend& trend, const AxisScale& scale) {
+  render::Panel panel;
+  panel.y.title = figures::axis_title(trend.words, scale, trend.unit);
+  set_time_axis(trend, panel);
+  add_reference(trend, scale, panel);
+  const bool is_corrected = trend.temperature == history::TemperatureUse::corrected;
+  const std::size_t all = trend.points.size();
+  const char* const at = is_corrected ? " (at one temperature)" : "";
+  render::Series learned =
+      marks(std::string("learned from") + at, colour::sky_blue, render::Marker::square, all);
+  render::Series judged = marks(std::string("calibration, 95 % interval") + at, colour::blue,
+                                render::Marker::circle, all);
+  render::Series as_measured = marks("as measured", colour::orange, render::Marker::plus, all);
+  render::Series left = marks("left out", colour::grey, render::Marker::cross, all);
+  for (const HistoryPoint& p : trend.points) {
+    const double day = figures::day_of(p.measured_at);
+    if (p.left_out != LeftOut::none) {
+      add(left, day, scale(p.estimate.value));
+      continue;
+    }
+    const double value = p.corrected.value_or(p.estimate.value);
+    const double by = value - p.estimate.value;
+    render::ErrorBar bar{day, scale(p.estimate.low + by), scale(p.estimate.high + by)};
+    bar.colour = p.chart.is_judged ? colour::blue : colour::sky_blue;
+    panel.error_bars.push_back(bar);
+    add(p.chart.is_judged ? judged : learned, day, scale(value));
+    if (is_corrected) add(as_measured, day, scale(p.estimate.value));
+  }
+  for (render::Series* s : {&left, &as_measured, &learned, &judged}) {
+    figures::add_visible(panel, std::move(*s));
+  }
+  mark_changes(trend, true, panel);
+  return panel;
+}
+
+render::Panel sum_panel(const QuantityTrend& trend) {
+  render::Panel panel;
+  panel.y.title = "CUSUM [standard deviations]";
+  set_time_axis(trend, panel);
+  render::Series above = figures::line("C^{+}, risen", {}, {}, colour::blue, 3.0);
+  render::Series below =
+      figures::line("−C^{−}, fallen", {}, {}, colour::orange, 3.0, render::LineStyle::dash);
+  for (render::Series* s : {&above, &below}) {
+    s->marker = render::Marker::circle;
+    s->marker_size_px = trend.points.size() > many_points ? 5.0 : 8.0;
+  }
+  for (const HistoryPoint& p : trend.points) {
+    if (p.left_out != LeftOut::none || !p.chart.is_judged) continue;
+    const double day = figures::day_of(p.measured_at);
+    add(above, day, p.chart.above);
+    add(below, day, -p.chart.below);
+  }
+  figures::add_visible(panel, std::move(above));
+  figures::add_visible(panel, std::move(below));
+  for (const double side : {1.0, -1.0}) {
+    render::ReferenceLine line;
+    line.direction = render::ReferenceLine::Direction::horizontal;
+    line.at = side * trend.limit;
+    line.text = fmt::format("limit {}{:.1f}", side > 0 ? "" : "−", trend.limit);
+    line.colour = colour::vermilion;
+    panel.reference_lines.push_back(std::move(line));
+  }
+  mark_changes(trend, false, panel);
+  return panel;
+}
+
+std::string change_words(const FoundChange& change, const AxisScale& scale) {
+  const std::string size = change.percent ? fmt::format("{:.2g} %", std::abs(*change.percent))
+                                          : figures::with_unit(std::abs(change.size.value),
+                                                               {scale.factor, scale.unit}, 2);
+  std::string words =
+      fmt::format("{} by {}, visible from {}, alarm {}", change.direction > 0 ? "risen" : "fallen",
+                  size, figures::date_of(change.from), figures::date_of(change.alarm));
+  if (!change.back.empty()) words += ", back from " + figures::date_of(change.back);
+  return words;
+}
+
+std::string caption_of(const QuantityTrend& trend, const AxisScale& scale) {
+  const std::size_t used = trend.count(LeftOut::none);
+  std::string caption = trend.words + ": ";
+  if (trend.state == history::TrendState::too_few) {
+    caption += fmt::format("{} that can be used, too few to say anything yet",
+                           figures::counted(used, "calibration"));
+  } else if (trend.changes.empty()) {
+    caption += fmt::format("no change visible over {}", figures::counted(used, "calibration"));
+  } else {
+    std::vector<std::string> changes;
+    for (const FoundChange& change : trend.changes) changes.push_back(change_words(change, scale));
+    for (std::size_t k = 0; k < changes.size(); ++k) caption += (k > 0 ? "; " : "") + changes[k];
+  }
+  if (trend.reference) {
+    caption +=
+        fmt::format(". Reference {} from {}",
+                    figures::with_interval(
+                        symmetric_estimate(trend.reference->level,
+                                           2 * std::sqrt(trend.reference->level_variance), ""),
+                        scale),
+                    figures::counted(trend.reference->members, "calibration"));
+  }
+  return caption + ".";
+}
+
+ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
+  figures::Extent extent;
+  for (const HistoryPoint& p : trend.points) {
+    extent.add(p.estimate.low);
+    extent.add(p.estimate.high);
+  }
+  const AxisScale scale = figures::quantity_axis(trend.unit, extent.largest());
+  ReportFigure out;
+  out.id = std::move(id);
+  out.title = trend.words + " over time";
+  out.stage = "trend";
+  out.figure.panels.push_back(value_panel(trend, scale));
+  if (trend.judged > 0) out.figure.panels.push_back(sum_panel(trend));
+  out.figure.panels_share_x = true;
+  out.figure.height_px = trend.judged > 0 ? 1200 : 750;
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  out.caption = caption_of(trend, scale);
+  out.how_to_read =
+      "Above, points that leave the band to one side for good are a change; single ones are not. ";
+  if (trend.temperature == history::TemperatureUse::corrected) {
+    out.how_to_read += "All but the plus signs are brought to one temperature. ";
+  }
+  if (trend.judged > 0) {
+    out.how_to_read +=
+        "Below, a sum that climbs to its limit is the alarm; the change began where the climb did.";
+  }
+  out.alt = fmt::format("{} over time from {} to {}. {}", trend.words,
+                        figures::date_of(trend.points.front().measured_at),
+                        figures::date_of(trend.points.back().measured_at), out.caption);
+  return out;
+}
+
+}  // namespace
+
+std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends) {
+  std::vector<ReportFigure> all;
+  for (std::size_t j = 0; j < trends.size(); ++j) {
+    for (std::size_t q = 0; q < trends[j].quantities.size(); ++q) {
+      if (trends[j].quantities[q].points.empty()) continue;
+      all.push_back(figure_of(trends[j].quantities[q], fmt::format("trend-{}-{}", j + 1, q + 1)));
+    }
+  }
+  return all;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,17 @@
+#pragma once
+// A quantity of a joint over time, and its CUSUM below.
+
+#include <vector>
+
+#include "archive/history/joint_trend.h"
+
+#include "figures/report_figure.h"
+
+namespace tribolog {
+
+/// One figure for each quantity with a point, "trend-1-1" for the first quantity of the first
+/// joint: values with their intervals, the reference with its scatter, what was left out, the date
+/// from which a change is visible; below the sums and their limit, where any are.
+std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends);
+
+}  // namespace tribolog

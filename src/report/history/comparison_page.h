@@ -1,0 +1,22 @@
+#pragma once
+// Two calibrations side by side as one HTML file that needs nothing else.
+
+#include <string>
+#include <vector>
+
+#include "archive/history/comparison.h"
+#include "provenance.h"
+
+#include "figures/report_figure.h"
+#include "render/renderer.h"
+
+namespace tribolog {
+
+/// UTF-8 HTML without script or link to the outside, in the style of the report.
+/// @param curves_missing why there are no figures, or not all; empty: all are there.
+std::string comparison_page(const history::Comparison& comparison, const Provenance& provenance,
+                            const std::string& curves_missing,
+                            const std::vector<ReportFigure>& figures,
+                            const std::vector<render::DrawnFigure>& drawn);
+
+}  // namespace tribolog

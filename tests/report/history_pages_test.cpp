@@ -1,0 +1,143 @@
+// The pages of `archive diff` and `archive trend`.
+
+#include <gtest/gtest.h>
+
+#include "archive/history/simulated_history.h"
+#include "document_checks.h"
+#include "run_python.h"
+#include "sample_calibration.h"
+
+#include "figures/history/comparison_figures.h"
+#include "figures/history/trend_figures.h"
+#include "report/history/comparison_page.h"
+#include "report/history/comparison_view.h"
+#include "report/history/trend_page.h"
+#include "report/history/trend_view.h"
+
+namespace tribolog::test {
+namespace {
+
+/// Coulomb torque 8 % more from the 15th calibration on; every text as given.
+std::vector<archive::Measured> history_with(const std::string& text) {
+  HistoryShape shape;
+  shape.calibrations = 24;
+  for (std::size_t k = 0; k < shape.calibrations; ++k) {
+    shape.temperature_C.push_back(20 + static_cast<double>(k % 7));
+  }
+  auto all = simulated_history(
+      3,
+      [](const std::string& name, std::size_t k) {
+        return name == "coulomb_torque" && k >= 14 ? 1.08 : 1.0;
+      },
+      shape);
+  for (archive::Measured& m : all) {
+    archive::Facts& f = m.entry.facts;
+    f.of = {text, text, text};
+    f.operator_name = f.note = f.payload = f.tool_version = text;
+    for (archive::Quantity& q : m.quantities) q.words = text + q.name;
+    m.quantities.back().unit = text;
+  }
+  return all;
+}
+
+Provenance provenance_with(const std::string& text) {
+  Provenance p = sample_provenance();
+  p.tool_version = p.command_line = text;
+  return p;
+}
+
+std::string trend_page_with(const std::string& text) {
+  const auto trends = history::joint_trends(history_with(text), {});
+  const auto figures = trend_figures(trends);
+  return trend_page(trends, provenance_with(text), figures, sample_pictures(figures));
+}
+
+history::RecordedCurves curves(double shift) {
+  history::RecordedCurves c;
+  c.friction = {
+      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
+  c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
+  return c;
+}
+
+std::string diff_page_with(const std::string& text) {
+  const auto all = history_with(text);
+  const auto c = history::compare(all[0], all[20], {10, 2}, false);
+  const auto figures = comparison_figures(c, curves(0), curves(0.1));
+  return comparison_page(c, provenance_with(text), text, figures, sample_pictures(figures));
+}
+
+TEST(HistoryPages, AreWholeDocuments) {
+  if (!has_python_module("html.parser")) GTEST_SKIP() << "python3 is not installed";
+  EXPECT_TRUE(run_python(checks, trend_page_with("x ")));
+  EXPECT_TRUE(run_python(checks, diff_page_with("x ")));
+}
+
+TEST(HistoryPages, TextOfStrangersStaysText) {
+  if (!has_python_module("html.parser")) GTEST_SKIP() << "python3 is not installed";
+  for (std::string (*const page)(const std::string&) : {trend_page_with, diff_page_with}) {
+    const std::string attacked = page(hostile);
+    const auto plain_shape = run_python(skeleton, page("x"));
+    const auto attacked_shape = run_python(skeleton, attacked);
+    ASSERT_TRUE(plain_shape && attacked_shape);
+    EXPECT_EQ(*plain_shape, *attacked_shape);
+    EXPECT_EQ(occurrences(attacked, "<script"), 1U);
+    const std::string body = attacked.substr(0, attacked.find("<script type"));
+    EXPECT_EQ(body.find("\u202E"), std::string::npos);
+    EXPECT_EQ(body.find('\x1b'), std::string::npos);
+    EXPECT_EQ(body.find('\xff'), std::string::npos);
+  }
+}
+
+TEST(HistoryPages, TellTheChange) {
+  const std::string trend = trend_page_with("x ");
+  EXPECT_NE(trend.find("x coulomb_torque has risen by 8."), std::string::npos);
+  EXPECT_NE(trend.find("visible from " + utc_of_day(14 * 14).substr(0, 10)), std::string::npos);
+  const std::string diff = diff_page_with("x ");
+  EXPECT_NE(diff.find(">CHANGED<"), std::string::npos);
+  EXPECT_NE(diff.find("1 of 9 comparable quantities changed."), std::string::npos);
+}
+
+TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
+  auto all = history_with("x ");
+  all.resize(1);
+  const auto trends = history::joint_trends(all, {});
+  const std::string page = trend_page(trends, sample_provenance(), trend_figures(trends), {});
+  EXPECT_NE(page.find("TOO FEW YET"), std::string::npos);
+  EXPECT_NE(page.find("This figure is missing"), std::string::npos);
+}
+
+TEST(HistoryFigures, ShowEveryCalibrationOnce) {
+  auto all = history_with("x ");
+  all[3].quantities[0].verdict = Verdict::doubtful;
+  const auto trends = history::joint_trends(all, {});
+  const auto figures = trend_figures(trends);
+  ASSERT_EQ(figures.size(), 9U);
+  const render::Panel& values = figures.front().figure.panels.front();
+  EXPECT_TRUE(values.x.dates);
+  EXPECT_EQ(values.error_bars.size(), 23U);
+  std::size_t left_out = 0, shown = 0;
+  for (const render::Series& s : values.series) {
+    if (s.label == "left out") left_out += s.x.size();
+    if (s.label.find("learned") == 0 || s.label.find("calibration") == 0) shown += s.x.size();
+  }
+  EXPECT_EQ(left_out, 1U);
+  EXPECT_EQ(shown, 23U);
+  ASSERT_EQ(values.reference_lines.size(), 2U) << "visible from, and the alarm";
+  // 2024-01-01 is day 19723; the step is measured on 2024-08-01 by the made-up calendar.
+  EXPECT_NEAR(values.reference_lines.front().at, 19723 + 213 + 10 / 24.0, 1e-9);
+  EXPECT_EQ(figures.front().figure.panels.size(), 2U);
+}
+
+TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
+  const auto all = history_with("x ");
+  const auto c = history::compare(all[0], all[1], {}, false);
+  EXPECT_EQ(comparison_figures(c, curves(0), curves(0)).size(), 2U);
+  EXPECT_TRUE(comparison_figures(c, curves(0), {}).empty());
+  history::RecordedCurves old = curves(0);
+  old.loops.clear();
+  EXPECT_EQ(comparison_figures(c, old, curves(0)).size(), 1U);
+}
+
+}  // namespace
+}  // namespace tribolog::test
