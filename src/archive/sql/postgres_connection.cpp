@@ -48,26 +48,7 @@ class PostgresConnection final : public Connection {
  public:
   PostgresConnection(PostgresLocation location, int wait_ms)
       : name_(std::move(location.shown)), wait_ms_(wait_ms), connection_(connected(location.uri)) {
-    const std::string server = printable(name_, longest_path) + ": ";
-    if (PQstatus(connection_.get()) != CONNECTION_OK) {
-      throw ArchiveError(server + "no connection to the archive: " +
-                         in_one_line(PQerrorMessage(connection_.get())));
-    }
-    PQsetNoticeProcessor(
-        connection_.get(), [](void*, const char*) {}, nullptr);
-    const char* const encoding = PQparameterStatus(connection_.get(), "server_encoding");
-    if (encoding == nullptr || std::string(encoding) != "UTF8") {
-      throw ArchiveError(
-          fmt::format("{}the database keeps its texts in {}, an archive needs UTF-8: "
-                      "createdb -E UTF8 -T template0 NAME",
-                      server, encoding == nullptr ? "no encoding" : encoding));
-    }
-    // A wait of 0 would be one without end. A client whose machine is gone keeps no lock.
-    run_script(fmt::format(
-        "SET lock_timeout = {}; SET tcp_keepalives_idle = 30; SET tcp_keepalives_interval = 10; "
-        "SET tcp_keepalives_count = 3; SELECT set_config('synchronous_commit', 'on', false) "
-        "WHERE current_setting('synchronous_commit') = 'off'",
-        std::max(1, wait_ms)));
+    prepare_session();
   }
 
   [[nodiscard]] Dialect dialect() const override { return Dialect::postgres; }
@@ -107,6 +88,41 @@ class PostgresConnection final : public Connection {
   }
 
  private:
+  void prepare_session() {
+    const std::string server = printable(name_, longest_path) + ": ";
+    if (PQstatus(connection_.get()) != CONNECTION_OK) {
+      throw ArchiveError(server + "no connection to the archive: " +
+                         in_one_line(PQerrorMessage(connection_.get())));
+    }
+    PQsetNoticeProcessor(
+        connection_.get(), [](void*, const char*) {}, nullptr);
+    const char* const encoding = PQparameterStatus(connection_.get(), "server_encoding");
+    if (encoding == nullptr || std::string(encoding) != "UTF8") {
+      throw ArchiveError(
+          fmt::format("{}the database keeps its texts in {}, an archive needs UTF-8: "
+                      "createdb -E UTF8 -T template0 NAME",
+                      server, encoding == nullptr ? "no encoding" : encoding));
+    }
+    // A wait of 0 would be one without end. A client whose machine is gone keeps no lock.
+    run_script(fmt::format(
+        "SET lock_timeout = {}; SET tcp_keepalives_idle = 30; SET tcp_keepalives_interval = 10; "
+        "SET tcp_keepalives_count = 3; SELECT set_config('synchronous_commit', 'on', false) "
+        "WHERE current_setting('synchronous_commit') = 'off'",
+        std::max(1, wait_ms_)));
+  }
+
+  /// A report may take minutes: a connection that was cut meanwhile is made again.
+  void start(const char* begin) {
+    try {
+      run_script(begin);
+    } catch (const ArchiveError&) {
+      if (PQstatus(connection_.get()) == CONNECTION_OK) throw;
+      PQreset(connection_.get());
+      prepare_session();
+      run_script(begin);
+    }
+  }
+
   Result checked(PGresult* answer) const {
     Result result(answer);
     const ExecStatusType status = PQresultStatus(answer);
@@ -120,7 +136,7 @@ class PostgresConnection final : public Connection {
   }
 
   void transact(const char* begin, const std::function<void()>& work) {
-    run_script(begin);
+    start(begin);
     try {
       work();
       const Result ended = checked(PQexec(connection_.get(), "COMMIT"));

@@ -10,7 +10,7 @@ namespace tribolog::sql {
 
 /// Connects. write() waits for other writers at an advisory lock of the database; what it has kept
 /// is on the server's disk even where the server is set to answer earlier
-/// (`synchronous_commit = off`).
+/// (`synchronous_commit = off`). A connection that was cut before a transaction is made again.
 /// @param uri as libpq takes it; the password may also come from PGPASSWORD or ~/.pgpass, and no
 ///        message shows it.
 /// @throw ArchiveError: no server, no such database, no right to connect, or a database that is not
