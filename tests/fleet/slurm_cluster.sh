@@ -5,6 +5,7 @@
 #   stop_slurm          ends the daemons that it started, and no others
 
 slurm_daemons=()
+PATH=$PATH:/usr/sbin:/sbin  # the daemons' place, which a user's PATH may lack
 
 slurm_start_daemon() {  # LOG COMMAND...: ends with the test, however that ends
   setpriv --pdeathsig TERM "${@:2}" >"$1" 2>&1 &
