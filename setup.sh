@@ -26,7 +26,8 @@ say() { printf 'tribolog: %s\n' "$*"; }
 
 installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
 
-offers_osmesa() { [ -n "$(apt-cache policy libosmesa6-dev 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+offers() { [ -n "$(apt-cache policy "$1" 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+offers_osmesa() { offers libosmesa6-dev; }
 
 install_missing() {
   local missing=()
@@ -62,6 +63,8 @@ install_missing() {
       wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
     fi
   done
+  # Debian 12 has MuJoCo, Ubuntu 22.04 has not: without it, the test that loads MJCF says so.
+  if [ "$goal" != program ] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
   "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
     --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
 }
