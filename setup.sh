@@ -17,7 +17,8 @@ needed=(cmake ninja-build g++ pkg-config git
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-jsonschema) ;;&
+    python3-minimal python3-jsonschema
+    postgresql slurm-wlm munge) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
     python3-pandas)  ;;
 esac
@@ -28,6 +29,17 @@ installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q 
 
 offers() { [ -n "$(apt-cache policy "$1" 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
 offers_osmesa() { offers libosmesa6-dev; }
+
+# The tests start servers of their own: nothing starts because it was installed, and nothing fails
+# because it cannot start (a container without systemd). Until the end of the (sub)shell.
+start_no_service() {
+  local policy=/usr/sbin/policy-rc.d
+  [ ! -e "$policy" ] || return 0
+  printf '#!/bin/sh\nexit 101\n' | "${root[@]}" tee "$policy" >/dev/null
+  "${root[@]}" chmod 755 "$policy"
+  # shellcheck disable=SC2064
+  trap "${root[*]} rm -f $policy" EXIT
+}
 
 install_missing() {
   local missing=()
@@ -65,8 +77,11 @@ install_missing() {
   done
   # Debian 12 has MuJoCo, Ubuntu 22.04 has not: without it, the test that loads MJCF says so.
   if [ "$goal" != program ] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
-  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
-    --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
+  (
+    [ "$goal" = program ] || start_no_service
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
+      --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
+  )
 }
 
 install_missing

@@ -1,5 +1,7 @@
 // What an archive on a server does with servers and databases that cannot serve it.
 
+#include "archive/postgres_archive.h"
+
 #include <gtest/gtest.h>
 
 #include "archive/postgres_place.h"
@@ -12,6 +14,7 @@ namespace tribolog::archive {
 namespace {
 
 using test::AnyArchive;
+using test::PostgresArchive;
 using test::PostgresPlace;
 using test::PostgresServer;
 using test::sample_calibration;
@@ -25,43 +28,6 @@ INSTANTIATE_TEST_SUITE_P(
       if (!why.empty()) return nullptr;
       return std::make_unique<PostgresPlace>();
     }));
-
-class PostgresArchive : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!server_.why_not().empty()) GTEST_SKIP() << server_.why_not();
-  }
-  /// What opening refuses with.
-  struct Refusal {
-    ExitStatus status{};
-    std::string words;
-  };
-  template <class Action>
-  Refusal refusal_of(const Action& action) const {
-    try {
-      action();
-    } catch (const Error& error) {
-      const std::string words = error.what();
-      EXPECT_EQ(words.find(PostgresServer::password_in_uri()), std::string::npos) << words;
-      EXPECT_EQ(words.find("p@ss"), std::string::npos) << words;
-      EXPECT_EQ(words.find('\n'), std::string::npos) << words;
-      return {error.status(), words};
-    }
-    return {};
-  }
-  Refusal refusal(const std::string& uri, sql::Access access = sql::Access::write) const {
-    return refusal_of([&] { (void)open_archive(uri, access, 300); });
-  }
-  void expect(const Refusal& refused, ExitStatus status, const char* words) const {
-    EXPECT_EQ(refused.status, status) << refused.words;
-    EXPECT_NE(refused.words.find(words), std::string::npos) << refused.words;
-  }
-  static std::string replaced(std::string text, const std::string& from, const std::string& by) {
-    return text.replace(text.find(from), from.size(), by);
-  }
-
-  PostgresServer& server_{PostgresServer::of_this_program()};
-};
 
 TEST_F(PostgresArchive, SaysInOneLineWhyThereIsNoConnection) {
   constexpr ExitStatus failed = ExitStatus::archive_failed;
@@ -121,23 +87,6 @@ TEST_F(PostgresArchive, WhoMayNotWriteReadsAndIsToldSo) {
   expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 4, 0.45), false, now); }),
          ExitStatus::output_failed, "permission denied");
   EXPECT_EQ(archive.list({}).size(), 1U);
-}
-
-TEST_F(PostgresArchive, AFullDiskIsAnOutputErrorAndKeepsNothing) {
-  const std::string uri = server_.new_database();
-  CalibrationArchive archive = open_archive(uri, sql::Access::write);
-  // What the server answers when it cannot make a file longer.
-  server_.run(
-      "CREATE FUNCTION no_space() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
-      "'could not extend file: No space left on device' USING ERRCODE = 'disk_full'; END $$;"
-      "CREATE TRIGGER no_space BEFORE INSERT ON event EXECUTE FUNCTION no_space()",
-      uri);
-  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
-         ExitStatus::output_failed, "no space left");
-  EXPECT_TRUE(archive.list({}).empty());
-  server_.run("DROP TRIGGER no_space ON event", uri);
-  EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
-  EXPECT_TRUE(archive.verify("", {}).faults.empty());
 }
 
 TEST_F(PostgresArchive, SaysThatAnotherProcessHasLockedIt) {

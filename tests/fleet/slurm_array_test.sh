@@ -53,9 +53,9 @@ cp -r "$scratch/fleet" "$scratch/serial"
 while IFS= read -r manifest; do
   "$TRIBOLOG" --quiet identify "$manifest" -o "${manifest%.toml}.calibration.json" "${options[@]}" \
     </dev/null
-  "$TRIBOLOG" --quiet archive add "${manifest%.toml}.calibration.json" \
-    --archive "$scratch/serial.tribolog" </dev/null
 done < <(sed "s|$scratch/fleet|$scratch/serial|" "$scratch/manifests")
+find "$scratch/serial" -name '*.calibration.json' -print0 |
+  xargs -0 "$TRIBOLOG" --quiet archive add --archive "$scratch/serial.tribolog"
 echo "identified and archived one after the other in $(seconds_since "$began")"
 "$TRIBOLOG" archive list --json --archive "$scratch/serial.tribolog" >"$scratch/expected.json"
 [ "$(grep -c '"digest"' "$scratch/expected.json")" -eq "$datasets" ] || fail "the serial archive"

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # A Slurm cluster on loopback for a test: to be sourced. Two nodes of two workers each on this
 # machine, with a munge key of its own, all in a directory; no service of the system is touched.
 #   start_slurm DIR     exports SLURM_CONF; returns 77 where Slurm is not installed

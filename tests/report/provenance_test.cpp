@@ -32,6 +32,11 @@ TEST(CommandLine, TellsNothingAboutTheMachine) {
 }
 
 TEST(CommandLine, QuotesWhatAShellWouldSplit) {
+  for (const char* const server :
+       {"postgresql://u:secret@host/db", "--archive=postgres://u:secret@host/db"}) {
+    EXPECT_EQ(command_line_text({"tribolog", server}).find("secret"), std::string::npos);
+    EXPECT_NE(command_line_text({"tribolog", server}).find("://..."), std::string::npos);
+  }
   EXPECT_EQ(command_line_text({"tribolog", "a b", "it's", ""}), "tribolog 'a b' 'it'\\''s' ''");
 }
 
