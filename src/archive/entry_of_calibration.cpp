@@ -143,10 +143,10 @@ void refuse_nul(const Json& value, const std::string& file) {
     if (text.find('\0') != std::string::npos) {
       refuse(file, "the character NUL stands in " + in_quotes(text), "text without it");
     }
+    return;  // the elements of a text that is not structured would be itself
   }
-  for (const Json& inner : value) {
-    if (inner.is_structured() || inner.is_string()) refuse_nul(inner, file);
-  }
+  if (!value.is_structured()) return;
+  for (const Json& inner : value) refuse_nul(inner, file);
 }
 
 std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
