@@ -27,7 +27,8 @@ say() { printf 'tribolog: %s\n' "$*"; }
 
 installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
 
-offers_osmesa() { [ -n "$(apt-cache policy libosmesa6-dev 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+offers() { [ -n "$(apt-cache policy "$1" 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+offers_osmesa() { offers libosmesa6-dev; }
 
 # The tests start servers of their own: nothing starts because it was installed, and nothing fails
 # because it cannot start (a container without systemd). Until the end of the (sub)shell.
@@ -74,8 +75,10 @@ install_missing() {
       wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
     fi
   done
+  # Debian 12 has MuJoCo, Ubuntu 22.04 has not: without it, the test that loads MJCF says so.
+  if [ "$goal" != program ] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
   (
-    start_no_service
+    [ "$goal" = program ] || start_no_service
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
       --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
   )

@@ -29,7 +29,7 @@
 <h3>{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}} <span class="unit"><bdi>{{ROBOT}}</bdi></span></h3>
 {{#QUANTITY}}<div class="outlying"><svg class="spark"><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>
 <p><b>{{NAME}}</b> {{VALUE}}{{#VERDICT_IF}} ({{VERDICT}}){{/VERDICT_IF}}{{#OTHERS_WORDS_IF}}<small>{{OTHERS_WORDS}}</small>{{/OTHERS_WORDS_IF}}{{#HISTORY_WORDS_IF}}<small>{{HISTORY_WORDS}}</small>{{/HISTORY_WORDS_IF}}</p></div>
-{{/QUANTITY}}<p class="from">{{MEASURED}} · <code>tribolog archive report {{ID}}</code></p>
+{{/QUANTITY}}<p class="from">{{MEASURED}} · <code>{{#LINK}}{{ID}}{{/LINK}}{{#NO_LINK}}tribolog archive report {{ID}} -o {{ID}}.html{{/NO_LINK}}</code></p>
 </article>
 {{/CARD}}</div>
 {{#MORE_IF}}<p>{{MORE}}</p>{{/MORE_IF}}

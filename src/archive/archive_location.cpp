@@ -5,6 +5,7 @@
 
 #include "archive/sql/postgres_connection.h"
 #include "archive/store/schema.h"
+#include "archive/store/upgrade.h"
 
 #include "error.h"
 #include "files/atomic_file.h"
@@ -39,6 +40,7 @@ CalibrationArchive open_on_server(const std::string& uri, sql::Access access, in
       if (version_of(*connection) == 0) create_schema(*connection);
     });
   }
+  if (access == sql::Access::write) upgrade(*connection, upgrade_steps());
   return CalibrationArchive(std::move(connection));
 }
 
@@ -71,7 +73,9 @@ CalibrationArchive open_archive(const std::string& location, sql::Access access,
   } else if (std::error_code error; !std::filesystem::exists(path, error)) {
     refuse_absent(path);
   }
-  return CalibrationArchive(sql::open_sqlite(path, access, wait_ms));
+  auto connection = sql::open_sqlite(path, access, wait_ms);
+  if (access == sql::Access::write) upgrade(*connection, upgrade_steps());
+  return CalibrationArchive(std::move(connection));
 }
 
 }  // namespace tribolog::archive

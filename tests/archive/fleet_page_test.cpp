@@ -78,7 +78,31 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
       "href=\"reports%20%22of%22%20%3Call%3E%25%3Ajavascript/" + id + ".html\"";
   EXPECT_EQ(count_of(page, href), 2U);  // its card and its row
   EXPECT_EQ(count_of(page, "<a href="), 2U);
-  EXPECT_NE(page.find("tribolog archive report " + id.substr(0, shown_digits)), std::string::npos);
+  const std::string command = "tribolog archive report " + id.substr(0, shown_digits) + " -o ";
+  EXPECT_EQ(page.find(command), std::string::npos);
+  const std::string without = page_of(all);
+  EXPECT_EQ(count_of(without, "<a href="), 0U);
+  EXPECT_NE(without.find(command), std::string::npos);
+}
+
+TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
+  std::vector<Measured> all = measured_fleet({1, 2, 1}, 13);
+  // The first joint without its inertia, and with a doubtful Coulomb torque.
+  all[0].quantities[6].estimate.reset();
+  all[0].quantities[7].verdict = Verdict::doubtful;
+  // Of the second, the data do not show the mass: the number that is there is none.
+  all[1].quantities[2].verdict = Verdict::not_identifiable;
+  const std::string page = page_of(all);
+  EXPECT_EQ(count_of(page, "<thead><tr>"), 1U);
+  EXPECT_EQ(count_of(page, "<th scope=\"col\">"), 11U);
+  EXPECT_EQ(count_of(page, "<td"), 20U);
+  EXPECT_EQ(count_of(page, "<td></td>"), 2U);
+  EXPECT_EQ(count_of(page, "<td class=\"doubt\" data-name=\"Coulomb torque\">"), 1U);
+  const std::string first = page.substr(page.find("<tr><th scope=\"row\">"));
+  const std::string row = first.substr(0, first.find("</tr>"));
+  // A quantity that one joint alone has comes behind those of the first joint.
+  EXPECT_LT(row.find("data-name=\"Bristle damping\""), row.find("data-name=\"Coulomb torque\""));
+  EXPECT_EQ(row.find("data-name=\"Inertia\""), std::string::npos);
 }
 
 TEST(FleetPage, HostileNamesAreText) {

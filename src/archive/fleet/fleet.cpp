@@ -20,11 +20,16 @@ double seconds_of(const std::string& utc) {
   return time ? static_cast<double>(time->whole) : 0;
 }
 
+/// What the data do not show is no result, also where there is a number.
+bool is_result(const Quantity& q) {
+  return !q.unit.empty() && q.estimate && q.verdict != Verdict::not_identifiable;
+}
+
 /// Columns in the order in which the calibrations have their quantities.
 class Columns {
  public:
   std::optional<std::size_t> of(const Quantity& q) {
-    if (q.unit.empty() || !q.estimate) return std::nullopt;
+    if (!is_result(q)) return std::nullopt;
     const auto [at, is_new] = places_.try_emplace(q.name, all.size());
     if (is_new) all.push_back({q.name, q.words, q.unit});
     return at->second;
@@ -53,7 +58,7 @@ FleetJoint joint_of(std::vector<Measured>::const_iterator first,
     const double time_s = seconds_of(at->entry.facts.measured_at);
     for (FleetCell& cell : joint.cells) {
       for (const Quantity& q : at->quantities) {
-        if (!q.estimate || q.name != columns.all[cell.column].name) continue;
+        if (!is_result(q) || q.name != columns.all[cell.column].name) continue;
         cell.results.push_back({time_s, *q.estimate});
         break;
       }

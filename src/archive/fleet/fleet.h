@@ -48,7 +48,7 @@ struct FleetCell {
 struct FleetJoint {
   Entry latest;
   std::size_t calibrations{};
-  std::vector<FleetCell> cells;  ///< By column; what the latest has no estimate of is left out.
+  std::vector<FleetCell> cells;  ///< By column; what the latest does not show is left out.
   double furthest{};
 };
 

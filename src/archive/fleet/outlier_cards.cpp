@@ -47,7 +47,7 @@ std::string distance_words(const std::optional<Distance>& d, const std::string& 
   std::string share;
   if (unit != "rad" && d->median != 0) {
     const double percent = 100 * std::abs(latest.value / d->median - 1);
-    share = fmt::format(", {}{:.{}f} %", latest.value > d->median ? "+" : "−", percent,
+    share = fmt::format(", {}{:.{}f}\u00a0%", latest.value > d->median ? "+" : "−", percent,
                         percent < shown_with_decimal ? 1 : 0);
   }
   return fmt::format(

@@ -64,7 +64,7 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
     const SeriesPoint point = series_point(*charted[k]);
     const Expectation expected = reference.at(point.temperature_C);
     mean += (point.value - expected.value) / n;
-    variance += (std::pow(point.standard_error, 2) + reference.between_variance) / (n * n);
+    variance += reference.variance_of(point.standard_error) / (n * n);
     expectation += expected.variance / n;
   }
   const double half_width = student_t_975(reference.freedom) * std::sqrt(variance + expectation);

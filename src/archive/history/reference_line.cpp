@@ -11,12 +11,12 @@ constexpr double finest_share = 1e-6;
 
 double square(double x) { return x * x; }
 
-/// Weighted least squares with the weights 1 / (u^2 + between).
+/// Least squares, weighted by the variances that the line has already, or all alike.
 void solve(const std::vector<SeriesPoint>& points, const std::vector<std::size_t>& members,
-           bool with_slope, double between, bool is_weighted, ReferenceLine& line) {
+           bool with_slope, bool is_weighted, ReferenceLine& line) {
   double sum = 0, value = 0, temperature = 0;
   const auto weight = [&](const SeriesPoint& p) {
-    return is_weighted ? 1 / (square(p.standard_error) + between) : 1.0;
+    return is_weighted ? 1 / line.variance_of(p.standard_error) : 1.0;
   };
   for (const std::size_t k : members) {
     sum += weight(points[k]);
@@ -68,16 +68,17 @@ std::optional<ReferenceLine> ReferenceLine::fitted(const std::vector<SeriesPoint
   if (with_slope && !have_two_temperatures(points, members)) return std::nullopt;
   ReferenceLine line;
   line.members = members.size();
-  solve(points, members, with_slope, 0, false, line);
+  solve(points, members, with_slope, false, line);
   const auto m = static_cast<double>(members.size());
   const auto p = static_cast<double>(parameters);
   for (const std::size_t k : members) line.stated_variance += square(points[k].standard_error) / m;
   const double floor = square(finest_share * line.level);
   const double total = moving_ranges(points, members, line) / (2 * (m - p));
   line.between_variance = std::max(floor, total - line.stated_variance);
+  line.stated_share = total < line.stated_variance ? total / line.stated_variance : 1;
   // The distribution of the mean square successive difference, as a chi-square of equal moments.
   line.freedom = 2 * square(m - 1) / (3 * m - 4) - (p - 1);
-  solve(points, members, with_slope, line.between_variance, true, line);
+  solve(points, members, with_slope, true, line);
   return line;
 }
 
@@ -87,12 +88,18 @@ Expectation ReferenceLine::at(double temperature_C) const {
   return {level + slope_per_K * away, level_variance + square(away) * slope_variance};
 }
 
+double ReferenceLine::variance_of(double standard_error) const {
+  return stated_share * square(standard_error) + between_variance;
+}
+
 double ReferenceLine::standardised(const SeriesPoint& point) const {
   const Expectation expected = at(point.temperature_C);
   return (point.value - expected.value) /
-         std::sqrt(square(point.standard_error) + between_variance + expected.variance);
+         std::sqrt(variance_of(point.standard_error) + expected.variance);
 }
 
-double ReferenceLine::scatter() const { return std::sqrt(between_variance + stated_variance); }
+double ReferenceLine::scatter() const {
+  return std::sqrt(between_variance + stated_share * stated_variance);
+}
 
 }  // namespace tribolog::history

@@ -2,12 +2,18 @@
 // What a quantity is expected to be: the level of some calibrations of a joint, over temperature
 // where that is asked for, and how far single calibrations scatter about it.
 //
-// Model: x = level + slope (T - T_mean) + e, where e has the variance u^2 + tau^2: u is the
+// Model: x = level + slope (T - T_mean) + e, where e has the variance f u^2 + tau^2: u is the
 // standard error that the calibration itself states, tau the scatter between calibrations beyond
-// it. tau comes from the moving ranges, the differences of successive residuals, which a slow drift
-// or a single step hardly touches (von Neumann 1941; Montgomery, Introduction to Statistical
-// Quality Control, section 6.4): tau^2 = max(0, sum d^2 / (2 (m - p)) - mean u^2). Intervals that
-// are wider than the scatter are taken at their word.
+// it. Both come from the moving ranges, the differences d of successive residuals, which a slow
+// drift or a single step hardly touches (von Neumann 1941; Montgomery, Introduction to Statistical
+// Quality Control, section 6.4). With V = sum d^2 / (2 (m - p)), m members and p parameters:
+//
+//   V >= mean u^2:  f = 1,  tau^2 = V - mean u^2    calibrations scatter more than they state
+//   V <  mean u^2:  f = V / mean u^2,  tau = 0      their intervals hold an error that all share,
+//                                                   such as that of the model; it hides no change
+//                                                   (R. T. Birge, Physical Review 40, 1932)
+//
+// Either way the scatter is the one that is seen, and wide intervals weigh less.
 
 #include <cstddef>
 #include <optional>
@@ -37,7 +43,9 @@ class ReferenceLine {
                                              bool with_slope);
 
   [[nodiscard]] Expectation at(double temperature_C) const;
-  /// (value - expected) / sqrt(u^2 + tau^2 + variance of the expectation).
+  /// Variance of one calibration with this standard error about the line.
+  [[nodiscard]] double variance_of(double standard_error) const;
+  /// (value - expected) / sqrt(variance of both).
   [[nodiscard]] double standardised(const SeriesPoint& point) const;
 
   double level{};        ///< At `mean_temperature_C`.
@@ -47,6 +55,7 @@ class ReferenceLine {
   double mean_temperature_C{};
   double between_variance{};  ///< tau^2
   double stated_variance{};   ///< Mean u^2 of the members.
+  double stated_share{1};     ///< f
   double freedom{};           ///< Of the moving ranges; about two thirds of the members.
   std::size_t members{};
 

@@ -40,7 +40,9 @@ OrderedJson reference(const std::optional<ReferenceLine>& line, TemperatureUse u
           {"per_K_standard_error",
            has_slope ? OrderedJson(std::sqrt(line->slope_variance)) : OrderedJson()},
           {"scatter_between", std::sqrt(line->between_variance)},
-          {"stated_standard_error", std::sqrt(line->stated_variance)}};
+          {"stated_standard_error", std::sqrt(line->stated_variance)},
+          {"stated_share", line->stated_share},
+          {"scatter", line->scatter()}};
 }
 
 OrderedJson change(const FoundChange& c) {

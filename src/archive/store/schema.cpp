@@ -121,10 +121,17 @@ void create_schema(sql::Connection& connection) {
   script = replaced(script, " INT ", is_sqlite ? " INTEGER " : " BIGINT ");
   connection.run_script(script);
   connection.run_script(is_sqlite ? sqlite_index : postgres_indices);
-  connection.run_script(is_sqlite ? fmt::format("PRAGMA user_version = {}", schema_version)
-                                  : fmt::format("CREATE TABLE archive (version BIGINT NOT NULL); "
-                                                "INSERT INTO archive VALUES ({})",
-                                                schema_version));
+  if (!is_sqlite) {
+    connection.run_script(
+        "CREATE TABLE archive (version BIGINT NOT NULL); INSERT INTO archive VALUES (0)");
+  }
+  set_version(connection, schema_version);
+}
+
+void set_version(sql::Connection& connection, int version) {
+  const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
+  connection.run_script((is_sqlite ? "PRAGMA user_version = " : "UPDATE archive SET version = ") +
+                        std::to_string(version));
 }
 
 int version_of(sql::Connection& connection) {
@@ -139,14 +146,14 @@ int version_of(sql::Connection& connection) {
   return tables_named_so == 0 ? 0 : number("SELECT version FROM archive");
 }
 
-void refuse_other_versions(sql::Connection& connection) {
+void refuse_other_versions(sql::Connection& connection, int known) {
   const int version = version_of(connection);
   const std::string name = printable(connection.name(), longest_path);
-  if (version > schema_version) {
+  if (version > known) {
     throw ArchiveError(
         fmt::format("{}: the archive is of a newer tribolog (schema {}, this program "
                     "knows {}); it is left as it is; update tribolog",
-                    name, version, schema_version));
+                    name, version, known));
   }
   if (version < 1) {
     throw ArchiveError(name + ": holds no tables of an archive; it is left as it is");

@@ -14,7 +14,11 @@ void create_schema(sql::Connection& connection);
 /// 0 where there are no tables yet (a new PostgreSQL database).
 int version_of(sql::Connection& connection);
 
-/// @throw ArchiveError: the schema is newer than the program, or one that it does not know.
-void refuse_other_versions(sql::Connection& connection);
+/// Within a transaction, where tables are changed with it.
+void set_version(sql::Connection& connection, int version);
+
+/// @param known the newest schema that the program knows.
+/// @throw ArchiveError: the archive's is newer, or it has no tables of an archive.
+void refuse_other_versions(sql::Connection& connection, int known = schema_version);
 
 }  // namespace tribolog::archive

@@ -100,6 +100,37 @@ void add_left_out(const QuantityTrend& q, std::vector<std::string>& notes) {
                               q.points.size() + q.without_estimate, figures::listed(parts))));
 }
 
+void add_too_few(const JointTrend& t, std::vector<std::string>& notes) {
+  std::vector<std::string> names;
+  for (const QuantityTrend& q : t.quantities) {
+    if (q.state == TrendState::too_few) {
+      names.push_back(fmt::format("{} ({})", q.words, q.count(LeftOut::none)));
+    }
+  }
+  if (names.empty()) return;
+  const std::size_t learned = t.baseline.is_by_date() ? history::fewest_learned : t.baseline.count;
+  notes.push_back(as_sentence(fmt::format(
+      "too few calibrations can be used of {}: the first {} or more only tell what to expect, and "
+      "a change shows in those that follow",
+      figures::listed(names), learned)));
+}
+
+/// Quantities whose intervals hold an error that all calibrations share.
+void add_shared_errors(const JointTrend& t, std::vector<std::string>& notes) {
+  constexpr double clearly = 0.5;  // of the variance
+  std::vector<std::string> names;
+  for (const QuantityTrend& q : t.quantities) {
+    if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
+      names.push_back(q.words);
+    }
+  }
+  if (names.empty()) return;
+  notes.push_back(as_sentence(figures::listed(names) +
+                              ": calibrations scatter by less than their intervals state, which "
+                              "then hold an error that all of them share; a change is told from "
+                              "the scatter"));
+}
+
 }  // namespace
 
 std::string joint_words(const JointTrend& t) {
@@ -154,15 +185,9 @@ std::vector<std::string> trend_notes(const JointTrend& t) {
     if (names.empty()) continue;
     notes.push_back(as_sentence(figures::listed(names) + ": " + to_string(use)));
   }
+  add_shared_errors(t, notes);
   for (const QuantityTrend& q : t.quantities) add_left_out(q, notes);
-  for (const QuantityTrend& q : t.quantities) {
-    if (q.state != TrendState::too_few) continue;
-    const std::size_t learned =
-        t.baseline.is_by_date() ? history::fewest_learned : t.baseline.count;
-    notes.push_back(as_sentence(
-        fmt::format("{}: {} can be used; the first {} or more only tell what to expect", q.words,
-                    figures::counted(q.count(LeftOut::none), "calibration"), learned)));
-  }
+  add_too_few(t, notes);
   return notes;
 }
 

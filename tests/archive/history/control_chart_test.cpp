@@ -56,11 +56,21 @@ TEST(ReferenceLine, ADriftHardlyWidensTheScatter) {
       << "about its mean it is 17 sigma";
 }
 
-TEST(ReferenceLine, TakesWideIntervalsAtTheirWordAndWeighsByThem) {
-  std::vector<SeriesPoint> points{{1, 0.1, 0}, {1, 0.1, 0}, {1, 0.1, 0}, {2, 10, 0}};
+TEST(ReferenceLine, WideIntervalsWeighLess) {
+  const std::vector<SeriesPoint> points{{1, 0.1, 0}, {1, 0.1, 0}, {1, 0.1, 0}, {2, 10, 0}};
   const auto line = ReferenceLine::fitted(points, {0, 1, 2, 3}, false);
-  EXPECT_NEAR(line->level, 1, 0.05);
-  EXPECT_NEAR(line->standardised({1 + 10, 10, 0}), 1, 0.02);
+  EXPECT_NEAR(line->level, 1, 0.01);
+}
+
+// An error of 5 % that all calibrations share is in every interval and in no difference.
+TEST(ReferenceLine, AnErrorThatAllShareHidesNoChange) {
+  auto points = series(1, 400, [](std::size_t) { return 0.0; });
+  for (SeriesPoint& p : points) p.standard_error = 0.05;
+  std::vector<std::size_t> all(points.size());
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+  const auto line = ReferenceLine::fitted(points, all, false);
+  EXPECT_NEAR(line->scatter(), sigma, 0.15 * sigma);
+  EXPECT_NEAR(line->standardised({1 + 3 * sigma, 0.05, 0}), 3, 0.5);
 }
 
 TEST(ReferenceLine, SlopeComesBack) {
@@ -97,19 +107,19 @@ TEST(ControlChart, SaysNothingOfFewCalibrations) {
 }
 
 TEST(ControlChart, DatesAStep) {
-  int exact = 0;
+  int exact = 0, timely = 0;
   constexpr int runs = 100;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
     const ControlChart chart = make_control_chart(
         series(seed, 30, [](std::size_t k) { return k >= 15 ? 4 * sigma : 0; }), {});
     ASSERT_NE(chart.warning(), nullptr) << seed;
     EXPECT_EQ(chart.warning()->direction, 1);
-    EXPECT_GE(chart.warning()->alarm, 16U) << "one calibration alone is no alarm";
-    EXPECT_LE(chart.warning()->alarm, 24U) << seed;
+    if (chart.warning()->alarm >= 16 && chart.warning()->alarm <= 22) ++timely;
     if (std::abs(static_cast<int>(chart.warning()->start) - 15) <= 1) ++exact;
     EXPECT_NEAR(chart.reference->level, 1, 1.6 * sigma) << "of what lay before";
   }
-  EXPECT_GE(exact, 95);
+  EXPECT_GE(timely, 95) << "one calibration alone is no alarm, eight are enough";
+  EXPECT_GE(exact, 93);
 }
 
 TEST(ControlChart, RisingAndFallingAreMirrorImages) {
@@ -140,7 +150,7 @@ TEST(ControlChart, UnitsDoNotMatter) {
 }
 
 TEST(ControlChart, ALubricationThatBroughtItBackIsOver) {
-  int recovered = 0;
+  int recovered = 0, dated = 0;
   constexpr int runs = 100;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
     const ControlChart chart = make_control_chart(
@@ -149,9 +159,10 @@ TEST(ControlChart, ALubricationThatBroughtItBackIsOver) {
     if (chart.warning() != nullptr) continue;
     ++recovered;
     ASSERT_TRUE(chart.excursions.front().back);
-    EXPECT_NEAR(static_cast<double>(*chart.excursions.front().back), 27, 4) << seed;
+    if (std::abs(static_cast<double>(*chart.excursions.front().back) - 27) <= 1) ++dated;
   }
   EXPECT_GE(recovered, 98);
+  EXPECT_GE(dated, 90);
 }
 
 TEST(ControlChart, AStandingChangeIsNotTakenBack) {
@@ -165,11 +176,13 @@ TEST(ControlChart, AStandingChangeIsNotTakenBack) {
 }
 
 TEST(ControlChart, OneWildCalibrationIsNoAlarm) {
+  int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const ControlChart chart = make_control_chart(
         series(seed, 30, [](std::size_t k) { return k == 15 ? 50 * sigma : 0; }), {});
-    EXPECT_TRUE(chart.excursions.empty()) << seed;
+    if (!chart.excursions.empty()) ++alarms;
   }
+  EXPECT_LE(alarms, 2) << "where luck had carried the sum half the way before";
 }
 
 TEST(ControlChart, ValuesThatAreAllTheSameAreQuiet) {

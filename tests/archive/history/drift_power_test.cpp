@@ -67,13 +67,16 @@ TEST(DriftPower, ThreePercentInTwentyCalibrationsAreFound) {
 }
 
 TEST(DriftPower, NoisierJointsNeedMoreCalibrations) {
-  HistoryShape noisy;
-  noisy.noise = {0.009, 0.0044};
-  const double in_20 = power(noisy);
-  noisy.calibrations = 60;
-  const double in_60 = power(noisy);
-  std::printf("repeatability 1 %%: found in %.1f %% over 20 calibrations, %.1f %% over 60\n",
-              100 * in_20, 100 * in_60);
+  HistoryShape shape;
+  for (const double percent : {0.6, 0.7, 0.8, 1.0}) {
+    shape.noise = {0.009 * percent, 0.0044 * percent};
+    std::printf("repeatability %.1f %%: found in %.1f %%\n", percent, 100 * power(shape));
+  }
+  const double in_20 = power(shape);
+  shape.calibrations = 60;
+  const double in_60 = power(shape);
+  std::printf("repeatability 1 %%, the drift over 60 calibrations: found in %.1f %%\n",
+              100 * in_60);
   EXPECT_GE(in_60, 0.9);
   EXPECT_GT(in_60, in_20);
 }
@@ -85,12 +88,12 @@ TEST(DriftPower, TwoHundredJointsWithoutDriftRaiseAtMostTwoAlarms) {
   EXPECT_LE(alarms, 2U);
 }
 
-// The promise of the header, over enough joints that luck plays no part: 0.5 % expected, 5000
-// joints give 25 +- 5.
+// The promise of the header, over enough joints that luck plays no part: 0.4 % expected, 5000
+// joints give 20 +- 4.5.
 TEST(DriftPower, FalseAlarmsAreAsRareAsPromised) {
   const std::size_t alarms = false_alarms(100000, 5000, {});
   std::printf("5000 joints: %zu alarms\n", alarms);
-  EXPECT_LE(alarms, 45U);
+  EXPECT_LE(alarms, 38U);
   EXPECT_GE(alarms, 1U) << "a chart that cannot alarm finds nothing either";
 }
 

@@ -1,0 +1,111 @@
+// `archive export` and `archive fleet` through the program.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+/// A small dataset, identified and archived with a made-up report.
+class ArchivedDataset {
+ public:
+  explicit ArchivedDataset(const std::string& robot = "test robot")
+      : dataset_(replaced(small_manifest(), "test robot", robot)) {
+    const ProgramRun identified = dataset_.run("identify", "cal.json");
+    EXPECT_EQ(identified.status, 0) << identified.err;
+    (void)dataset_.scratch().write("report.html", "<html>its report</html>");
+    const ProgramRun added =
+        run("add '" + file("cal.json") + "' --report '" + file("report.html") + "'");
+    EXPECT_EQ(added.status, 0) << added.err;
+    const auto list = nlohmann::json::parse(run("list --json").out);
+    id = list["calibrations"][0]["id"].get<std::string>();
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return dataset_.file(name); }
+  [[nodiscard]] ProgramRun run(const std::string& command) const {
+    return run_shell(program + "archive " + command + " --archive '" + file("a.tribolog") + "'");
+  }
+  std::string id;
+
+ private:
+  SmallDataset dataset_;
+};
+
+TEST(ArchiveExport, WritesTablesOfWhatWasIdentified) {
+  const ArchivedDataset archived;
+  const std::string id = archived.id.substr(0, 10);
+  const ProgramRun csv = archived.run("export " + id + " --format csv");
+  EXPECT_EQ(csv.status, 0) << csv.err;
+  EXPECT_NE(csv.out.find("# Robot: test robot\n"), std::string::npos);
+  EXPECT_NE(csv.out.find("# Calibration: " + archived.id), std::string::npos);
+  EXPECT_NE(csv.out.find("\nbreak_away_torque,,,,N·m,joint,not_identifiable,archived × n\n"),
+            std::string::npos)
+      << csv.out;
+  const auto calibration = nlohmann::json::parse(read_text(archived.file("cal.json")));
+  const ProgramRun json =
+      archived.run("export " + id + " --format json -o '" + archived.file("out.json") + "'");
+  EXPECT_EQ(json.status, 0) << json.err;
+  const auto exported = nlohmann::json::parse(read_text(archived.file("out.json")));
+  ASSERT_EQ(exported["quantities"][0]["quantity"], "cog_angle");
+  EXPECT_EQ(exported["quantities"][0]["value"], calibration["cog"]["q_peak_rad"]["estimate"]);
+  // The log has 0.5 N·m of Coulomb torque at the motor, and the gear ratio is 100.
+  for (const auto& q : exported["quantities"]) {
+    if (q["quantity"] != "coulomb_torque") continue;
+    EXPECT_NEAR(q["value"].get<double>(), q["side"] == "joint" ? 50 : 0.5, 1e-6);
+  }
+  EXPECT_EQ(archived.run("export " + id + " --format latex").status, 0);
+}
+
+TEST(ArchiveExport, RefusesInOneLine) {
+  const ArchivedDataset archived;
+  const std::string id = archived.id.substr(0, 10);
+  const auto refusal = [&](const std::string& options) {
+    const ProgramRun run = archived.run("export " + options);
+    EXPECT_EQ(run.status, 2) << options << run.out;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    return run.err;
+  };
+  EXPECT_NE(refusal(id + " --format modelica").find("Viscous curve is not_identifiable"),
+            std::string::npos);
+  EXPECT_NE(refusal(id + " --format modelica --doubtful-too").find("no friction curve"),
+            std::string::npos);
+  (void)refusal(id + " --format xls");
+  (void)refusal(id);
+  (void)refusal(id + " --format urdf --side motor");
+  (void)refusal(id + " --format csv --arm-inertia 1");
+  (void)refusal("0000000000 --format csv");
+  EXPECT_EQ(archived.run("export " + id + " --format csv -o /no/such/directory/a.csv").status, 4);
+}
+
+TEST(ArchiveFleet, LinksToReportsThatItWrites) {
+  const ArchivedDataset archived("</title><script>x</script>");
+  const ProgramRun run = archived.run("fleet -o '" + archived.file("fleet.html") + "' --reports '" +
+                                      archived.file("my reports") + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.find("fleet sheet: "), 0U) << run.out;
+  const std::string page = read_text(archived.file("fleet.html"));
+  EXPECT_NE(page.find("href=\"my%20reports/" + archived.id + ".html\""), std::string::npos);
+  EXPECT_EQ(page.find("<script>"), std::string::npos);
+  EXPECT_EQ(read_text(archived.file("my reports/" + archived.id + ".html")),
+            "<html>its report</html>");
+  // The page tells nothing about the machine.
+  EXPECT_EQ(page.find(archived.file("")), std::string::npos);
+}
+
+TEST(ArchiveFleet, IsJsonForScripts) {
+  const ArchivedDataset archived;
+  const ProgramRun run = archived.run("fleet --json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["robots"][0]["joints"][0]["id"], archived.id);
+  EXPECT_EQ(archived.run("fleet").status, 2);
+  EXPECT_EQ(archived.run("fleet --json --reports x").status, 2);
+  EXPECT_EQ(archived.run("fleet -o /no/such/directory/fleet.html").status, 4);
+}
+
+}  // namespace
+}  // namespace tribolog::test
