@@ -7,6 +7,8 @@
 #include "archive/postgres_place.h"
 #include "archive/sample_calibration.h"
 #include "archive/sql/postgres_connection.h"
+#include "archive/store/schema.h"
+#include "archive/store/upgrade.h"
 
 #include "error.h"
 
@@ -145,6 +147,23 @@ TEST_F(PostgresArchive, ANewerSchemaAndOtherTablesAreLeftAlone) {
   EXPECT_EQ(server_.run("SELECT count(*) FROM pg_tables WHERE schemaname = 'public'", other), "1");
   server_.run("CREATE TABLE archive (x int)", other);
   expect(refusal(other), ExitStatus::archive_failed, "damaged");
+}
+
+TEST_F(PostgresArchive, IsBroughtUpToDateWhollyOrNotAtAll) {
+  const std::string uri = server_.new_database();
+  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  const auto connection = sql::open_postgres(uri, sql::Access::write, 300);
+  const UpgradeStep adds = [](sql::Connection& c) {
+    c.run_script("ALTER TABLE calibration ADD COLUMN site TEXT NOT NULL DEFAULT 'here'");
+  };
+  const UpgradeStep fails = [](sql::Connection&) { throw ArchiveError("no further"); };
+  EXPECT_THROW(upgrade(*connection, {adds, fails}), ArchiveError);
+  EXPECT_EQ(version_of(*connection), 1);
+  EXPECT_TRUE(open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
+  EXPECT_EQ(upgrade(*connection, {adds}), 1);
+  EXPECT_EQ(version_of(*connection), 2);
+  EXPECT_EQ(connection->run("SELECT site FROM calibration").front().front().text(), "here");
+  expect(refusal(uri), ExitStatus::archive_failed, "newer tribolog");
 }
 
 TEST_F(PostgresArchive, TakesNoDatabaseInAnotherEncoding) {
