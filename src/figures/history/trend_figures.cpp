@@ -8,6 +8,7 @@
 #include "figures/history/history_axes.h"
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
+#include "stages/student_t.h"
 
 namespace tribolog {
 namespace {
@@ -193,13 +194,13 @@ std::string caption_of(const QuantityTrend& trend, const AxisScale& scale) {
     for (std::size_t k = 0; k < changes.size(); ++k) caption += (k > 0 ? "; " : "") + changes[k];
   }
   if (trend.reference) {
-    caption +=
-        fmt::format(". Reference {} from {}",
-                    figures::with_interval(
-                        symmetric_estimate(trend.reference->level,
-                                           2 * std::sqrt(trend.reference->level_variance), ""),
-                        scale),
-                    figures::counted(trend.reference->members, "calibration"));
+    caption += fmt::format(
+        ". Reference {} from {}",
+        figures::with_interval(
+            symmetric_estimate(trend.reference->level,
+                               normal_975 * std::sqrt(trend.reference->level_variance), ""),
+            scale),
+        figures::counted(trend.reference->members, "calibration"));
   }
   return caption + ".";
 }

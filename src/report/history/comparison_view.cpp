@@ -23,7 +23,7 @@ Scale scale_of(const ComparedQuantity& q) {
   return quantity_scale(q.unit, e.value);
 }
 
-/// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit has its own column.
+/// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit stands with the quantity.
 std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
   if (!e) return or_dash("");
   const RoundedEstimate rounded = round_by_interval(*e, scale);
@@ -37,6 +37,11 @@ std::string signed_text(const std::optional<Estimate>& change, const Scale& scal
   if (!change || !(change->value > 0)) return text;
   const std::string digits = round_by_interval(*change, scale).estimate;
   return digits.find_first_of("123456789") == std::string::npos ? text : "+" + text;
+}
+
+/// "Coulomb torque [mN·m]"
+std::string quantity_text(const ComparedQuantity& q, const Scale& scale) {
+  return scale.unit.empty() ? q.words : q.words + " [" + scale.unit + "]";
 }
 
 std::string time_text(const archive::Facts& f) {
@@ -93,9 +98,8 @@ Table compared_quantities_table(const Comparison& c) {
   table.id = "table-changes";
   table.is_stacked = true;
   table.caption = "Each quantity and its change";
-  table.columns = {{"Quantity", "", false}, {"First", "", true}, {"Second", "", true},
-                   {"Change", "", true},    {"Unit", "", false}, {"In percent", "", true},
-                   {"Word", "", false}};
+  table.columns = {{"Quantity", "", false, true}, {"First", "", true},      {"Second", "", true},
+                   {"Change", "", true},          {"In percent", "", true}, {"Word", "", false}};
   for (const ComparedQuantity& q : c.quantities) {
     const Scale scale = scale_of(q);
     std::optional<Estimate> change;
@@ -104,9 +108,9 @@ Table compared_quantities_table(const Comparison& c) {
       change = q.change->absolute;
       percent = q.change->percent;
     }
-    table.rows.push_back({{q.words, estimate_text(q.first, scale), estimate_text(q.second, scale),
-                           signed_text(change, scale), or_dash(scale.unit),
-                           signed_text(percent, {1, "%"}), to_string(q.word)},
+    table.rows.push_back({{quantity_text(q, scale), estimate_text(q.first, scale),
+                           estimate_text(q.second, scale), signed_text(change, scale),
+                           or_dash(scale.unit), signed_text(percent, {1, "%"}), to_string(q.word)},
                           q.word == ChangeWord::changed});
   }
   table.note = fmt::format(
