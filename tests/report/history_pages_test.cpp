@@ -101,6 +101,20 @@ TEST(HistoryPages, TellTheChange) {
       << diff.substr(diff.find("<section id=\"verdict\""), 2500);
 }
 
+TEST(HistoryPages, TablesHaveTheCellsOfTheirColumns) {
+  const auto all = history_with("x ");
+  const auto c = history::compare(all[0], all[20], {10, 2}, false);
+  const report::Table changes = report::compared_quantities_table(c);
+  for (const report::Row& row : changes.rows) ASSERT_EQ(row.cells.size(), changes.columns.size());
+  EXPECT_EQ(changes.rows[0].cells.front(), "x coulomb_torque [N·m]");
+  EXPECT_EQ(changes.rows[0].cells.back(), "changed");
+  EXPECT_EQ(changes.rows[6].cells.back(), "no change seen");
+  const report::Table conditions = report::compared_conditions_table(c);
+  for (const report::Row& row : conditions.rows) EXPECT_EQ(row.cells.size(), 3U);
+  const report::Table trend = report::trend_table(history::joint_trends(all, {}).front(), "t");
+  for (const report::Row& row : trend.rows) EXPECT_EQ(row.cells.size(), trend.columns.size());
+}
+
 TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
   auto all = history_with("x ");
   all.resize(1);

@@ -108,10 +108,10 @@ Table compared_quantities_table(const Comparison& c) {
       change = q.change->absolute;
       percent = q.change->percent;
     }
-    table.rows.push_back({{quantity_text(q, scale), estimate_text(q.first, scale),
-                           estimate_text(q.second, scale), signed_text(change, scale),
-                           or_dash(scale.unit), signed_text(percent, {1, "%"}), to_string(q.word)},
-                          q.word == ChangeWord::changed});
+    table.rows.push_back(
+        {{quantity_text(q, scale), estimate_text(q.first, scale), estimate_text(q.second, scale),
+          signed_text(change, scale), signed_text(percent, {1, "%"}), to_string(q.word)},
+         q.word == ChangeWord::changed});
   }
   table.note = fmt::format(
       "At the motor, with 95 % intervals; that of a change is of both, which are independent. "
