@@ -13,7 +13,7 @@ build=${TRIBOLOG_BUILD:-build}
 needed=(cmake ninja-build g++ pkg-config git
   libvtk9-dev libfreetype-dev libdeflate-dev fonts-dejavu-core
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  libctemplate-dev libssl-dev libsundials-dev
+  libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev

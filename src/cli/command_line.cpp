@@ -100,7 +100,10 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
       .add_option_function<std::vector<std::string>>(
           "--archive",
           [&archiving](const std::vector<std::string>& given) {
-            archiving.location = given.empty() ? "" : given.front();
+            const std::string location = given.empty() ? "" : given.front();
+            // An unset variable of a script is not meant to be the user's own archive.
+            if (!given.empty() && location.empty()) throw UsageError("--archive is empty");
+            archiving.location = location;
           },
           "keep the numbers and the report in this archive (a file, or postgresql://...); without "
           "a value, in the user's own")

@@ -49,7 +49,7 @@ TEST(DateTicks, LieInsideTheRangeAndAreFewAndDistinctAtEveryScale) {
 }
 
 TEST(DateTicks, BeyondTheCalendarAreNumbers) {
-  EXPECT_EQ(labels({-1e9, 1e9}, 5), (std::vector<std::string>{"−1", "−0.5", "0", "0.5", "1"}));
+  EXPECT_EQ(labels({-1e9, 1e9}, 5), (std::vector<std::string>{"−1.0", "−0.5", "0", "0.5", "1.0"}));
   EXPECT_FALSE(date_ticks({0, 1e-6}, 5).major.empty());
 }
 

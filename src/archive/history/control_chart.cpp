@@ -91,13 +91,15 @@ class Charting {
     point.below = below_;
   }
 
-  /// Of the calibrations from `from` on, the one from which on the scores speak most for a shift.
-  [[nodiscard]] std::size_t likeliest_start(std::size_t from, std::size_t alarm) const {
+  /// Of the calibrations from `from` on, the one from which on a shift is likeliest: by their
+  /// whole distances from what was before, of which a score tells no more than 4.
+  [[nodiscard]] std::size_t likeliest_start(const ReferenceLine& before, std::size_t from,
+                                            std::size_t alarm) const {
     double sum = 0;
     double most = -1;
     std::size_t start = alarm;
     for (std::size_t i = alarm + 1; i-- > from;) {
-      sum += chart_.points[i].score;
+      sum += before.standardised(series_[i]);
       const double likelihood = sum * sum / static_cast<double>(alarm - i + 1);
       if (likelihood <= most) continue;
       most = likelihood;
@@ -107,12 +109,14 @@ class Charting {
   }
 
   void begin_excursion(std::size_t k, int direction, std::size_t left_zero) {
-    const std::size_t start = likeliest_start(left_zero, k);
+    members_.erase(std::lower_bound(members_.begin(), members_.end(), left_zero), members_.end());
+    const auto before = ReferenceLine::fitted(series_, members_, settings_.with_slope);
+    const std::size_t start = before ? likeliest_start(*before, left_zero, k) : left_zero;
+    for (std::size_t i = left_zero; i < start; ++i) members_.push_back(i);
     chart_.excursions.push_back({direction, start, k, std::nullopt});
     double sum = 0;
     for (std::size_t i = start; i <= k; ++i) sum += direction * chart_.points[i].score;
     way_back_.emplace(direction, sum / static_cast<double>(k - start + 1));
-    members_.erase(std::lower_bound(members_.begin(), members_.end(), start), members_.end());
     frozen_ = ReferenceLine::fitted(series_, members_, settings_.with_slope);
   }
 

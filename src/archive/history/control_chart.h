@@ -21,9 +21,9 @@
 //
 // A score counts as 4 at most, so that no single odd calibration raises an alarm.
 //
-// The change began, at the alarm's best knowledge, at that of the calibrations since the sum last
-// left zero from which on the scores speak most for a shift: the largest (sum of z)^2 / n (D. V.
-// Hinkley, Biometrika 57, 1970).
+// The change began, as far as the alarm can know, at that of the calibrations since the sum last
+// left zero from which on a shift is likeliest: the largest (sum of d)^2 / n of their standardised
+// differences d from what was before (D. V. Hinkley, Biometrika 57, 1970).
 //
 // What it cannot see: a change that is there from the first calibration on; and of a drift that
 // began among the calibrations it learned from, only what follows.

@@ -57,6 +57,34 @@ double mean_size(const std::vector<double>& values) {
   return sum;
 }
 
+/// The runs of one direction, by speed: between the two lies a jump that nobody measured.
+void add_friction(const RecordedFriction& curve, int direction, const Look& look,
+                  const AxisScale& scale, render::Panel& panel) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < curve.speed_rad_s.size(); ++k) {
+    if (direction * curve.speed_rad_s[k] > 0) order.push_back(k);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return curve.speed_rad_s[a] < curve.speed_rad_s[b];
+  });
+  const bool is_labelled =
+      std::any_of(panel.series.begin(), panel.series.end(),
+                  [&](const render::Series& s) { return s.label == look.label; });
+  render::Series series =
+      figures::line(is_labelled ? "" : look.label, {}, {}, look.colour, 3.0, look.style);
+  series.marker = look.marker;
+  series.marker_size_px = 11;
+  for (const std::size_t k : order) {
+    series.x.push_back(curve.speed_rad_s[k]);
+    series.y.push_back(scale(curve.friction_Nm[k]));
+    if (!std::isfinite(curve.half_width_Nm[k])) continue;
+    panel.error_bars.push_back({curve.speed_rad_s[k],
+                                scale(curve.friction_Nm[k] - curve.half_width_Nm[k]),
+                                scale(curve.friction_Nm[k] + curve.half_width_Nm[k]), look.colour});
+  }
+  figures::add_visible(panel, std::move(series));
+}
+
 std::optional<ReportFigure> friction_figure(const Comparison& c, const RecordedFriction& first,
                                             const RecordedFriction& second) {
   if (first.speed_rad_s.empty() || second.speed_rad_s.empty()) return std::nullopt;
@@ -70,26 +98,10 @@ std::optional<ReportFigure> friction_figure(const Comparison& c, const RecordedF
   panel.y.title = figures::axis_title("friction T_{f}", scale);
   const std::vector<Look> looks = looks_of(c);
   for (const auto& [curve, look] : {std::pair{&first, &looks[0]}, std::pair{&second, &looks[1]}}) {
-    std::vector<std::size_t> order(curve->speed_rad_s.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    std::sort(order.begin(), order.end(), [&curve = curve](std::size_t a, std::size_t b) {
-      return curve->speed_rad_s[a] < curve->speed_rad_s[b];
-    });
-    render::Series series = figures::line(look->label, {}, {}, look->colour, 3.0, look->style);
-    series.marker = look->marker;
-    series.marker_size_px = 12;
-    for (const std::size_t k : order) {
-      series.x.push_back(curve->speed_rad_s[k]);
-      series.y.push_back(scale(curve->friction_Nm[k]));
-      if (!std::isfinite(curve->half_width_Nm[k])) continue;
-      panel.error_bars.push_back(
-          {curve->speed_rad_s[k], scale(curve->friction_Nm[k] - curve->half_width_Nm[k]),
-           scale(curve->friction_Nm[k] + curve->half_width_Nm[k]), look->colour});
-    }
-    figures::add_visible(panel, std::move(series));
+    for (const int direction : {-1, 1}) add_friction(*curve, direction, *look, scale, panel);
   }
   out.figure.panels = {std::move(panel)};
-  out.caption = fmt::format("Friction of the constant-speed runs, {} at {} and {} at {}.",
+  out.caption = fmt::format("Friction of the constant-speed runs: {} of {} and {} of {}.",
                             figures::counted(first.speed_rad_s.size(), "run"), looks[0].label,
                             figures::counted(second.speed_rad_s.size(), "run"), looks[1].label);
   out.how_to_read =
@@ -133,7 +145,7 @@ std::optional<ReportFigure> loop_figure(const Comparison& c, const std::vector<R
   out.figure.panels = {std::move(panel)};
   const AxisScale size = figures::prefixed("N·m", span_of(a.torque_Nm));
   out.caption = fmt::format(
-      "Steady loops of the first oscillation of each: {} high at {}, {} high at {}; {} and {} "
+      "Steady loops of the first oscillation of each: {} high on {}, {} high on {}; {} and {} "
       "wide.",
       figures::with_unit(span_of(a.torque_Nm), size, 3), looks[0].label,
       figures::with_unit(span_of(b.torque_Nm), size, 3), looks[1].label,

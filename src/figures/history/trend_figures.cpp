@@ -8,6 +8,7 @@
 #include "figures/history/history_axes.h"
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
+#include "stages/student_t.h"
 
 namespace tribolog {
 namespace {
@@ -84,16 +85,33 @@ void mark_changes(const QuantityTrend& trend, bool with_text, render::Panel& pan
   }
 }
 
+/// Whether temperature's effect is more than what chance makes of none.
+bool is_visibly_corrected(const QuantityTrend& trend) {
+  constexpr double clear = 2;
+  return trend.temperature == history::TemperatureUse::corrected && trend.reference &&
+         std::abs(trend.reference->slope_per_K) >
+             clear * std::sqrt(trend.reference->slope_variance);
+}
+
+/// For the texts of the marked dates.
+void leave_room_above(render::Panel& panel) {
+  constexpr double share = 0.16;
+  figures::Extent extent;
+  for (const render::ErrorBar& bar : panel.error_bars) extent.add({bar.low, bar.high});
+  for (const render::Series& s : panel.series) extent.add(s.y);
+  panel.y.maximum = extent.high + share * extent.span();
+}
+
 render::Panel value_panel(const QuantityTrend& trend, const AxisScale& scale) {
   render::Panel panel;
   panel.y.title = figures::axis_title(trend.words, scale, trend.unit);
   set_time_axis(trend, panel);
   add_reference(trend, scale, panel);
-  const bool is_corrected = trend.temperature == history::TemperatureUse::corrected;
+  const bool is_corrected = is_visibly_corrected(trend);
   const std::size_t all = trend.points.size();
   const char* const at = is_corrected ? " (at one temperature)" : "";
-  render::Series learned =
-      marks(std::string("learned from") + at, colour::sky_blue, render::Marker::square, all);
+  render::Series learned = marks(std::string("the first, only learned from") + at, colour::sky_blue,
+                                 render::Marker::square, all);
   render::Series judged = marks(std::string("calibration, 95 % interval") + at, colour::blue,
                                 render::Marker::circle, all);
   render::Series as_measured = marks("as measured", colour::orange, render::Marker::plus, all);
@@ -104,7 +122,7 @@ render::Panel value_panel(const QuantityTrend& trend, const AxisScale& scale) {
       add(left, day, scale(p.estimate.value));
       continue;
     }
-    const double value = p.corrected.value_or(p.estimate.value);
+    const double value = is_corrected ? p.corrected.value_or(p.estimate.value) : p.estimate.value;
     const double by = value - p.estimate.value;
     render::ErrorBar bar{day, scale(p.estimate.low + by), scale(p.estimate.high + by)};
     bar.colour = p.chart.is_judged ? colour::blue : colour::sky_blue;
@@ -112,10 +130,11 @@ render::Panel value_panel(const QuantityTrend& trend, const AxisScale& scale) {
     add(p.chart.is_judged ? judged : learned, day, scale(value));
     if (is_corrected) add(as_measured, day, scale(p.estimate.value));
   }
-  for (render::Series* s : {&left, &as_measured, &learned, &judged}) {
+  for (render::Series* s : {&left, &learned, &judged, &as_measured}) {
     figures::add_visible(panel, std::move(*s));
   }
   mark_changes(trend, true, panel);
+  if (!trend.changes.empty()) leave_room_above(panel);
   return panel;
 }
 
@@ -175,13 +194,13 @@ std::string caption_of(const QuantityTrend& trend, const AxisScale& scale) {
     for (std::size_t k = 0; k < changes.size(); ++k) caption += (k > 0 ? "; " : "") + changes[k];
   }
   if (trend.reference) {
-    caption +=
-        fmt::format(". Reference {} from {}",
-                    figures::with_interval(
-                        symmetric_estimate(trend.reference->level,
-                                           2 * std::sqrt(trend.reference->level_variance), ""),
-                        scale),
-                    figures::counted(trend.reference->members, "calibration"));
+    caption += fmt::format(
+        ". Reference {} from {}",
+        figures::with_interval(
+            symmetric_estimate(trend.reference->level,
+                               normal_975 * std::sqrt(trend.reference->level_variance), ""),
+            scale),
+        figures::counted(trend.reference->members, "calibration"));
   }
   return caption + ".";
 }
@@ -206,12 +225,14 @@ ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
   out.caption = caption_of(trend, scale);
   out.how_to_read =
       "Above, points that leave the band to one side for good are a change; single ones are not. ";
-  if (trend.temperature == history::TemperatureUse::corrected) {
+  if (is_visibly_corrected(trend)) {
     out.how_to_read += "All but the plus signs are brought to one temperature. ";
   }
   if (trend.judged > 0) {
     out.how_to_read +=
-        "Below, a sum that climbs to its limit is the alarm; the change began where the climb did.";
+        "Below, a sum that climbs to its limit is the alarm; the change began where the climb did. "
+        "Behind the "
+        "alarm it is drawn up to twice the limit.";
   }
   out.alt = fmt::format("{} over time from {} to {}. {}", trend.words,
                         figures::date_of(trend.points.front().measured_at),

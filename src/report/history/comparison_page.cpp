@@ -20,9 +20,10 @@ void fill_verdict(const Comparison& c, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   const std::size_t changed = c.count(ChangeWord::changed);
   const std::size_t same = c.count(ChangeWord::no_change_seen);
-  const Outcome outcome = changed > 0 ? Outcome::partial
-                          : same > 0  ? Outcome::good
-                                      : Outcome::absent;
+  const std::size_t others = c.count(ChangeWord::not_comparable);
+  const Outcome outcome = same + changed == 0         ? Outcome::absent
+                          : changed > 0 || others > 0 ? Outcome::partial
+                                                      : Outcome::good;
   verdict.set("WORD", changed > 0 ? "CHANGED" : same > 0 ? "NO CHANGE SEEN" : "NOT COMPARABLE");
   verdict.set("SENTENCE", comparison_sentence(c));
   fill_outcome(outcome, verdict);

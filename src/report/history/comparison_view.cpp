@@ -23,14 +23,25 @@ Scale scale_of(const ComparedQuantity& q) {
   return quantity_scale(q.unit, e.value);
 }
 
+/// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit stands with the quantity.
 std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
-  return e ? in_words(*e, scale) : or_dash("");
+  if (!e) return or_dash("");
+  const RoundedEstimate rounded = round_by_interval(*e, scale);
+  if (!rounded.half_width.empty() || rounded.low.empty()) return rounded.plus_minus();
+  return rounded.estimate + " (" + rounded.range() + ")";
 }
 
-/// With a plus where it grew.
-std::string signed_words(const Estimate& change, const Scale& scale) {
-  const std::string words = in_words(change, scale);
-  return change.value > 0 ? "+" + words : words;
+/// With a plus where it grew by a digit that is printed.
+std::string signed_text(const std::optional<Estimate>& change, const Scale& scale) {
+  const std::string text = estimate_text(change, scale);
+  if (!change || !(change->value > 0)) return text;
+  const std::string digits = round_by_interval(*change, scale).estimate;
+  return digits.find_first_of("123456789") == std::string::npos ? text : "+" + text;
+}
+
+/// "Coulomb torque [mN·m]"
+std::string quantity_text(const ComparedQuantity& q, const Scale& scale) {
+  return scale.unit.empty() ? q.words : q.words + " [" + scale.unit + "]";
 }
 
 std::string time_text(const archive::Facts& f) {
@@ -87,22 +98,19 @@ Table compared_quantities_table(const Comparison& c) {
   table.id = "table-changes";
   table.is_stacked = true;
   table.caption = "Each quantity and its change";
-  table.columns = {{"Quantity", "", false, true}, {"First", "", true},   {"Second", "", true},
-                   {"Change", "", true},          {"Percent", "", true}, {"Word", "", false}};
-  const Scale percent{1, "%"};
+  table.columns = {{"Quantity", "", false, true}, {"First", "", true},      {"Second", "", true},
+                   {"Change", "", true},          {"In percent", "", true}, {"Word", "", false}};
   for (const ComparedQuantity& q : c.quantities) {
     const Scale scale = scale_of(q);
-    const bool has_percent = q.change && q.change->percent;
-    // A change may be a thousand times smaller than what changed.
-    const Scale of_change =
-        q.change && q.change->absolute.value != 0 && q.unit != "rad"
-            ? quantity_scale(q.unit, std::max(std::abs(q.change->absolute.value),
-                                              q.change->absolute.half_width()))
-            : scale;
+    std::optional<Estimate> change;
+    std::optional<Estimate> percent;
+    if (q.change) {
+      change = q.change->absolute;
+      percent = q.change->percent;
+    }
     table.rows.push_back(
-        {{q.words, estimate_text(q.first, scale), estimate_text(q.second, scale),
-          q.change ? signed_words(q.change->absolute, of_change) : or_dash(""),
-          has_percent ? signed_words(*q.change->percent, percent) : or_dash(""), to_string(q.word)},
+        {{quantity_text(q, scale), estimate_text(q.first, scale), estimate_text(q.second, scale),
+          signed_text(change, scale), signed_text(percent, {1, "%"}), to_string(q.word)},
          q.word == ChangeWord::changed});
   }
   table.note = fmt::format(
@@ -118,6 +126,7 @@ Table compared_conditions_table(const Comparison& c) {
   const archive::Facts& b = c.second.facts;
   Table table;
   table.id = "table-conditions";
+  table.is_stacked = true;
   table.caption = "How they were measured";
   table.columns = {
       {"Condition", "", false}, {"First", "", false, true}, {"Second", "", false, true}};
