@@ -100,10 +100,7 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
       .add_option_function<std::vector<std::string>>(
           "--archive",
           [&archiving](const std::vector<std::string>& given) {
-            const std::string location = given.empty() ? "" : given.front();
-            // An unset variable of a script is not meant to be the user's own archive.
-            if (!given.empty() && location.empty()) throw UsageError("--archive is empty");
-            archiving.location = location;
+            archiving.location = given.empty() ? "" : given.front();
           },
           "keep the numbers and the report in this archive (a file, or postgresql://...); without "
           "a value, in the user's own")
@@ -117,6 +114,17 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
                   "seconds to wait while another process writes to the archive")
       ->check(CLI::Range(0.0, longest_s))
       ->capture_default_str();
+}
+
+/// An unset variable of a script is not meant to be the user's own archive, which `--archive` alone
+/// means.
+void refuse_empty_location(const std::vector<std::string>& arguments) {
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const bool is_next =
+        arguments[k] == "--archive" && k + 1 < arguments.size() && arguments[k + 1].empty();
+    if (is_next || arguments[k] == "--archive=")
+      throw UsageError("--archive: the location is empty");
+  }
 }
 
 void add_processes(CLI::App& command, int& processes) {
@@ -338,6 +346,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_study(*study_command, study);
 
   const auto chosen_of_archive = cli::add_archive(app);
+  refuse_empty_location({argv, argv + argc});
 
   try {
     app.parse(argc, argv);

@@ -107,6 +107,18 @@ TEST_F(ArchiveCommands, VerifyProvesAndFindsAlteration) {
   EXPECT_NE(altered.err.find("damaged: "), std::string::npos) << altered.err;
 }
 
+TEST_F(ArchiveCommands, AnEmptyLocationIsNotTheUsersOwn) {
+  const std::string own = "cd '" + dataset_.scratch().path() + "' && XDG_DATA_HOME='" +
+                          dataset_.file("data") + "' " + program + identified + " --archive";
+  for (const char* const empty : {" ''", "="}) {
+    const ProgramRun refused = run_shell(own + empty);
+    EXPECT_EQ(refused.status, 2) << refused.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(dataset_.file("data")));
+  EXPECT_EQ(run_shell(own).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(dataset_.file("data/tribolog/archive.tribolog")));
+}
+
 TEST_F(ArchiveCommands, RemoveAsksFirst) {
   ASSERT_EQ(run(identified).status, 0);
   const std::string id = only_id();
