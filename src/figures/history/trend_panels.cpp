@@ -35,11 +35,11 @@ void add(render::Series& series, double x, double y) {
   series.y.push_back(y);
 }
 
-/// Half of the time between neighbours, so that no first or last point lies on the frame.
+/// Days, so that no first or last point lies on the frame.
 double margin_of(const QuantityTrend& trend) {
   const double span =
       day_of(trend.points.back().measured_at) - day_of(trend.points.front().measured_at);
-  return std::max(0.03 * span, 0.5);
+  return std::max(0.03 * span, 1.5);
 }
 
 void set_time_axis(const QuantityTrend& trend, render::Panel& panel) {
