@@ -181,6 +181,15 @@ class Framer {
     return false;
   }
 
+  /// A date is wider than the margin that numbers need at the ends of an axis.
+  void drop_dates_beyond_the_picture(PanelFrame& frame) {
+    std::erase_if(frame.x_ticks.major, [&](const Tick& tick) {
+      const double half = shape_line(font_, tick.label, style_.tick, faults_).width / 2;
+      const double at = frame.x.pixel(tick.value);
+      return at - half < 0 || at + half > figure_.width_px;
+    });
+  }
+
   void make_x_axes() {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
@@ -188,6 +197,7 @@ class Framer {
       frame.x = AxisMap(ranges_x_[i], axis.logarithmic, frame.plot.left, frame.plot.right);
       for (int most = 13; most >= 2; --most) {
         frame.x_ticks = ticks_of(axis, ranges_x_[i], most);
+        if (axis.dates) drop_dates_beyond_the_picture(frame);
         if (!crowded(frame)) break;
       }
       if (crowded(frame) && frame.x_ticks.major.size() > 2) frame.x_ticks.major.resize(2);

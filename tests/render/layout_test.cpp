@@ -208,5 +208,30 @@ TEST(Layout, RefusesImpossibleSizes) {
   }
 }
 
+TEST(Layout, DatesNeitherOverlapNorLeaveThePicture) {
+  for (const double days : {0.3, 1.0, 3.0, 20.0, 80.0, 400.0, 1200.0, 9000.0}) {
+    for (const int width : {700, 1600}) {
+      Figure figure;
+      figure.id = "dates";
+      figure.title = "Dates";
+      figure.width_px = width;
+      Panel panel;
+      panel.x.title = "measured on";
+      panel.x.dates = true;
+      panel.y.title = "y";
+      panel.series.push_back({"", {20454, 20454 + days / 3, 20454 + days}, {1, 3, 2}});
+      figure.panels = {panel};
+      const DrawList list = lay_out(figure, font());
+      expect_nothing_overlaps(list, std::to_string(days));
+      expect_nothing_is_clipped(list, std::to_string(days));
+      std::size_t dates = 0;
+      for (const Placed& one : texts(list)) {
+        if (one.text.rfind("20", 0) == 0) ++dates;
+      }
+      EXPECT_GE(dates, 1U) << days << " days, " << width;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tribolog::render

@@ -1,5 +1,6 @@
 #include "calibration_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -60,6 +61,23 @@ TEST(CalibrationJson, FollowsTheSchemaWithoutAnyData) {
 TEST(CalibrationJson, FollowsTheSchemaForTheSimulatedJoint) {
   const Dataset dataset = simulated_dataset(noisy_paper_joint(3));
   expect_valid(identify(dataset));
+}
+
+TEST(CalibrationJson, HoldsTheSteadyLoopInFewDigits) {
+  const Dataset dataset = simulated_dataset(noisy_paper_joint(3));
+  const Calibration c = identify(dataset);
+  const json loop = parsed(c)["hysteresis"]["oscillations"][0]["steady_loop"];
+  ASSERT_EQ(loop["torque_Nm"].size(), 200U);
+  ASSERT_EQ(loop["angle_from_centre_rad"].size(), 200U);
+  double low = 1e9, high = -1e9;
+  for (const json& torque : loop["torque_Nm"]) {
+    EXPECT_LE(torque.dump().size(), 8U) << "six digits, a point and a sign";
+    low = std::min(low, torque.get<double>());
+    high = std::max(high, torque.get<double>());
+  }
+  // The means of many cycles hold less noise than the whole trace does.
+  EXPECT_LT(high - low, c.hysteresis.loop_height_Nm);
+  EXPECT_GT(high - low, 0.8 * c.hysteresis.loop_height_Nm);
 }
 
 TEST(CalibrationJson, HasTheContractsKeys) {

@@ -146,6 +146,14 @@ TEST(HistoryFigures, ShowEveryCalibrationOnce) {
   EXPECT_EQ(figures.front().figure.panels.size(), 2U);
 }
 
+TEST(HistoryFigures, AChangeThatStandsComesFirst) {
+  auto all = history_with("x ");
+  for (archive::Measured& m : all) std::swap(m.quantities[0], m.quantities[6]);
+  const auto figures = trend_figures(history::joint_trends(all, {}));
+  EXPECT_EQ(figures.front().id, "trend-1-7");
+  EXPECT_EQ(figures[1].id, "trend-1-1");
+}
+
 TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[1], {}, false);

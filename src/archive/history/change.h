@@ -8,7 +8,8 @@
 //
 // Exact for normal errors; for lopsided ones the usual approximation (R. Barlow, "Asymmetric
 // errors", PHYSTAT 2003). What both estimates share, such as a torque constant that is wrong in
-// both, cancels and is in neither side.
+// both, cancels. Where the stated intervals hold such an error all the same, that of the model for
+// one, the interval of the change is too wide, never too narrow.
 
 #include <optional>
 #include <vector>

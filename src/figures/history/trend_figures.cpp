@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "figures/history/history_axes.h"
+#include "figures/history/trend_panels.h"
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
 #include "stages/student_t.h"
@@ -13,161 +15,11 @@
 namespace tribolog {
 namespace {
 
-namespace colour = render::palette;
 using figures::AxisScale;
 using history::FoundChange;
 using history::HistoryPoint;
 using history::LeftOut;
 using history::QuantityTrend;
-
-constexpr std::size_t many_points = 40;
-
-render::Series marks(const std::string& label, render::Colour c, render::Marker marker,
-                     std::size_t all) {
-  render::Series series;
-  series.label = label;
-  series.colour = c;
-  series.style = render::LineStyle::none;
-  series.marker = marker;
-  series.marker_size_px = all > many_points ? 8.0 : 13.0;
-  return series;
-}
-
-void add(render::Series& series, double x, double y) {
-  series.x.push_back(x);
-  series.y.push_back(y);
-}
-
-/// Half of the time between neighbours, so that no first or last point lies on the frame.
-double margin_of(const QuantityTrend& trend) {
-  const double span = figures::day_of(trend.points.back().measured_at) -
-                      figures::day_of(trend.points.front().measured_at);
-  return std::max(0.03 * span, 0.5);
-}
-
-void set_time_axis(const QuantityTrend& trend, render::Panel& panel) {
-  panel.x.title = "measured on (UTC)";
-  panel.x.dates = true;
-  panel.x.minimum = figures::day_of(trend.points.front().measured_at) - margin_of(trend);
-  panel.x.maximum = figures::day_of(trend.points.back().measured_at) + margin_of(trend);
-}
-
-void add_reference(const QuantityTrend& trend, const AxisScale& scale, render::Panel& panel) {
-  if (!trend.reference) return;
-  constexpr double wide = 2;
-  const double level = trend.reference->level;
-  const double scatter = wide * trend.reference->scatter();
-  render::Band band;
-  band.label = "reference ± 2 standard deviations of a calibration";
-  band.x = {*panel.x.minimum, *panel.x.maximum};
-  band.low = {scale(level - scatter), scale(level - scatter)};
-  band.high = {scale(level + scatter), scale(level + scatter)};
-  band.colour = {colour::green.red, colour::green.green, colour::green.blue, 45};
-  panel.bands.push_back(std::move(band));
-  panel.series.push_back(figures::line("", {*panel.x.minimum, *panel.x.maximum},
-                                       {scale(level), scale(level)}, colour::green, 2.5,
-                                       render::LineStyle::dash));
-}
-
-/// Vertical lines at the dates of the changes.
-void mark_changes(const QuantityTrend& trend, bool with_text, render::Panel& panel) {
-  const auto add_line = [&](const std::string& date, const std::string& text, render::Colour c) {
-    render::ReferenceLine line;
-    line.at = figures::day_of(date);
-    if (with_text) line.text = text + " " + figures::date_of(date);
-    line.colour = c;
-    panel.reference_lines.push_back(std::move(line));
-  };
-  for (const FoundChange& change : trend.changes) {
-    add_line(change.from, "visible from", colour::vermilion);
-    if (change.alarm != change.from) add_line(change.alarm, "alarm", colour::grey);
-    if (!change.back.empty()) add_line(change.back, "back from", colour::green);
-  }
-}
-
-/// Whether temperature's effect is more than what chance makes of none.
-bool is_visibly_corrected(const QuantityTrend& trend) {
-  constexpr double clear = 2;
-  return trend.temperature == history::TemperatureUse::corrected && trend.reference &&
-         std::abs(trend.reference->slope_per_K) >
-             clear * std::sqrt(trend.reference->slope_variance);
-}
-
-/// For the texts of the marked dates.
-void leave_room_above(render::Panel& panel) {
-  constexpr double share = 0.16;
-  figures::Extent extent;
-  for (const render::ErrorBar& bar : panel.error_bars) extent.add({bar.low, bar.high});
-  for (const render::Series& s : panel.series) extent.add(s.y);
-  panel.y.maximum = extent.high + share * extent.span();
-}
-
-render::Panel value_panel(const QuantityTrend& trend, const AxisScale& scale) {
-  render::Panel panel;
-  panel.y.title = figures::axis_title(trend.words, scale, trend.unit);
-  set_time_axis(trend, panel);
-  add_reference(trend, scale, panel);
-  const bool is_corrected = is_visibly_corrected(trend);
-  const std::size_t all = trend.points.size();
-  const char* const at = is_corrected ? " (at one temperature)" : "";
-  render::Series learned = marks(std::string("the first, only learned from") + at, colour::sky_blue,
-                                 render::Marker::square, all);
-  render::Series judged = marks(std::string("calibration, 95 % interval") + at, colour::blue,
-                                render::Marker::circle, all);
-  render::Series as_measured = marks("as measured", colour::orange, render::Marker::plus, all);
-  render::Series left = marks("left out", colour::grey, render::Marker::cross, all);
-  for (const HistoryPoint& p : trend.points) {
-    const double day = figures::day_of(p.measured_at);
-    if (p.left_out != LeftOut::none) {
-      add(left, day, scale(p.estimate.value));
-      continue;
-    }
-    const double value = is_corrected ? p.corrected.value_or(p.estimate.value) : p.estimate.value;
-    const double by = value - p.estimate.value;
-    render::ErrorBar bar{day, scale(p.estimate.low + by), scale(p.estimate.high + by)};
-    bar.colour = p.chart.is_judged ? colour::blue : colour::sky_blue;
-    panel.error_bars.push_back(bar);
-    add(p.chart.is_judged ? judged : learned, day, scale(value));
-    if (is_corrected) add(as_measured, day, scale(p.estimate.value));
-  }
-  for (render::Series* s : {&left, &learned, &judged, &as_measured}) {
-    figures::add_visible(panel, std::move(*s));
-  }
-  mark_changes(trend, true, panel);
-  if (!trend.changes.empty()) leave_room_above(panel);
-  return panel;
-}
-
-render::Panel sum_panel(const QuantityTrend& trend) {
-  render::Panel panel;
-  panel.y.title = "CUSUM [standard deviations]";
-  set_time_axis(trend, panel);
-  render::Series above = figures::line("C^{+}, risen", {}, {}, colour::blue, 3.0);
-  render::Series below =
-      figures::line("−C^{−}, fallen", {}, {}, colour::orange, 3.0, render::LineStyle::dash);
-  for (render::Series* s : {&above, &below}) {
-    s->marker = render::Marker::circle;
-    s->marker_size_px = trend.points.size() > many_points ? 5.0 : 8.0;
-  }
-  for (const HistoryPoint& p : trend.points) {
-    if (p.left_out != LeftOut::none || !p.chart.is_judged) continue;
-    const double day = figures::day_of(p.measured_at);
-    add(above, day, p.chart.above);
-    add(below, day, -p.chart.below);
-  }
-  figures::add_visible(panel, std::move(above));
-  figures::add_visible(panel, std::move(below));
-  for (const double side : {1.0, -1.0}) {
-    render::ReferenceLine line;
-    line.direction = render::ReferenceLine::Direction::horizontal;
-    line.at = side * trend.limit;
-    line.text = fmt::format("limit {}{:.1f}", side > 0 ? "" : "−", trend.limit);
-    line.colour = colour::vermilion;
-    panel.reference_lines.push_back(std::move(line));
-  }
-  mark_changes(trend, false, panel);
-  return panel;
-}
 
 std::string change_words(const FoundChange& change, const AxisScale& scale) {
   const std::string size = change.percent ? fmt::format("{:.2g} %", std::abs(*change.percent))
@@ -216,8 +68,8 @@ ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
   out.id = std::move(id);
   out.title = trend.words + " over time";
   out.stage = "trend";
-  out.figure.panels.push_back(value_panel(trend, scale));
-  if (trend.judged > 0) out.figure.panels.push_back(sum_panel(trend));
+  out.figure.panels.push_back(figures::trend_panel(trend, scale));
+  if (trend.judged > 0) out.figure.panels.push_back(figures::sum_panel(trend));
   out.figure.panels_share_x = true;
   out.figure.height_px = trend.judged > 0 ? 1200 : 750;
   out.figure.id = out.id;
@@ -225,7 +77,7 @@ ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
   out.caption = caption_of(trend, scale);
   out.how_to_read =
       "Above, points that leave the band to one side for good are a change; single ones are not. ";
-  if (is_visibly_corrected(trend)) {
+  if (figures::is_visibly_corrected(trend)) {
     out.how_to_read += "All but the plus signs are brought to one temperature. ";
   }
   if (trend.judged > 0) {
@@ -240,14 +92,25 @@ ReportFigure figure_of(const QuantityTrend& trend, std::string id) {
   return out;
 }
 
+/// Those with a change that stands first.
+std::vector<std::size_t> by_weight(const std::vector<QuantityTrend>& quantities) {
+  std::vector<std::size_t> order(quantities.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return quantities[a].state > quantities[b].state;
+  });
+  return order;
+}
+
 }  // namespace
 
 std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends) {
   std::vector<ReportFigure> all;
   for (std::size_t j = 0; j < trends.size(); ++j) {
-    for (std::size_t q = 0; q < trends[j].quantities.size(); ++q) {
-      if (trends[j].quantities[q].points.empty()) continue;
-      all.push_back(figure_of(trends[j].quantities[q], fmt::format("trend-{}-{}", j + 1, q + 1)));
+    const std::vector<QuantityTrend>& quantities = trends[j].quantities;
+    for (const std::size_t q : by_weight(quantities)) {
+      if (quantities[q].points.empty()) continue;
+      all.push_back(figure_of(quantities[q], fmt::format("trend-{}-{}", j + 1, q + 1)));
     }
   }
   return all;

@@ -9,9 +9,10 @@
 
 namespace tribolog {
 
-/// One figure for each quantity with a point, "trend-1-1" for the first quantity of the first
-/// joint: values with their intervals, the reference with its scatter, what was left out, the date
-/// from which a change is visible; below the sums and their limit, where any are.
+/// One figure for each quantity with a point, those with a change first; "trend-1-1" is that of the
+/// first quantity of the first joint: values with their intervals, the reference with its scatter,
+/// what was left out, the date from which a change is visible; below the sums and their limit,
+/// where any are.
 std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends);
 
 }  // namespace tribolog

@@ -1,0 +1,22 @@
+#pragma once
+// Internal to the figures of a trend: its two panels, over one axis of dates.
+
+#include "archive/history/joint_trend.h"
+
+#include "figures/axis_scale.h"
+#include "render/figure.h"
+
+namespace tribolog::figures {
+
+/// Whether temperature's effect is more than what chance makes of none; only then are values shown
+/// as brought to one temperature.
+bool is_visibly_corrected(const history::QuantityTrend& trend);
+
+/// Values with intervals, the reference, what was left out, the dates of changes.
+/// @param trend with at least one point.
+render::Panel trend_panel(const history::QuantityTrend& trend, const AxisScale& scale);
+
+/// Both sums of the chart and their limit.
+render::Panel sum_panel(const history::QuantityTrend& trend);
+
+}  // namespace tribolog::figures
