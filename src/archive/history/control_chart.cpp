@@ -9,7 +9,7 @@
 namespace tribolog::history {
 namespace {
 
-constexpr double limit_of_one = 8.5;
+constexpr double limit_of_one = 9.3;
 constexpr double wrongly_back = 1e-3;
 
 /// Page's test of "back at the reference" against the change that was found.

@@ -8,8 +8,10 @@
 #include "archive/entry_of_calibration.h"
 #include "archive/history/quantity_series.h"
 #include "archive/history/quantity_traits.h"
+#include "archive/history/slow_drift.h"
 
 #include "error.h"
+#include "ingest/text/clock_field.h"
 #include "stages/student_t.h"
 
 namespace tribolog::history {
@@ -81,6 +83,31 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
   return change;
 }
 
+/// 1970-01-01: 0.
+double day_number(const HistoryPoint& point) {
+  constexpr double seconds = 86400;
+  const auto read = read_iso_time(point.measured_at);
+  return read ? static_cast<double>(read->whole) / seconds : 0;
+}
+
+FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const SlowDrift& drift) {
+  const double span = day_number(*charted.back()) - day_number(*charted.front());
+  FoundChange change;
+  change.is_slow = true;
+  change.direction = drift.score > 0 ? 1 : -1;
+  change.from = charted.front()->measured_at;
+  change.alarm = charted[drift.visible]->measured_at;
+  change.calibrations_to_alarm = drift.visible + 1;
+  change.size = symmetric_estimate(drift.per_day * span,
+                                   student_t_975(drift.freedom) * drift.standard_error * span,
+                                   "straight line over all calibrations");
+  change.drift_start = drift.at_start;
+  if (std::abs(drift.at_start) > std::abs(change.size.value)) {
+    change.percent = 100 * change.size.value / std::abs(drift.at_start);
+  }
+  return change;
+}
+
 void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& times,
            std::size_t watched) {
   std::vector<HistoryPoint*> charted;
@@ -109,9 +136,15 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
   for (const Excursion& e : made.excursions) {
     trend.changes.push_back(found_change(shown, e, *made.reference));
   }
-  trend.state = made.warning() != nullptr ? TrendState::warning
-                : made.excursions.empty() ? TrendState::steady
-                                          : TrendState::recovered;
+  if (!made.excursions.empty()) {
+    trend.state = made.warning() != nullptr ? TrendState::warning : TrendState::recovered;
+    return;
+  }
+  std::vector<double> days;
+  for (const HistoryPoint* p : shown) days.push_back(day_number(*p));
+  const auto drift = find_slow_drift(series, days, settings.with_slope, watched);
+  if (drift) trend.changes.push_back(found_drift(shown, *drift));
+  trend.state = drift ? TrendState::warning : TrendState::steady;
 }
 
 std::vector<std::string> cautions_on(const std::vector<Measured>& calibrations) {

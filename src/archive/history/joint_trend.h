@@ -60,12 +60,15 @@ std::string to_string(TrendState state);  ///< In words.
 
 /// A change that was found, in the quantity's unit.
 struct FoundChange {
+  bool is_slow{};     ///< A steady drift over all calibrations (slow_drift.h); else a shift.
   int direction{};    ///< 1: risen.
-  std::string from;   ///< Date from which it is visible.
+  std::string from;   ///< Date from which it is visible; of a drift the first calibration's.
   std::string alarm;  ///< Date on which enough calibrations showed it.
   std::string back;   ///< Date of the first that is back; empty: it stands.
   std::size_t calibrations_to_alarm{};
-  Estimate size;                  ///< Mean of the last three of it less the reference.
+  Estimate size;                  ///< Mean of the last three of it less the reference; of a
+                                  ///< drift, along its line from the first to the last.
+  double drift_start{};           ///< Of a drift: its line at the first calibration.
   std::optional<double> percent;  ///< Of the reference.
 };
 

@@ -46,8 +46,10 @@ OrderedJson reference(const std::optional<ReferenceLine>& line, TemperatureUse u
 }
 
 OrderedJson change(const FoundChange& c) {
-  return {{"direction", c.direction > 0 ? "risen" : "fallen"},
-          {"visible_from", c.from},
+  return {{"kind", c.is_slow ? "drift" : "shift"},
+          {"direction", c.direction > 0 ? "risen" : "fallen"},
+          {"since", c.is_slow ? OrderedJson(c.from) : OrderedJson()},
+          {"visible_from", c.is_slow ? c.alarm : c.from},
           {"alarm_at", c.alarm},
           {"back_from", c.back.empty() ? OrderedJson() : OrderedJson(c.back)},
           {"calibrations_to_alarm", c.calibrations_to_alarm},

@@ -84,11 +84,10 @@ Run add_trend(CLI::App& archive) {
   add_drawing_processes(command, options->processes);
   const auto where = add_archive_options(command);
   command.footer(
-      "\nEach quantity has a control chart (CUSUM). A change is told with the date from which it "
-      "is\n"
-      "visible; single odd calibrations are none. Friction is brought to one temperature where "
-      "the\n"
-      "calibrations state it.");
+      "\nEach quantity has a control chart (CUSUM), and a straight line over time for slow drifts. "
+      "A\nchange is told with the date from which it is visible; single odd calibrations are "
+      "none.\n"
+      "Friction is brought to one temperature where the calibrations state it.");
   return [where, options](const Invocation& call) {
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     const std::vector<JointTrend> trends =

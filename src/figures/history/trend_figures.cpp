@@ -25,6 +25,11 @@ std::string change_words(const FoundChange& change, const AxisScale& scale) {
   const std::string size = change.percent ? fmt::format("{:.2g} %", std::abs(*change.percent))
                                           : figures::with_unit(std::abs(change.size.value),
                                                                {scale.factor, scale.unit}, 2);
+  if (change.is_slow) {
+    return fmt::format("slowly {} by {} since {}, visible from {}",
+                       change.direction > 0 ? "risen" : "fallen", size,
+                       figures::date_of(change.from), figures::date_of(change.alarm));
+  }
   std::string words =
       fmt::format("{} by {}, visible from {}, alarm {}", change.direction > 0 ? "risen" : "fallen",
                   size, figures::date_of(change.from), figures::date_of(change.alarm));

@@ -76,9 +76,24 @@ void mark_changes(const QuantityTrend& trend, bool with_text, render::Panel& pan
     panel.reference_lines.push_back(std::move(line));
   };
   for (const FoundChange& change : trend.changes) {
+    if (change.is_slow) {
+      add_line(change.alarm, "visible from", colour::vermilion);
+      continue;
+    }
     add_line(change.from, "visible from", colour::vermilion);
     if (change.alarm != change.from) add_line(change.alarm, "alarm", colour::grey);
     if (!change.back.empty()) add_line(change.back, "back from", colour::green);
+  }
+}
+
+/// Along the line of a slow drift.
+void add_drift(const QuantityTrend& trend, const AxisScale& scale, render::Panel& panel) {
+  for (const FoundChange& change : trend.changes) {
+    if (!change.is_slow) continue;
+    panel.series.push_back(
+        line("drift", {day_of(change.from), day_of(trend.points.back().measured_at)},
+             {scale(change.drift_start), scale(change.drift_start + change.size.value)},
+             colour::vermilion, 2.5, render::LineStyle::solid));
   }
 }
 
@@ -131,6 +146,7 @@ render::Panel trend_panel(const QuantityTrend& trend, const AxisScale& scale) {
   for (render::Series* s : {&left, &learned, &judged, &as_measured}) {
     add_visible(panel, std::move(*s));
   }
+  add_drift(trend, scale, panel);
   mark_changes(trend, true, panel);
   if (!trend.changes.empty()) leave_room_above(panel);
   return panel;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "archive/history/quantity_traits.h"
+#include "archive/history/slow_drift.h"
 
 #include "figures/number_text.h"
 #include "report/rounding.h"
@@ -38,6 +39,11 @@ std::string size_of(const FoundChange& c, const std::string& unit) {
 }
 
 std::string change_sentence(const QuantityTrend& q, const FoundChange& c) {
+  if (c.is_slow) {
+    return as_sentence(fmt::format("{} has slowly {} by {} since {}, visible from {}", q.words,
+                                   c.direction > 0 ? "risen" : "fallen", size_of(c, q.unit),
+                                   day(c.from), day(c.alarm)));
+  }
   const bool is_over = !c.back.empty();
   std::string words = fmt::format("{} {} {} by {}, visible from {} (alarm on {})", q.words,
                                   is_over ? "had" : "has", c.direction > 0 ? "risen" : "fallen",
@@ -77,6 +83,9 @@ std::string temperature_text(const QuantityTrend& q) {
 std::string state_text(const QuantityTrend& q) {
   std::string text = to_string(q.state);
   if (!q.changes.empty()) text += " from " + day(q.changes.back().from);
+  if (!q.changes.empty() && q.changes.back().is_slow) {
+    return "slow drift, visible from " + day(q.changes.back().alarm);
+  }
   if (q.state == TrendState::recovered) {
     text = fmt::format("changed from {}, back from {}", day(q.changes.back().from),
                        day(q.changes.back().back));
@@ -207,11 +216,13 @@ std::string chart_words(const JointTrend& t) {
       "comes about once in {} calibrations of the joint or more rarely, for all of its {} watched "
       "quantities together. The date from which a change is visible is that of the calibration, "
       "of those since the sum last left zero, from which on a shift is most likely (Hinkley 1970). "
-      "A "
+      "A straight line over time through all calibrations tells a steady drift, which a chart that "
+      "learns on the way follows: from a chance of {:.2g} % on, at any one time and for all "
+      "quantities together, that there is none. A "
       "change that was there before the first calibration is not seen, and one odd calibration "
       "alone raises no alarm.",
       baseline, history::cusum_allowance, history::cusum_limit(t.watched),
-      history::calibrations_per_false_alarm, t.watched);
+      history::calibrations_per_false_alarm, t.watched, 100 * history::drift_false_alarms);
 }
 
 }  // namespace tribolog::report

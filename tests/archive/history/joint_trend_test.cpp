@@ -147,6 +147,32 @@ TEST(JointTrend, WarmingAlongWithTimeIsACaution) {
   EXPECT_NE(t.cautions.front().find("went together"), std::string::npos);
 }
 
+TEST(JointTrend, ASlowDriftIsToldAsOne) {
+  test::HistoryShape shape = of_length(24);
+  shape.noise = {0.004, 0.004};
+  const auto drift = [](const std::string& name, std::size_t k) {
+    return name == "coulomb_torque" ? 1 - 0.02 * static_cast<double>(k) / 23 : 1;
+  };
+  const auto trends = joint_trends(simulated_history(5, drift, shape), {});
+  const QuantityTrend& coulomb = quantity(trends.front(), "coulomb_torque");
+  ASSERT_EQ(coulomb.state, TrendState::warning);
+  ASSERT_EQ(coulomb.changes.size(), 1U);
+  const FoundChange& change = coulomb.changes.front();
+  EXPECT_TRUE(change.is_slow);
+  EXPECT_EQ(change.direction, -1);
+  EXPECT_LT(change.size.low, -0.02 * 0.45);
+  EXPECT_GT(change.size.high, -0.02 * 0.45);
+  ASSERT_TRUE(change.percent);
+  EXPECT_NEAR(*change.percent, -2, 1);
+  EXPECT_NEAR(change.drift_start, 0.45, 0.01);
+  EXPECT_EQ(change.from, coulomb.points.front().measured_at);
+  const auto json = nlohmann::json::parse(trend_json(trends));
+  const auto& told = json["joints"][0]["quantities"][0]["changes"][0];
+  EXPECT_EQ(told["kind"], "drift");
+  EXPECT_EQ(told["since"], change.from);
+  EXPECT_EQ(told["visible_from"], change.alarm);
+}
+
 TEST(JointTrend, JsonHoldsItAll) {
   const auto json = nlohmann::json::parse(
       trend_json(joint_trends(simulated_history(3, step_at(14), of_length(24)), {})));
