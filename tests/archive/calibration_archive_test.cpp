@@ -56,6 +56,10 @@ TEST_P(AnyArchive, TheSameInputsAreOneEntry) {
   ASSERT_EQ(archive.list(latest).size(), 1U);
   EXPECT_EQ(archive.list(latest).front().id, third.id);
   one.facts.configuration = "Resamples: 500\n";
+  EXPECT_FALSE(archive.add(one, false, now).is_new) << "of the same recordings";
+  std::swap(one.inputs.front(), one.inputs.back());
+  EXPECT_FALSE(archive.add(one, false, now).is_new) << "in another order";
+  one.inputs.front().sha256 = sample_calibration(1, 2, 4, 0.45).inputs.front().sha256;
   EXPECT_TRUE(archive.add(one, false, now).is_new);
 }
 

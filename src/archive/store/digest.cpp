@@ -86,7 +86,6 @@ std::string NewCalibration::identity() const {
   for (const Input& input : inputs) fingerprints.push_back(input.sha256);
   std::sort(fingerprints.begin(), fingerprints.end());
   Fields fields("tribolog-identity-1");
-  fields.add(facts.configuration);
   for (const std::string& fingerprint : fingerprints) fields.add(fingerprint);
   return fields.hex();
 }
