@@ -84,6 +84,17 @@ std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantiti
   return text_of(json);
 }
 
+std::string added_json(const Added& added, const std::string& file) {
+  const Json line{{"id", added.id}, {"is_new", added.is_new}, {"file", file}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string removed_json(const std::vector<Entry>& entries) {
+  Json ids = Json::array();
+  for (const Entry& entry : entries) ids.push_back(entry.id);
+  return text_of({{"schema", "tribolog-archive-removed-1"}, {"removed", std::move(ids)}});
+}
+
 std::string verification_json(const Verification& outcome) {
   return text_of({{"schema", "tribolog-archive-verification-1"},
                   {"is_whole", outcome.faults.empty()},

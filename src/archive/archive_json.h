@@ -16,6 +16,12 @@ std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantiti
                        const std::vector<Input>& inputs,
                        const std::vector<StoredDocument>& documents);
 
+/// One line: {"id": "...", "is_new": true, "file": "cal.json"}.
+std::string added_json(const Added& added, const std::string& file);
+
+/// {"schema": "tribolog-archive-removed-1", "removed": ["id", ...]}
+std::string removed_json(const std::vector<Entry>& entries);
+
 std::string verification_json(const Verification& outcome);
 
 }  // namespace tribolog::archive

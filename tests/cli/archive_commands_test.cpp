@@ -119,6 +119,30 @@ TEST_F(ArchiveCommands, AnEmptyLocationIsNotTheUsersOwn) {
   EXPECT_TRUE(std::filesystem::exists(dataset_.file("data/tribolog/archive.tribolog")));
 }
 
+TEST_F(ArchiveCommands, AddAndRemoveAnswerInJson) {
+  ASSERT_EQ(run("identify dataset.toml -o cal.json --truth-runs 0 --resamples 0").status, 0);
+  const std::string id = only_id();
+  const json added = json::parse(run("archive add cal.json --json").out);
+  EXPECT_EQ(added["id"], id);
+  EXPECT_EQ(added["is_new"], false);
+  EXPECT_EQ(added["file"], "cal.json");
+  const json removed = json::parse(run("archive remove --yes --json " + id).out);
+  EXPECT_EQ(removed["removed"], json::array({id}));
+  EXPECT_EQ(json::parse(run("archive add cal.json --json").out)["is_new"], true);
+}
+
+TEST_F(ArchiveCommands, NoPageReplacesTheArchive) {
+  ASSERT_EQ(run(identified).status, 0);
+  const std::string before = read_text(dataset_.file("a.tribolog"));
+  const std::string id = only_id();
+  for (const std::string& command :
+       {"archive export --format csv " + id, "archive diff " + id + " " + id,
+        std::string("archive trend"), std::string("archive fleet")}) {
+    EXPECT_EQ(run(command + " -o a.tribolog").status, 2) << command;
+  }
+  EXPECT_TRUE(read_text(dataset_.file("a.tribolog")) == before);
+}
+
 TEST_F(ArchiveCommands, RemoveAsksFirst) {
   ASSERT_EQ(run(identified).status, 0);
   const std::string id = only_id();

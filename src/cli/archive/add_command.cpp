@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "archive/archive_json.h"
 #include "archive/entry_of_calibration.h"
 #include "provenance.h"
 
@@ -18,6 +19,7 @@ struct Options {
   std::string report;
   std::string inputs;
   bool again{false};
+  bool json{false};
 };
 
 void check(const Options& options) {
@@ -38,6 +40,7 @@ Run add_add(CLI::App& archive) {
                      "directory of its manifest: manifest and recordings are kept too");
   command.add_flag("--again", options->again,
                    "where the same inputs are archived already: keep it beside that one");
+  command.add_flag("--json", options->json, "a line of JSON for each, as soon as it is kept");
   const auto where = add_archive_options(command);
   command.footer(
       "\nWhat was said to be archived is on the disk. The same inputs archived twice are one\n"
@@ -54,7 +57,11 @@ Run add_add(CLI::App& archive) {
     archive::CalibrationArchive kept = where->open(sql::Access::write);
     for (std::size_t k = 0; k < made.size(); ++k) {
       const archive::Added added = kept.add(made[k], options->again, now);
-      tell_added(added, options->calibrations[k], call.console);
+      if (options->json) {
+        print_json(archive::added_json(added, options->calibrations[k]));
+      } else {
+        tell_added(added, options->calibrations[k], call.console);
+      }
       if (!report.empty() && !kept.attach_report(added.id, report, now)) {
         call.console.warn("note: " + added.id.substr(0, archive::shown_digits) +
                           " has a report already, which stays");

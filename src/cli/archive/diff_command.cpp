@@ -84,6 +84,7 @@ Run add_diff(CLI::App& archive) {
       "into\n"
       "account that several quantities are looked at.");
   return [where, options](const Invocation& call) {
+    where->protect_from(options->output);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     std::vector<archive::Measured> both;
     for (const std::string& id : options->ids) {

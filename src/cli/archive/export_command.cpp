@@ -73,6 +73,7 @@ Run add_export(CLI::App& archive) {
       "modelica: tau_pos and peak of Modelica.Mechanics.Rotational.Components.BearingFriction.");
   return [where, options](const Invocation& call) {
     check(*options);
+    where->protect_from(options->output);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     archive::ArchivedJoint joint;
     joint.entry = kept.find(options->id);

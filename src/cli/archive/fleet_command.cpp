@@ -80,7 +80,7 @@ Run add_fleet(CLI::App& archive) {
       "--reports writes one for every joint that has one in the archive.");
   return [where, options](const Invocation& call) {
     check(*options);
-    if (!options->output.empty()) check_output_can_be_written(options->output);
+    where->protect_from(options->output);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     archive::Filter filter = options->filter;
     filter.latest_revisions = true;

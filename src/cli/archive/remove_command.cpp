@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "archive/archive_json.h"
 #include "provenance.h"
 
 #include "cli/archive/archive_commands.h"
@@ -11,11 +12,13 @@ Run add_remove(CLI::App& archive) {
   struct Options {
     std::vector<std::string> ids;
     bool is_sure{false};
+    bool json{false};
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command = *archive.add_subcommand("remove", "takes calibrations out for good");
   command.add_option("ID", options->ids, "the first digits of their ids")->required();
   command.add_flag("--yes", options->is_sure, "without it, it is only said what would go");
+  command.add_flag("--json", options->json, "what was removed, as JSON to standard output");
   const auto where = add_archive_options(command);
   command.footer("\nThe chain remembers that it was removed, and when.");
   return [where, options](const Invocation& call) {
@@ -30,11 +33,13 @@ Run add_remove(CLI::App& archive) {
           fmt::format("{} ({}, joint {}, {})", entry.id.substr(0, archive::shown_digits),
                       printable(of.robot), printable(of.joint), entry.facts.measured_at);
       if (options->is_sure) kept.remove(entry, now);
+      if (options->json && options->is_sure) continue;
       call.console.say((options->is_sure ? "removed: " : "would be removed: ") + what);
     }
     if (!options->is_sure) {
       throw UsageError("archive remove: nothing was removed; --yes removes for good");
     }
+    if (options->json) print_json(archive::removed_json(entries));
     return ExitStatus::done;
   };
 }
