@@ -56,6 +56,12 @@ NodeName=worker1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$(slurm_free_port) C
 NodeName=worker2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$(slurm_free_port) CPUs=2
 PartitionName=fleet Nodes=worker1,worker2 Default=YES MaxTime=INFINITE State=UP
 EOF
+  # From 22.05 on slurmd looks for cgroups, used or not; this plugin starts where none are mounted,
+  # as in a container. 21.08 does not know the key.
+  case $(slurmd -V) in
+    *" 21."* | *" 20."*) ;;
+    *) echo "CgroupPlugin=cgroup/v1" >"$directory/cgroup.conf" ;;
+  esac
   export SLURM_CONF=$directory/slurm.conf
   slurm_start_daemon "$directory/munged.log" munged --foreground --force \
     --key-file="$directory/munge.key" --socket="$directory/munge.socket" \
