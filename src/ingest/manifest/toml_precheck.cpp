@@ -77,6 +77,10 @@ class Walk {
 
   void check_plain(char c) {
     if (!is_ascii(c)) refuse("character beyond ASCII outside of quotes and comments");
+    // The parser scans a bare value up to a blank, through brackets and into a text behind them.
+    const bool opens = c == '[' || c == '{';
+    if (opens && i_ > 0 && is_bare(text_[i_ - 1]))
+      refuse("bracket in the middle of a key or value");
     if (c == '.' && ++dots_ > most_dots) refuse("key with too many dots");
     if (std::string_view("\n=[]{},").find(c) != std::string_view::npos) dots_ = 0;
     if (c != ' ' && c != '\t') {
@@ -84,6 +88,10 @@ class Walk {
     }
   }
 
+  /// Of a number, a date, a bare key; or the end of a text.
+  static bool is_bare(char c) {
+    return std::string_view(" \t\r\n=[]{},").find(c) == std::string_view::npos;
+  }
   static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
   [[noreturn]] void refuse(const char* what) const {

@@ -11,8 +11,8 @@
 namespace tribolog {
 
 /// @throw InputError for broken UTF-8, a character beyond ASCII outside of quotes and comments, a
-///        backslash before such a character, a quote in the middle of a key or value, or a key with
-///        over 50 dots.
+///        backslash before such a character, a quote or a bracket in the middle of a key or value,
+///        or a key with over 50 dots.
 void precheck_toml(std::string_view text, const std::string& file);
 
 }  // namespace tribolog

@@ -120,6 +120,10 @@ TEST(TomlTable, RefusesStrayCharactersBeyondAscii) {
             "m.toml:1:9: backslash before a character beyond ASCII");
   EXPECT_EQ(refusal([] { return parse("s = 1\"°\"\n"); }),
             "m.toml:1:6: quote in the middle of a key or value");
+  EXPECT_EQ(refusal([] { return parse("s=+[\"О\"]\n"); }),
+            "m.toml:1:4: bracket in the middle of a key or value");
+  EXPECT_EQ(refusal([] { return parse("s = 1{\"О\" = 1}\n"); }),
+            "m.toml:1:6: bracket in the middle of a key or value");
   EXPECT_NE(refusal([] { return parse("[&"); }), "");
 }
 
