@@ -81,10 +81,13 @@ class Walk {
     const bool opens = c == '[' || c == '{';
     if (opens && i_ > 0 && is_bare(text_[i_ - 1]))
       refuse("bracket in the middle of a key or value");
+    if (c == '=' && is_value_) refuse("'=' in the middle of a value");
+    if (std::string_view("\n[{,=").find(c) != std::string_view::npos) is_value_ = c == '=';
     if (c == '.' && ++dots_ > most_dots) refuse("key with too many dots");
     if (std::string_view("\n=[]{},").find(c) != std::string_view::npos) dots_ = 0;
     if (c != ' ' && c != '\t') {
-      may_start_text_ = std::string_view("\n\r=[{,.").find(c) != std::string_view::npos;
+      may_start_text_ = std::string_view("\n\r=[{,.").find(c) != std::string_view::npos &&
+                        !(c == '.' && is_value_);
     }
   }
 
@@ -105,6 +108,7 @@ class Walk {
   long line_{1};
   int dots_{0};
   bool may_start_text_{true};
+  bool is_value_{false};  ///< Behind a '=', up to what ends its value.
 };
 
 void refuse_broken_utf8(std::string_view text, const std::string& file) {

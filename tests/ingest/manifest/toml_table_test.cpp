@@ -122,6 +122,11 @@ TEST(TomlTable, RefusesStrayCharactersBeyondAscii) {
             "m.toml:1:6: quote in the middle of a key or value");
   EXPECT_EQ(refusal([] { return parse("s=+[\"О\"]\n"); }),
             "m.toml:1:4: bracket in the middle of a key or value");
+  EXPECT_EQ(refusal([] { return parse("_=6.=\"О\"\n"); }),
+            "m.toml:1:5: '=' in the middle of a value");
+  EXPECT_EQ(refusal([] { return parse("_=6.\"О\"\n"); }),
+            "m.toml:1:5: quote in the middle of a key or value");
+  EXPECT_EQ(parse("a.\"О\" = {b = \"x\", c.\"О\" = [\"y\"]}\nd = 'z='\n").text("d"), "z=");
   EXPECT_EQ(refusal([] { return parse("s = 1{\"О\" = 1}\n"); }),
             "m.toml:1:6: bracket in the middle of a key or value");
   EXPECT_NE(refusal([] { return parse("[&"); }), "");
