@@ -74,8 +74,8 @@ struct NewCalibration {
   std::vector<Input> inputs;
   std::vector<Document> documents;  ///< The calibration (JSON); its report and inputs if wanted.
 
-  /// SHA-256 over the fingerprints of all inputs, manifest and recordings: what is measured again is
-  /// another calibration; the same is the same, whatever the settings, the program's version and
+  /// SHA-256 over the fingerprints of all inputs, manifest and recordings: what is measured again
+  /// is another calibration; the same is the same, whatever the settings, the program's version and
   /// the files' names. Identified otherwise, it is a revision of the same.
   [[nodiscard]] std::string identity() const;
 };

@@ -1,6 +1,5 @@
 #include "archive/entry_of_calibration.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "error.h"
 #include "ingest/closest_match.h"
 #include "ingest/text/clock_field.h"
+#include "stages/median.h"
 
 namespace tribolog::archive {
 namespace {
@@ -85,12 +85,6 @@ class Members {
   const std::string& file_;
 };
 
-std::optional<double> median(std::vector<double> numbers) {
-  if (numbers.empty()) return std::nullopt;
-  std::sort(numbers.begin(), numbers.end());
-  return numbers[numbers.size() / 2];
-}
-
 std::optional<double> sampling_rate(const Members& top, const std::string& file) {
   std::vector<double> rates_Hz;
   for (const Json& speed : top.list("speeds")) {
@@ -99,6 +93,7 @@ std::optional<double> sampling_rate(const Members& top, const std::string& file)
     const auto seconds = of_recording.number("window_s");
     if (samples && seconds && *seconds > 0) rates_Hz.push_back(*samples / *seconds);
   }
+  if (rates_Hz.empty()) return std::nullopt;
   return median(std::move(rates_Hz));
 }
 
@@ -202,6 +197,11 @@ std::string utc_of_iso_text(const std::string& text) {
                        clock.hours().count(), clock.minutes().count(), clock.seconds().count());
   }
   return "";
+}
+
+double seconds_of_utc(const std::string& utc) {
+  const auto time = read_iso_time(utc);
+  return time ? static_cast<double>(time->whole) : 0;
 }
 
 NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {

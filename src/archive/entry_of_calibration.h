@@ -17,4 +17,7 @@ NewCalibration entry_of_calibration(const std::string& json, const std::string& 
 /// an offset it is taken for UTC. @return empty for anything else.
 std::string utc_of_iso_text(const std::string& text);
 
+/// Since 1970, of a time that utc_of_iso_text() gave; 0 for anything else.
+double seconds_of_utc(const std::string& utc);
+
 }  // namespace tribolog::archive

@@ -4,21 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "archive/entry_of_calibration.h"
 #include "archive/fleet/fleet_distances.h"
 #include "archive/fleet/robust_statistics.h"
-
-#include "ingest/text/clock_field.h"
 
 namespace tribolog::archive {
 namespace {
 
 constexpr double least_limit = 3.5;
 constexpr double chance_outliers = 0.5;
-
-double seconds_of(const std::string& utc) {
-  const auto time = read_iso_time(utc);
-  return time ? static_cast<double>(time->whole) : 0;
-}
 
 /// What the data do not show is no result, also where there is a number.
 bool is_result(const Quantity& q) {
@@ -55,7 +49,7 @@ FleetJoint joint_of(std::vector<Measured>::const_iterator first,
   for (auto at = first; at != end; ++at) {
     // What was measured behind another gear is no history of this one.
     if (at->entry.facts.gear_ratio != joint.latest.facts.gear_ratio) continue;
-    const double time_s = seconds_of(at->entry.facts.measured_at);
+    const double time_s = seconds_of_utc(at->entry.facts.measured_at);
     for (FleetCell& cell : joint.cells) {
       for (const Quantity& q : at->quantities) {
         if (!is_result(q) || q.name != columns.all[cell.column].name) continue;
@@ -105,7 +99,7 @@ Fleet fleet_of(const std::vector<Measured>& measured) {
     if (!is_same_robot) fleet.robots.push_back({of.robot, of.serial, {}, 0});
     fleet.robots.back().joints.push_back(joint_of(first, end, columns));
     for (auto at = first; at != end; ++at) {
-      const double time_s = seconds_of(at->entry.facts.measured_at);
+      const double time_s = seconds_of_utc(at->entry.facts.measured_at);
       fleet.first_s = fleet.calibrations == 0 ? time_s : std::min(fleet.first_s, time_s);
       fleet.last_s = fleet.calibrations == 0 ? time_s : std::max(fleet.last_s, time_s);
       ++fleet.calibrations;

@@ -11,7 +11,6 @@
 #include "archive/history/slow_drift.h"
 
 #include "error.h"
-#include "ingest/text/clock_field.h"
 #include "stages/student_t.h"
 
 namespace tribolog::history {
@@ -86,8 +85,7 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
 /// 1970-01-01: 0.
 double day_number(const HistoryPoint& point) {
   constexpr double seconds = 86400;
-  const auto read = read_iso_time(point.measured_at);
-  return read ? static_cast<double>(read->whole) / seconds : 0;
+  return archive::seconds_of_utc(point.measured_at) / seconds;
 }
 
 FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const SlowDrift& drift) {
