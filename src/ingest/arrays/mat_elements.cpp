@@ -1,15 +1,13 @@
 #include "ingest/arrays/mat_elements.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <optional>
-
-#include <zlib.h>
 
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/isolated_reading.h"
+#include "ingest/arrays/mat_matrix.h"
+#include "ingest/arrays/mat_stream.h"
 
 namespace tribolog {
 namespace {
@@ -18,53 +16,8 @@ constexpr std::size_t header_bytes_5 = 128;
 constexpr std::size_t tag_bytes_5 = 8;
 constexpr std::size_t header_bytes_4 = 20;
 
-class MatBytes {
- public:
-  explicit MatBytes(const std::string& path) : in_(path, std::ios::binary | std::ios::ate) {
-    size_ = in_ ? static_cast<std::uint64_t>(in_.tellg()) : 0;
-  }
-  /// Up to `count` bytes from there.
-  std::string at(std::uint64_t offset, std::size_t count) {
-    std::string bytes(std::min<std::uint64_t>(count, size_ - std::min(offset, size_)), '\0');
-    in_.seekg(static_cast<std::streamoff>(offset));
-    in_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(in_.gcount()));
-    return bytes;
-  }
-  [[nodiscard]] std::uint64_t size() const { return size_; }
-
- private:
-  std::ifstream in_;
-  std::uint64_t size_{};
-};
-
 [[noreturn]] void refuse(std::size_t number, const std::string& what) {
   throw UnreadableFile("damaged MAT file: variable " + std::to_string(number) + " " + what);
-}
-
-/// Unpacks to nowhere: zlib compares the checksum at the end.
-bool is_intact(MatBytes& file, std::uint64_t offset, std::uint64_t length) {
-  constexpr std::size_t piece = 1U << 16;
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) return false;
-  std::array<unsigned char, piece> unpacked;
-  int status = Z_OK;
-  while (status == Z_OK && length > 0) {
-    std::string packed = file.at(offset, std::min<std::uint64_t>(piece, length));
-    if (packed.empty()) break;
-    offset += packed.size();
-    length -= packed.size();
-    stream.next_in = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_in = static_cast<uInt>(packed.size());
-    do {
-      stream.next_out = unpacked.data();
-      stream.avail_out = piece;
-      status = inflate(&stream, Z_NO_FLUSH);
-    } while (status == Z_OK && (stream.avail_in > 0 || stream.avail_out == 0));
-    if (status == Z_BUF_ERROR) status = Z_OK;  // wants the next piece
-  }
-  inflateEnd(&stream);
-  return status == Z_STREAM_END;
 }
 
 MatElements check_version_5(MatBytes& file) {
@@ -85,9 +38,12 @@ MatElements check_version_5(MatBytes& file) {
     if (type != matrix && type != compressed) {
       refuse(found.complete + 1, "is of the unknown kind " + std::to_string(type));
     }
-    if (type == compressed && !is_intact(file, at + tag_bytes_5, length)) {
-      refuse(found.complete + 1, "has a wrong checksum");
-    }
+    const bool is_packed = type == compressed;
+    MatStream stream(file, is_packed ? at + tag_bytes_5 : at,
+                     is_packed ? length : tag_bytes_5 + length, is_packed);
+    const std::string misfit = check_mat_matrix(stream, big_endian);
+    if (!stream.finish()) refuse(found.complete + 1, "has a wrong checksum");
+    if (!misfit.empty()) refuse(found.complete + 1, misfit);
     at += tag_bytes_5 + length;
     ++found.complete;
   }

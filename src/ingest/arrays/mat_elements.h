@@ -16,8 +16,8 @@ struct MatElements {
   bool ends_inside{};      ///< One more is begun: the file is cut off.
 };
 
-/// Walks the variables of a MAT 4 or 5 file from length to length and checks what is compressed
-/// against its checksum, which the library does not.
+/// Walks the variables of a MAT 4 or 5 file from length to length, checks what is compressed
+/// against its checksum, and that a variable holds the values it claims: the library does neither.
 /// @throw UnreadableFile naming the variable by its number.
 MatElements check_mat_elements(const std::string& path, MatVersion version);
 

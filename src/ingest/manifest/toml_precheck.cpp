@@ -1,5 +1,8 @@
 #include "ingest/manifest/toml_precheck.h"
 
+#include <cstddef>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "error.h"
@@ -10,7 +13,9 @@ namespace {
 
 constexpr int most_dots = 50;
 
-/// Walks a document just closely enough to tell texts and comments from the rest.
+/// Walks a document just closely enough to tell texts and comments from the rest, and where a key
+/// or a value has begun: the parser scans a bare one up to a blank or further (dates), through
+/// quotes and brackets and into a text behind them.
 class Walk {
  public:
   Walk(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -20,9 +25,9 @@ class Walk {
       if (text_[i_] == '#') {
         skip_comment();
       } else if (text_[i_] == '"' || text_[i_] == '\'') {
-        if (!may_start_text_) refuse("quote in the middle of a key or value");
+        if (has_begun()) refuse("quote in the middle of a key or value");
         skip_text();
-        may_start_text_ = false;
+        begin();
       } else {
         check_plain(text_[i_]);
         step();
@@ -31,6 +36,9 @@ class Walk {
   }
 
  private:
+  enum class Place { before_key, in_key, before_value, in_value };
+  enum class Bracket { header, array, table };
+
   [[nodiscard]] bool at_end() const { return i_ >= text_.size(); }
   [[nodiscard]] bool is_ahead(std::string_view what) const {
     return text_.substr(i_).starts_with(what);
@@ -65,7 +73,10 @@ class Walk {
       }
       step();
     }
-    for (int n = is_multiline ? 3 : 1; n > 0 && !at_end(); --n) step();
+    // Up to two quotes before the closing three are the text's own.
+    const std::size_t end = i_ + (is_multiline ? 3 : 1);
+    const std::size_t latest = is_multiline ? end + 2 : end;
+    while (!at_end() && i_ < latest && (i_ < end || text_[i_] == quote)) step();
   }
 
   /// A backslash may continue a line: then blanks and line ends up to the next character follow.
@@ -77,24 +88,90 @@ class Walk {
 
   void check_plain(char c) {
     if (!is_ascii(c)) refuse("character beyond ASCII outside of quotes and comments");
-    // The parser scans a bare value up to a blank, through brackets and into a text behind them.
-    const bool opens = c == '[' || c == '{';
-    if (opens && i_ > 0 && is_bare(text_[i_ - 1]))
-      refuse("bracket in the middle of a key or value");
-    if (c == '=' && is_value_) refuse("'=' in the middle of a value");
-    if (std::string_view("\n[{,=").find(c) != std::string_view::npos) is_value_ = c == '=';
-    if (c == '.' && ++dots_ > most_dots) refuse("key with too many dots");
-    if (std::string_view("\n=[]{},").find(c) != std::string_view::npos) dots_ = 0;
-    if (c != ' ' && c != '\t') {
-      may_start_text_ = std::string_view("\n\r=[{,.").find(c) != std::string_view::npos &&
-                        !(c == '.' && is_value_);
+    switch (c) {
+      case ' ':
+      case '\t':
+      case '\r':
+        return;
+      case '\n':
+        return end_line();
+      case '[':
+      case '{':
+        return open(c);
+      case ']':
+      case '}':
+        return close();
+      case '=':
+        return assign();
+      case ',':
+        return separate();
+      case '.':
+        return join();
+      default:
+        begin();
     }
   }
 
-  /// Of a number, a date, a bare key; or the end of a text.
-  static bool is_bare(char c) {
-    return std::string_view(" \t\r\n=[]{},").find(c) == std::string_view::npos;
+  [[nodiscard]] bool has_begun() const {
+    return place_ == Place::in_key || place_ == Place::in_value;
   }
+
+  void begin() {
+    if (place_ == Place::before_key) place_ = Place::in_key;
+    if (place_ == Place::before_value) place_ = Place::in_value;
+  }
+
+  /// Only an array goes on in the next line.
+  void end_line() {
+    dots_ = 0;
+    if (!open_.empty() && open_.back() == Bracket::array) {
+      place_ = Place::before_value;
+      return;
+    }
+    open_.clear();
+    place_ = Place::before_key;
+  }
+
+  void open(char c) {
+    const bool follows_point = place_ == Place::before_key && dots_ > 0;
+    if (has_begun() || follows_point) refuse("bracket in the middle of a key or value");
+    const bool is_header = c == '[' && place_ == Place::before_key;
+    const bool is_array = c == '[' && !is_header;
+    open_.push_back(is_header ? Bracket::header : is_array ? Bracket::array : Bracket::table);
+    place_ = is_array ? Place::before_value : Place::before_key;
+    dots_ = 0;
+  }
+
+  /// What a bracket closes is a value or a header, and nothing else begins behind it.
+  void close() {
+    if (!open_.empty()) open_.pop_back();
+    place_ = Place::in_value;
+    dots_ = 0;
+  }
+
+  void assign() {
+    if (place_ == Place::before_value || place_ == Place::in_value)
+      refuse("'=' in the middle of a value");
+    place_ = Place::before_value;
+    dots_ = 0;
+  }
+
+  void separate() {
+    const bool is_array = !open_.empty() && open_.back() == Bracket::array;
+    place_ = is_array ? Place::before_value : Place::before_key;
+    dots_ = 0;
+  }
+
+  /// A point joins the parts of a key; in a value it belongs to the number.
+  void join() {
+    if (++dots_ > most_dots) refuse("key with too many dots");
+    if (place_ == Place::in_key) {
+      place_ = Place::before_key;
+    } else {
+      begin();
+    }
+  }
+
   static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
   [[noreturn]] void refuse(const char* what) const {
@@ -103,12 +180,12 @@ class Walk {
 
   std::string_view text_;
   const std::string& file_;
+  std::vector<Bracket> open_;
+  Place place_{Place::before_key};
   std::size_t i_{0};
   std::size_t line_start_{0};
   long line_{1};
   int dots_{0};
-  bool may_start_text_{true};
-  bool is_value_{false};  ///< Behind a '=', up to what ends its value.
 };
 
 void refuse_broken_utf8(std::string_view text, const std::string& file) {

@@ -132,6 +132,24 @@ TEST(TomlTable, RefusesStrayCharactersBeyondAscii) {
   EXPECT_NE(refusal([] { return parse("[&"); }), "");
 }
 
+TEST(TomlTable, RefusesATextBehindAnElementThatHasBegun) {
+  const std::string quote = "quote in the middle of a key or value";
+  EXPECT_EQ(refusal([] { return parse("a = [6.\"О\"]\n"); }), "m.toml:1:8: " + quote);
+  EXPECT_EQ(refusal([] { return parse("a = [1,\n  6. \"О\"]\n"); }), "m.toml:2:6: " + quote);
+  EXPECT_EQ(refusal([] { return parse("a = 1979-05-27 \"О\n"); }), "m.toml:1:16: " + quote);
+  EXPECT_EQ(refusal([] { return parse("a = {b = 1 'О'}\n"); }), "m.toml:1:12: " + quote);
+  EXPECT_EQ(refusal([] { return parse("[a]\"О\"\n"); }), "m.toml:1:4: " + quote);
+  EXPECT_EQ(refusal([] { return parse("a.[\"О\"] = 1\n"); }),
+            "m.toml:1:3: bracket in the middle of a key or value");
+}
+
+TEST(TomlTable, TakesTextsWhereverTheyMayStand) {
+  const TomlTable table = parse(
+      "a = [ # °\n  \"µ\", # one\n  '°'\n]\nb . \"c\" = {d = [[\"x\"], ['y', \"z\"]], e = 1.5}\n"
+      "f = \"\"\"\"g\"\"\"\"\"\n[ h . 'i' ]\nj = 1979-05-27 07:32:00\n[[k]]\n\"l\" = 1 # °\n");
+  EXPECT_EQ(table.text("f"), "\"g\"\"");
+}
+
 TEST(TomlTable, TakesCharactersBeyondAsciiWhereTextIs) {
   const TomlTable table = parse(
       "\xef\xbb\xbf# Größe\na = \"°\" # µ\nb = '°\\'\nc = \"\"\"\n°\"µ\\\"\n\"\"\"\n"
