@@ -29,6 +29,12 @@ std::string part(std::uint32_t kind, std::string bytes) {
   return tag + bytes;
 }
 
+/// The names of a struct's fields, each of so many bytes.
+std::string fields(std::uint32_t name_bytes, const std::string& names) {
+  constexpr std::uint32_t short_int_32 = 4U << 16U | 5U;
+  return bytes_of<std::uint32_t>({short_int_32, name_bytes}) + part(1, names);
+}
+
 /// The header of an array, by its class and sides, and what is in it.
 std::string array(std::uint32_t array_class, const std::vector<std::int32_t>& sides,
                   const std::string& name, const std::string& inside) {
@@ -65,8 +71,7 @@ class MatClaims : public testing::Test {
 };
 
 TEST_F(MatClaims, KeptClaimsAreRead) {
-  const std::string field_names =
-      part(5, bytes_of<std::int32_t>({8})) + part(1, std::string("q\0\0\0\0\0\0\0", 8));
+  const std::string field_names = fields(8, std::string("q\0\0\0\0\0\0\0", 8));
   const std::string structure = array(2, {1, 1}, "run", field_names + doubles({20, 2}, "", 40));
   const std::string variables = doubles({20, 1}, "t", 20) + structure +
                                 array(6, {0, 0}, "none", part(9, "")) +
@@ -87,10 +92,10 @@ TEST_F(MatClaims, FewerValuesThanTheSidesClaim) {
   EXPECT_EQ(refusal(good + packed(doubles({1000, 1000}, "q", 20))), claims);
   EXPECT_EQ(refusal(good + doubles({2147483647, 2147483647, 2147483647}, "q", 20)), claims);
   EXPECT_EQ(refusal(good + array(1, {1000, 1}, "cell", doubles({1, 1}, "", 1))), claims);
-  const std::string field_names = part(5, bytes_of<std::int32_t>({1})) + part(1, "abcdefgh");
-  EXPECT_EQ(refusal(good + array(2, {1, 1}, "run", field_names + doubles({2, 1}, "", 2))), claims);
-  const std::string nested = part(5, bytes_of<std::int32_t>({8})) + part(1, "abcdefgh");
-  EXPECT_EQ(refusal(good + array(2, {1, 1}, "run", nested + doubles({3, 1}, "", 2))), claims);
+  const std::string nested = fields(8, "abcdefgh") + doubles({3, 1}, "", 2);
+  EXPECT_EQ(refusal(good + array(2, {1, 1}, "run", nested)), claims);
+  const std::string lacking = fields(1, std::string(40, 'a')) + doubles({2, 1}, "", 2);
+  EXPECT_EQ(refusal(good + array(2, {1, 1}, "run", lacking)), claims);
 }
 
 TEST_F(MatClaims, PartsThatDoNotFit) {
