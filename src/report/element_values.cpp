@@ -1,9 +1,13 @@
 #include "report/element_values.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "report/base64.h"
 #include "report/view_parts.h"
+#include "report/visible_text.h"
 
 namespace tribolog::report {
 
@@ -90,6 +94,13 @@ void fill_figure(const FigureCard& figure, TemplateValues& values) {
   }
   out.set_optional("FIGURE_CAPTION", figure.caption);
   out.set_optional("HOW_TO_READ", figure.how_to_read);
+  if (!figure.csv.empty()) {
+    TemplateValues& data = out.add_section("DATA");
+    data.set("FILE", figure.id + ".csv");
+    data.set_checked_by_modifier("CSV", visible_text(figure.csv));
+    data.set("SIZE",
+             fmt::format("{:.0f} kB", std::ceil(1e-3 * static_cast<double>(figure.csv.size()))));
+  }
   for (const std::string& warning : figure.warnings) {
     if (!warning.empty()) out.add_section("WARNING").set("TEXT", warning);
   }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "figures/figure_csv.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
 namespace {
 
 constexpr std::size_t eager_figures = 3;
+constexpr std::size_t most_csv_rows = 900;  ///< About 20 kB; a report has some twenty figures.
 
 FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
   FigureCard made;
@@ -30,6 +32,7 @@ FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
     made.height_px = drawn->height_px;
   }
   if (drawn != nullptr) made.warnings = drawn->warnings;
+  made.csv = figure_csv(figure, most_csv_rows);
   return made;
 }
 

@@ -23,6 +23,26 @@ class PngUri : public ctemplate::TemplateModifier {
   }
 };
 
+class CsvUri : public ctemplate::TemplateModifier {
+ public:
+  void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
+              ctemplate::ExpandEmitter* out, const std::string&) const override {
+    constexpr std::string_view kept = ".,-_";
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string uri = "data:text/csv;charset=utf-8,";
+    for (const char c : std::string_view(in, length)) {
+      const auto byte = static_cast<unsigned char>(c);
+      const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      if (is_letter || (c >= '0' && c <= '9') || kept.find(c) != std::string_view::npos) {
+        uri += c;
+      } else {
+        uri += {'%', digits[byte >> 4U], digits[byte & 15U]};
+      }
+    }
+    out->Emit(uri);
+  }
+};
+
 class ScriptJson : public ctemplate::TemplateModifier {
  public:
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
@@ -147,10 +167,12 @@ std::string json_for_script(const std::string& json) {
 
 void register_template_modifiers() {
   static const PngUri png;
+  static const CsvUri csv;
   static const ScriptJson json;
   static const OwnStyle css;
   static const Symbols symbols;
   static const bool once = ctemplate::AddXssSafeModifier("x-png", &png) &&
+                           ctemplate::AddXssSafeModifier("x-csv", &csv) &&
                            ctemplate::AddXssSafeModifier("x-json", &json) &&
                            ctemplate::AddXssSafeModifier("x-css", &css) &&
                            ctemplate::AddXssSafeModifier("x-symbols", &symbols);

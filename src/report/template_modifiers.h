@@ -2,6 +2,7 @@
 // What the templates print without the engine's escaping, each checked here instead.
 //
 // `{{PNG:x-png}}` base64 text -> a data URI of an image; anything else -> an empty picture.
+// `{{CSV:x-csv}}`   any text -> a data URI to save.
 // `{{JSON:x-json}}` JSON for a `<script type="application/json">`: `<`, `>`, `&`, U+2028 and U+2029
 //                   become \uXXXX, which JSON reads back as the same text.
 // `{{CSS:x-css}}`   the embedded style sheet, and no other text.

@@ -13,10 +13,18 @@ inline const std::string hostile =
 
 /// Tags and attribute names in order; the values of attributes that carry no text of strangers.
 inline const char* const skeleton = R"py(
-import html.parser, sys
+import html.parser, re, sys, urllib.parse
+DATA = 'data:text/csv;charset=utf-8,'
+def shown(name, value):
+    if name in ('alt', 'content'): return name
+    if name == 'href' and value.startswith(DATA):
+        safe = re.fullmatch(r'(?:[A-Za-z0-9.,_-]|%[0-9A-F]{2})*', value[len(DATA):])
+        hidden = re.search('[\u202a-\u202e\ufffd\x1b]', urllib.parse.unquote(value))
+        return 'href=table' if safe and not hidden else 'href=unsafe'
+    return '%s=%s' % (name, value)
 class Reader(html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):
-        print(tag, *[n if n in ('alt', 'content') else '%s=%s' % (n, v) for n, v in attributes if n != 'src'])
+        print(tag, *[shown(n, v) for n, v in attributes if n != 'src'])
     def handle_endtag(self, tag): print('/' + tag)
     def handle_comment(self, data): print('comment')
 reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); reader.close()

@@ -61,8 +61,9 @@ TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
   const std::regex modifier(R"(\{\{(\w+):([\w-]+)\}\})");
   for (std::sregex_iterator at(all.begin(), all.end(), modifier), end; at != end; ++at) {
     const std::string use = at->str();
-    const bool is_ours = use == "{{PNG:x-png}}" || use == "{{RESULT_JSON:x-json}}" ||
-                         use == "{{CSS:x-css}}" || at->str(2) == "x-symbols";
+    const bool is_ours = use == "{{PNG:x-png}}" || use == "{{CSV:x-csv}}" ||
+                         use == "{{RESULT_JSON:x-json}}" || use == "{{CSS:x-css}}" ||
+                         at->str(2) == "x-symbols";
     EXPECT_TRUE(is_ours) << use;
   }
 }

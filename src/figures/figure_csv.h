@@ -1,0 +1,20 @@
+#pragma once
+// The data behind a figure, as text to compute with.
+
+#include <cstddef>
+#include <string>
+
+#include "figures/report_figure.h"
+
+namespace tribolog {
+
+/// Rows `panel,what,name,x,y,low,high` in the units of the figure's axes, which comment lines (#)
+/// above the header state. `what` is curve, interval, point or line; what does not apply is empty.
+/// Six significant digits, lines end with LF. Numbers that are not finite are empty.
+///
+/// @param most_rows curves with more samples are thinned so that all have about as many rows in
+///        sum: of every block the lowest and the highest sample stay, and a comment says so.
+/// @return empty for a figure without panels: diagrams and drawings show no data.
+std::string figure_csv(const ReportFigure& figure, std::size_t most_rows);
+
+}  // namespace tribolog

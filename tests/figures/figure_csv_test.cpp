@@ -1,0 +1,100 @@
+#include "figures/figure_csv.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t all_rows = 1000;
+
+ReportFigure figure_of(std::vector<render::Panel> panels) {
+  ReportFigure figure;
+  figure.id = "fig-1";
+  figure.title = "Loop";
+  figure.figure.panels = std::move(panels);
+  return figure;
+}
+
+render::Panel panel_of(std::vector<double> x, std::vector<double> y, const std::string& label) {
+  render::Panel panel;
+  panel.x.title = "joint angle q [mrad]";
+  panel.y.title = "T_{f} [N·m]";
+  render::Series series;
+  series.label = label;
+  series.x = std::move(x);
+  series.y = std::move(y);
+  panel.series.push_back(series);
+  return panel;
+}
+
+TEST(FigureCsv, SaysEverythingThatIsDrawn) {
+  render::Panel panel = panel_of({1, 2, std::nan("")}, {0.1, -1e-7, 3}, "T_{ARM}, measured");
+  panel.title = "first";
+  panel.bands.push_back({"95 %", {1}, {0.5}, {1.5}, {}});
+  panel.error_bars.push_back({4, 1, 2, {}});
+  panel.point_labels.push_back({1, 0.1, "A", {}, {}});
+  panel.reference_lines.push_back(
+      {render::ReferenceLine::Direction::horizontal, 7, "limit", {}, {}});
+  EXPECT_EQ(figure_csv(figure_of({panel, panel_of({5}, {6}, "")}), all_rows),
+            "# fig-1: Loop\n"
+            "# panel 1 (first): x = joint angle q [mrad]; y = T_f [N·m]\n"
+            "# panel 2: x = joint angle q [mrad]; y = T_f [N·m]\n"
+            "panel,what,name,x,y,low,high\n"
+            "1,curve,\"T_ARM, measured\",1,0.1,,\n"
+            "1,curve,\"T_ARM, measured\",2,-1e-07,,\n"
+            "1,curve,\"T_ARM, measured\",,3,,\n"
+            "1,interval,95 %,1,,0.5,1.5\n"
+            "1,interval,,4,,1,2\n"
+            "1,point,A,1,0.1,,\n"
+            "1,line,limit,,7,,\n"
+            "2,curve,,5,6,,\n");
+}
+
+TEST(FigureCsv, ThinnedCurvesKeepTheirExtremes) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i < 24'000; ++i) {
+    x.push_back(i);
+    y.push_back(i == 12'345 ? 99 : i == 777 ? -99 : std::sin(1e-3 * i));
+  }
+  const std::string text = figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
+  EXPECT_NE(text.find("1,curve,log,12345,99,,\n"), std::string::npos);
+  EXPECT_NE(text.find("1,curve,log,777,-99,,\n"), std::string::npos);
+  EXPECT_NE(text.find("# panel 1, log: 1000 of 24000 samples, the lowest and highest of each "
+                      "block\n"),
+            std::string::npos);
+  std::istringstream lines(text);
+  double last = -1;
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("1,curve,log,")) continue;
+    const double at = std::stod(line.substr(12));
+    EXPECT_GT(at, last) << "in the order of the samples";
+    last = at;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 1000U);
+}
+
+TEST(FigureCsv, NoTextBreaksOutOfItsCell) {
+  ReportFigure figure = figure_of({panel_of({1}, {2}, "=HYPERLINK(\"x\")\n# evil,1")});
+  figure.title = "two\nlines";
+  const std::string text = figure_csv(figure, all_rows);
+  EXPECT_NE(text.find("# fig-1: two lines\n"), std::string::npos);
+  EXPECT_NE(text.find("1,curve,\"'=HYPERLINK(\"\"x\"\") # evil,1\",1,2,,\n"), std::string::npos);
+}
+
+TEST(FigureCsv, DrawingsShowNoData) {
+  ReportFigure figure = figure_of({});
+  EXPECT_EQ(figure_csv(figure, all_rows), "");
+  figure = figure_of({panel_of({1}, {2}, "")});
+  figure.figure.diagram.emplace();
+  EXPECT_EQ(figure_csv(figure, all_rows), "");
+}
+
+}  // namespace
+}  // namespace tribolog
