@@ -52,7 +52,8 @@ std::string entries_json(const std::vector<Entry>& entries) {
 
 std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantities,
                        const std::vector<Input>& inputs,
-                       const std::vector<StoredDocument>& documents) {
+                       const std::vector<StoredDocument>& documents,
+                       const std::vector<Review>& reviews) {
   Json json{{"schema", "tribolog-archive-entry-1"}};
   json.update(json_of(entry));
   json["quantities"] = Json::array();
@@ -80,6 +81,13 @@ std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantiti
                                  {"bytes", document.bytes},
                                  {"stored_bytes", document.stored_bytes},
                                  {"sha256", document.sha256}});
+  }
+  json["reviews"] = Json::array();
+  for (const Review& review : reviews) {
+    json["reviews"].push_back({{"at_utc", review.at_utc},
+                               {"reviewer", review.reviewer},
+                               {"decision", to_string(review.decision)},
+                               {"note", review.note}});
   }
   return text_of(json);
 }

@@ -11,10 +11,11 @@ namespace tribolog::archive {
 /// {"schema": "tribolog-archive-1", "calibrations": [...]}
 std::string entries_json(const std::vector<Entry>& entries);
 
-/// One with its quantities, inputs and documents.
+/// One with its quantities, inputs, documents and reviews.
 std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantities,
                        const std::vector<Input>& inputs,
-                       const std::vector<StoredDocument>& documents);
+                       const std::vector<StoredDocument>& documents,
+                       const std::vector<Review>& reviews);
 
 /// One line: {"id": "...", "is_new": true, "file": "cal.json"}.
 std::string added_json(const Added& added, const std::string& file);

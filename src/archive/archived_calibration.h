@@ -90,6 +90,18 @@ struct Entry {
   std::string digest;  ///< SHA-256 over all it says.
 };
 
+/// What a reviewer decided on an entry. A later one wins; none is ever changed.
+struct Review {
+  enum class Decision { approved, rejected };
+  std::string at_utc;
+  std::string reviewer;
+  Decision decision{Decision::rejected};
+  std::string note;  ///< May be empty.
+};
+
+/// "approved", "rejected"
+const char* to_string(Review::Decision decision);
+
 /// Hex digits of an id that are shown; a command takes any that are enough.
 inline constexpr std::size_t shown_digits = 10;
 

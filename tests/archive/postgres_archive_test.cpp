@@ -157,13 +157,32 @@ TEST_F(PostgresArchive, IsBroughtUpToDateWhollyOrNotAtAll) {
     c.run_script("ALTER TABLE calibration ADD COLUMN site TEXT NOT NULL DEFAULT 'here'");
   };
   const UpgradeStep fails = [](sql::Connection&) { throw ArchiveError("no further"); };
-  EXPECT_THROW(upgrade(*connection, {adds, fails}), ArchiveError);
-  EXPECT_EQ(version_of(*connection), 1);
+  std::vector<UpgradeStep> steps = upgrade_steps();
+  steps.push_back(adds);
+  steps.push_back(fails);
+  EXPECT_THROW(upgrade(*connection, steps), ArchiveError);
+  EXPECT_EQ(version_of(*connection), schema_version);
   EXPECT_TRUE(open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
-  EXPECT_EQ(upgrade(*connection, {adds}), 1);
-  EXPECT_EQ(version_of(*connection), 2);
+  steps.pop_back();
+  EXPECT_EQ(upgrade(*connection, steps), schema_version);
+  EXPECT_EQ(version_of(*connection), schema_version + 1);
   EXPECT_EQ(connection->run("SELECT site FROM calibration").front().front().text(), "here");
   expect(refusal(uri), ExitStatus::archive_failed, "newer tribolog");
+}
+
+TEST_F(PostgresArchive, Schema1TakesReviewsOnceItIsWritten) {
+  const std::string uri = server_.new_database();
+  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  server_.run(
+      "DROP TABLE review; ALTER TABLE event DROP CONSTRAINT event_what_check; ALTER TABLE event "
+      "ADD CONSTRAINT event_what_check CHECK (what IN ('added', 'report', 'removed')); UPDATE "
+      "archive SET version = 1",
+      uri);
+  CalibrationArchive archive = open_archive(uri, sql::Access::write);
+  const Entry entry = archive.list({}).front();
+  archive.add_review(entry, {now, "A. Reviewer", Review::Decision::rejected, "too warm"});
+  EXPECT_EQ(archive.reviews(entry).size(), 1U);
+  EXPECT_TRUE(archive.verify("", {}).faults.empty());
 }
 
 TEST_F(PostgresArchive, TakesNoDatabaseInAnotherEncoding) {

@@ -32,6 +32,25 @@ class Upgrade : public testing::Test {
   std::unique_ptr<sql::Connection> connection_;
 };
 
+/// Steps of a program that knows more.
+std::vector<UpgradeStep> and_then(const std::vector<UpgradeStep>& further) {
+  std::vector<UpgradeStep> steps = upgrade_steps();
+  steps.insert(steps.end(), further.begin(), further.end());
+  return steps;
+}
+
+/// The tables as schema 1 had them.
+void make_schema_1(sql::Connection& c) {
+  c.run_script(
+      "DROP TABLE review; ALTER TABLE event RENAME TO newer; CREATE TABLE event (number INTEGER "
+      "PRIMARY KEY CHECK (number >= 1), at_utc TEXT NOT NULL, what TEXT NOT NULL CHECK (what IN "
+      "('added', 'report', 'removed')), id TEXT NOT NULL, digest TEXT NOT NULL, chain TEXT NOT "
+      "NULL "
+      "CHECK (length(chain) = 64)) STRICT; INSERT INTO event SELECT * FROM newer; DROP TABLE "
+      "newer; "
+      "PRAGMA user_version = 1");
+}
+
 void add_humidity(sql::Connection& c) { c.run("ALTER TABLE calibration ADD COLUMN humidity REAL"); }
 void fail(sql::Connection& c) {
   c.run("ALTER TABLE calibration ADD COLUMN wind REAL");
@@ -45,20 +64,38 @@ TEST_F(Upgrade, HasAsManyStepsAsTheSchemasNumberSays) {
 }
 
 TEST_F(Upgrade, AppliesWhatIsMissingAndKeepsACopy) {
-  EXPECT_EQ(upgrade(*connection_, {add_humidity}), 1);
-  EXPECT_EQ(version_of(*connection_), 2);
+  EXPECT_EQ(upgrade(*connection_, and_then({add_humidity})), schema_version);
+  EXPECT_EQ(version_of(*connection_), schema_version + 1);
   EXPECT_EQ(columns_called("humidity"), 1U);
-  EXPECT_EQ(upgrade(*connection_, {add_humidity}), 2) << "once";
-  EXPECT_EQ(open_archive(path_ + ".schema-1", sql::Access::read).list({}).size(), 1U);
+  EXPECT_EQ(upgrade(*connection_, and_then({add_humidity})), schema_version + 1) << "once";
+  const std::string copy = path_ + ".schema-" + std::to_string(schema_version);
+  EXPECT_EQ(open_archive(copy, sql::Access::read).list({}).size(), 1U);
   EXPECT_THROW((void)open_archive(path_, sql::Access::read), ArchiveError) << "newer than known";
 }
 
 TEST_F(Upgrade, IsAllOrNothing) {
-  EXPECT_THROW(upgrade(*connection_, {add_humidity, fail}), std::runtime_error);
-  EXPECT_EQ(version_of(*connection_), 1);
+  EXPECT_THROW(upgrade(*connection_, and_then({add_humidity, fail})), std::runtime_error);
+  EXPECT_EQ(version_of(*connection_), schema_version);
   EXPECT_EQ(columns_called("humidity"), 0U);
   EXPECT_EQ(columns_called("wind"), 0U);
   EXPECT_TRUE(open_archive(path_, sql::Access::read).verify("", {}).faults.empty());
+}
+
+TEST_F(Upgrade, Schema1IsReadAndTakesReviewsOnceItIsWritten) {
+  make_schema_1(*connection_);
+  CalibrationArchive reader = open_archive(path_, sql::Access::read);
+  const Entry entry = reader.list({}).front();
+  EXPECT_TRUE(reader.reviews(entry).empty());
+  EXPECT_TRUE(reader.verify("", {}).faults.empty());
+  EXPECT_EQ(version_of(*connection_), 1) << "reading changes nothing";
+  const std::string head = reader.verify("", {}).head;
+
+  CalibrationArchive writer = open_archive(path_, sql::Access::write);
+  EXPECT_EQ(version_of(*connection_), schema_version);
+  writer.add_review(entry, {now, "A. Reviewer", Review::Decision::approved, ""});
+  EXPECT_EQ(writer.reviews(entry).size(), 1U);
+  EXPECT_TRUE(writer.verify(head, {}).faults.empty()) << "the chain goes on from where it was";
+  EXPECT_EQ(open_archive(path_ + ".schema-1", sql::Access::read).verify(head, {}).head, head);
 }
 
 }  // namespace

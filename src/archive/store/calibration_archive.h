@@ -85,6 +85,16 @@ class CalibrationArchive {
   std::optional<std::string> document(const Entry& entry, DocumentKind kind,
                                       const std::string& name = "");
 
+  /// Kept behind those that are there, with a link of the chain at its own time.
+  /// @throw UsageError: a text that no archive keeps.
+  void add_review(const Entry& entry, const Review& review);
+
+  /// In the order in which they were given.
+  std::vector<Review> reviews(const Entry& entry);
+
+  /// The entry whose report, as it was archived, has this fingerprint.
+  std::optional<Entry> find_report(const std::string& sha256);
+
   void remove(const Entry& entry, const std::string& now_utc);
 
   /// Reads everything. @param head a link that the chain has to have; empty: none.

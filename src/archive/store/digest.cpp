@@ -64,6 +64,16 @@ std::string digest_of(const std::string& id, const Facts& f,
   return fields.hex();
 }
 
+std::string digest_of(const std::string& id, std::size_t place, const Review& review) {
+  Fields fields("tribolog-review-1");
+  fields.add(static_cast<std::uint64_t>(place));
+  for (const std::string& text :
+       {id, review.at_utc, review.reviewer, std::string(to_string(review.decision)), review.note}) {
+    fields.add(text);
+  }
+  return fields.hex();
+}
+
 std::string id_of(const std::string& identity, int revision) {
   Fields fields("tribolog-id-1");
   fields.add(identity);

@@ -14,10 +14,13 @@ std::string digest_of(const std::string& id, const Facts& facts,
                       const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
                       const std::string& calibration_sha256);
 
+/// Of a review: the place is its number among those of the entry, from 0.
+std::string digest_of(const std::string& id, std::size_t place, const Review& review);
+
 /// The id of a revision of an identity.
 std::string id_of(const std::string& identity, int revision);
 
-/// An addition or removal.
+/// An addition, a removal, a review.
 struct Event {
   std::int64_t number{};
   std::string at_utc;

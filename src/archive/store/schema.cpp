@@ -80,13 +80,26 @@ CREATE TABLE content (
   zstd BYTES NOT NULL
 ) STRICT_;
 
+)";
+
+constexpr const char* event_and_review = R"(
 CREATE TABLE event (
   number INT PRIMARY KEY CHECK (number >= 1),
   at_utc TEXT NOT NULL,
-  what TEXT NOT NULL CHECK (what IN ('added', 'report', 'removed')),
+  what TEXT NOT NULL CHECK (what IN ('added', 'report', 'reviewed', 'removed')),
   id TEXT NOT NULL,
   digest TEXT NOT NULL,
   chain TEXT NOT NULL CHECK (length(chain) = 64)
+) STRICT_;
+
+CREATE TABLE review (
+  calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
+  place INT NOT NULL,
+  at_utc TEXT NOT NULL,
+  reviewer TEXT NOT NULL,
+  decision TEXT NOT NULL CHECK (decision IN ('approved', 'rejected')),
+  note TEXT NOT NULL,
+  PRIMARY KEY (calibration, place)
 ) STRICT_;
 )";
 
@@ -105,11 +118,9 @@ std::string replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-}  // namespace
-
-void create_schema(sql::Connection& connection) {
+/// As the connection's database writes it.
+std::string in_dialect(const sql::Connection& connection, std::string script) {
   const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
-  std::string script = tables;
   script = replaced(script, "REAL_", is_sqlite ? "REAL" : "DOUBLE PRECISION");
   script = replaced(script, "STRICT_", is_sqlite ? "STRICT" : "");
   // Texts are told apart by their bytes, not by a locale.
@@ -118,14 +129,29 @@ void create_schema(sql::Connection& connection) {
   script = replaced(script, " KEY,",
                     is_sqlite ? " INTEGER PRIMARY KEY AUTOINCREMENT,"
                               : " BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY,");
-  script = replaced(script, " INT ", is_sqlite ? " INTEGER " : " BIGINT ");
-  connection.run_script(script);
+  return replaced(script, " INT ", is_sqlite ? " INTEGER " : " BIGINT ");
+}
+
+}  // namespace
+
+void create_schema(sql::Connection& connection) {
+  const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
+  connection.run_script(in_dialect(connection, tables));
+  connection.run_script(in_dialect(connection, event_and_review));
   connection.run_script(is_sqlite ? sqlite_index : postgres_indices);
   if (!is_sqlite) {
     connection.run_script(
         "CREATE TABLE archive (version BIGINT NOT NULL); INSERT INTO archive VALUES (0)");
   }
   set_version(connection, schema_version);
+}
+
+void add_reviews(sql::Connection& connection) {
+  connection.run_script("ALTER TABLE event RENAME TO event_of_schema_1");
+  connection.run_script(in_dialect(connection, event_and_review));
+  connection.run_script(
+      "INSERT INTO event SELECT number, at_utc, what, id, digest, chain FROM event_of_schema_1;"
+      "DROP TABLE event_of_schema_1");
 }
 
 void set_version(sql::Connection& connection, int version) {

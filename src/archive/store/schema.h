@@ -6,10 +6,16 @@
 namespace tribolog::archive {
 
 /// Number of the schema that this program writes.
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
+
+/// Older archives hold none.
+inline constexpr int first_schema_with_reviews = 2;
 
 /// Makes the tables. Within a transaction.
 void create_schema(sql::Connection& connection);
+
+/// From schema 1, the first one, to 2: reviews. Within a transaction.
+void add_reviews(sql::Connection& connection);
 
 /// 0 where there are no tables yet (a new PostgreSQL database).
 int version_of(sql::Connection& connection);

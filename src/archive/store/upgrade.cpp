@@ -20,8 +20,8 @@ void keep_a_copy(sql::Connection& connection, int version) {
 }  // namespace
 
 const std::vector<UpgradeStep>& upgrade_steps() {
-  static const std::vector<UpgradeStep> none;  // schema 1 is the first
-  return none;
+  static const std::vector<UpgradeStep> steps{add_reviews};
+  return steps;
 }
 
 int upgrade(sql::Connection& connection, const std::vector<UpgradeStep>& steps) {

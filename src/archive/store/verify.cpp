@@ -39,14 +39,17 @@ class ChainReader {
     outcome_.contains_head = outcome_.contains_head || outcome_.head == wanted_;
     if (event.what == "added") entries[event.id] = event.digest;
     if (event.what == "report") reports[event.id] = event.digest;
+    if (event.what == "reviewed") reviews[event.id].push_back(event.digest);
     if (event.what == "removed") {
+      reviews.erase(event.id);
       entries.erase(event.id);
       reports.erase(event.id);
     }
   }
 
-  std::map<std::string, std::string> entries;  ///< Id and digest.
-  std::map<std::string, std::string> reports;  ///< Id and fingerprint.
+  std::map<std::string, std::string> entries;               ///< Id and digest.
+  std::map<std::string, std::string> reports;               ///< Id and fingerprint.
+  std::map<std::string, std::vector<std::string>> reviews;  ///< Id and digests in their order.
 
  private:
   void fault(std::size_t event, const char* what) {
@@ -109,6 +112,13 @@ Verification CalibrationArchive::verify(
         }
       }
       if (!has_report && chain.reports.count(entry.id) > 0) fault("its report is missing");
+      std::vector<std::string> review_digests;
+      for (const Review& review : reviews(entry)) {
+        review_digests.push_back(digest_of(entry.id, review_digests.size(), review));
+      }
+      if (review_digests != chain.reviews[entry.id]) {
+        fault("its reviews are not those that were given");
+      }
       const std::string digest =
           digest_of(entry.id, entry.facts, quantities(entry), inputs(entry), calibration_sha256);
       if (digest != entry.digest) fault("was altered: its digest is not that of what it says");
