@@ -13,9 +13,8 @@
 <body>
 <a class="skip" href="#content">Skip to the results</a>
 <header class="page-head">
-<p class="kicker">{{TOOL}} · identification report</p>
+<p class="kicker">{{TOOL}} · {{SUBTITLE}}</p>
 <h1><bdi>{{DOCUMENT_TITLE}}</bdi></h1>
-<p class="subtitle">{{SUBTITLE}}</p>
 {{#FACTS}}<dl class="identity">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
@@ -26,7 +25,7 @@
 <h2 id="contents">Contents</h2>
 <ol>
 <li><a href="#verdict">Verdict</a></li>
-{{#HAS_QUANTITIES}}<li><a href="#quantities">Verdict on each quantity</a></li>{{/HAS_QUANTITIES}}
+{{#HAS_QUANTITIES}}<li><a href="#quantities">Quantities</a></li>{{/HAS_QUANTITIES}}
 <li><a href="#key-numbers">Key numbers</a></li>
 {{#HAS_MISSING}}<li><a href="#missing">What is missing, and why</a></li>{{/HAS_MISSING}}
 {{#HAS_DATA_CHECKS}}<li><a href="#data-checks">Checks on the data</a></li>{{/HAS_DATA_CHECKS}}
@@ -49,13 +48,19 @@
 {{>DATA_CHECKS}}
 {{>CONVERSIONS}}
 {{>STAGE}}
+<details class="folded"><summary>About the intervals</summary>
 <section id="intervals" aria-labelledby="intervals-title">
 <h2 id="intervals-title">About the intervals <a class="self" href="#intervals" aria-label="Link to this section">#</a></h2>
 <p>Every interval is meant to hold the true value in 95 of 100 repetitions of the same measurement. “3.8832 ± 0.0043” stands for the interval from 3.8789 to 3.8875; where an interval is lopsided only its two ends are given. The half width is printed to two significant digits, and the estimate is rounded to the same place.</p>
 <p>Intervals come from the scatter that the fit or the mean leaves, widened for how many samples are really independent. They do not hold what no single dataset shows: an error of the torque constant or the gear ratio, temperature, wear, or a torque ripple that repeats with motor position. A wrong torque constant scales all torques and masses alike and leaves all angles untouched.</p>
 </section>
+</details>
+<details class="folded"><summary>Errata of the paper</summary>
 {{>ERRATA}}
+</details>
+<details class="folded"><summary>Provenance</summary>
 {{>PROVENANCE}}
+</details>
 </main>
 </div>
 <footer class="page-foot"><p>{{TOOL}} · made {{CREATED}} · the full result as JSON is embedded in this file, in the element <code>tribolog-result</code></p></footer>

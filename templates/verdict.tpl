@@ -6,4 +6,9 @@
 {{#FINDINGS}}<ul class="findings">
 {{#FINDING}}<li><bdi>{{TEXT}}</bdi></li>
 {{/FINDING}}</ul>{{/FINDINGS}}
+{{#FURTHER}}<details><summary>{{COUNT}}</summary>
+<ul class="findings">
+{{#FINDING}}<li><bdi>{{TEXT}}</bdi></li>
+{{/FINDING}}</ul>
+</details>{{/FURTHER}}
 </section>

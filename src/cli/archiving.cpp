@@ -1,5 +1,6 @@
 #include "cli/archiving.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "archive/archive_location.h"
@@ -34,6 +35,21 @@ void Archiving::keep_numbers(const std::string& calibration, const std::string& 
   const archive::Added added = archive_->add(made, options_.again, make_provenance({}).created_utc);
   id_ = added.id;
   cli::tell_added(added, file, console);
+}
+
+std::optional<history::Comparison> Archiving::since_last() {
+  if (!archive_ || id_.empty()) return std::nullopt;
+  const archive::JointName of = archive_->find(id_).facts.of;
+  const auto all = archive_->measured({of.robot, of.serial, of.joint, true});
+  const auto is_this = [&](const archive::Measured& one) { return one.entry.id == id_; };
+  const auto now = std::find_if(all.begin(), all.end(), is_this);
+  if (now == all.end()) return std::nullopt;  // it has a later revision
+  const archive::Measured* before = nullptr;
+  for (const archive::Measured& one : all) {
+    if (one.entry.facts.measured_at < now->entry.facts.measured_at) before = &one;
+  }
+  if (before == nullptr) return std::nullopt;
+  return history::compare(*before, *now, {}, false);
 }
 
 void Archiving::keep_report(const std::string& html, Console& console) {

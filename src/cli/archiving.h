@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "archive/history/comparison.h"
 #include "archive/store/calibration_archive.h"
 
 #include "cli/console.h"
@@ -28,6 +29,10 @@ class Archiving {
   /// @throw ArchiveError, OutputError: not archived; the calibration's file is there to be added.
   void keep_numbers(const std::string& calibration, const std::string& file,
                     const std::string& manifest, Console& console);
+
+  /// From the joint's calibration before to the one whose numbers were kept; absent where nothing
+  /// is archived, or there is none before.
+  std::optional<history::Comparison> since_last();
 
   /// Nothing where nothing is archived.
   void keep_report(const std::string& html, Console& console);

@@ -318,6 +318,15 @@ ExitStatus run_command_line(int argc, char** argv) {
                   "replaces an older one in one step.\n") +
       manifest_help);
 
+  ShowOptions show;
+  CLI::App* show_command =
+      app.add_subcommand("show", "the numbers of a report, read from the report itself");
+  show_command->add_option("FILE", show.file, "report (HTML) or calibration (JSON)")->required();
+  show_command->add_flag("--json", show.json, "all of them as JSON, to standard output");
+  show_command->footer(
+      "\nEvery page of tribolog carries its numbers as JSON; --json gives them back as they\n"
+      "are. Values are SI, torques at the motor.");
+
   CLI::App* models_command =
       app.add_subcommand("models", "list the friction models, or compare them in one page");
   ModelsOptions models;
@@ -346,6 +355,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_study(*study_command, study);
 
   const auto chosen_of_archive = cli::add_archive(app);
+  const auto chosen_review = cli::add_review(app);
   refuse_empty_location({argv, argv + argc});
 
   try {
@@ -366,6 +376,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (*identify_command) return run_identify(identify, arguments, console);
   if (*figures_command) return run_figures(figures, console);
   if (*report_command) return run_report(report, arguments, console);
+  if (*show_command) return run_show(show, console);
   if (*models_command) {
     if (compare == models.output.empty()) {
       throw UsageError("tribolog models: --compare and -o FILE belong together; see its --help");
@@ -375,6 +386,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (*paper_command) return run_paper(paper, arguments, console);
   if (*plan_command) return run_plan(plan, arguments, console);
   if (const cli::Run run = chosen_of_archive()) return run({arguments, console});
+  if (const cli::Run run = chosen_review()) return run({arguments, console});
   if (*study_command) return run_study_command(study, arguments, console);
   std::cout << app.help();
   return ExitStatus::usage;

@@ -48,6 +48,11 @@ struct ReportOptions {
   ArchivingOptions archiving;
 };
 
+struct ShowOptions {
+  std::string file;  ///< A report or another page (HTML), or a calibration (JSON).
+  bool json{false};
+};
+
 struct ModelsOptions {
   std::string output;  ///< The comparison (HTML); empty: only the list on the console.
   int processes{2};
@@ -108,6 +113,8 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
 ExitStatus run_figures(const FiguresOptions& options, Console& console);
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console);
+/// Says what a report or a calibration says, from the file alone.
+ExitStatus run_show(const ShowOptions& options, Console& console);
 /// Lists the friction models with what each can show, or compares them in one page.
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console);

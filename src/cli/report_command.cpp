@@ -49,6 +49,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   const std::string json = calibration_json(calibration, provenance);
   write_file_atomically(numbers, json);
   archiving.keep_numbers(json, numbers, options.dataset, console);
+  const std::optional<history::Comparison> since_last = archiving.since_last();
   if (!archiving.id().empty()) provenance.configuration.push_back({"Archived as", archiving.id()});
 
   std::vector<ReportFigure> figures;
@@ -60,7 +61,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);
-  const std::string html = html_report(calibration, figures, drawn, provenance);
+  const std::string html = html_report(calibration, figures, drawn, provenance, since_last);
   write_file_atomically(options.output, html);
   archiving.keep_report(html, console);
   tell_outcome(calibration, console);

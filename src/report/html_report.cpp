@@ -8,10 +8,10 @@
 
 namespace tribolog {
 std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
-                        const std::vector<render::DrawnFigure>& drawn,
-                        const Provenance& provenance) {
+                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
+                        const std::optional<history::Comparison>& since_last) {
   using namespace report;
-  const ReportView view = make_report_view(calibration, figures, drawn, provenance);
+  const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
   TemplateValues values;
   fill_report(view, values);
   fill_style(values);

@@ -1,9 +1,11 @@
 #pragma once
 // A calibration as one HTML file that needs nothing else: no script, no link to the outside.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "archive/history/comparison.h"
 #include "provenance.h"
 
 #include "calibration.h"
@@ -18,9 +20,10 @@ namespace tribolog {
 ///
 /// Figures and drawn pictures pair up by id. A figure that could not be drawn gets a placeholder
 /// with the reason, and the banner says how many are missing.
+/// @param since_last from the joint's calibration before to this one.
 std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
-                        const std::vector<render::DrawnFigure>& drawn,
-                        const Provenance& provenance);
+                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
+                        const std::optional<history::Comparison>& since_last = std::nullopt);
 
 /// The graphics stack as the provenance keeps it.
 DrawingSoftware drawing_software(const render::RendererInfo& info);

@@ -1,5 +1,7 @@
 // The verdict on each quantity, as rows of the first table.
 
+#include <algorithm>
+
 #include "report/units.h"
 #include "report/view_parts.h"
 
@@ -16,21 +18,69 @@ std::string word_of(Verdict verdict) {
   return verdict == Verdict::not_identifiable ? "not identifiable" : to_string(verdict);
 }
 
+/// "≤ 12 N·m", of a half width "± ≤ 5 %".
+std::string rule_of(const LimitOutcome& limit) {
+  const bool is_of_width = limit.rule.starts_with("half_width");
+  const bool is_percent = limit.rule == "half_width_percent";
+  const char* const sign = limit.rule == "min" ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
+  const bool at_joint = limit.key.find("_joint") != std::string::npos;
+  return sign + with_unit(as_stated(limit.limit), is_percent ? "%" : limit.unit) +
+         (at_joint ? " at the joint" : "");
+}
+
+LimitCell cell_of(const LimitOutcome& limit) {
+  switch (limit.state) {
+    case LimitState::inside:
+      return {rule_of(limit), "kept", Outcome::good};
+    case LimitState::outside:
+      return {rule_of(limit), "broken", Outcome::bad};
+    case LimitState::crosses:
+      return {rule_of(limit), "not shown to be kept", Outcome::partial};
+    case LimitState::unknown:
+      break;
+  }
+  return {rule_of(limit), "not known", Outcome::absent};
+}
+
+void add_estimate(const QuantityVerdict& q, QuantityRow& row) {
+  if (!q.estimate) return;
+  const Scale scale = quantity_scale(q.unit, q.estimate->value);
+  const RoundedEstimate text = round_by_interval(*q.estimate, scale);
+  row.estimate = with_unit(text.estimate, scale.unit);
+  // Narrower than what is printed of the estimate.
+  row.interval =
+      text.low.empty() && !text.half_width.empty() ? "± " + text.half_width : text.range();
+}
+
+void add_change(const history::Comparison& since_last, const QuantityVerdict& q, QuantityRow& row) {
+  const auto found =
+      std::find_if(since_last.quantities.begin(), since_last.quantities.end(),
+                   [&](const history::ComparedQuantity& c) { return c.name == q.key; });
+  if (found == since_last.quantities.end()) return;
+  row.change_word = history::to_string(found->word);
+  row.is_changed = found->word == history::ChangeWord::changed;
+  if (!found->change) return;
+  const Estimate& absolute = found->change->absolute;
+  const Scale scale =
+      quantity_scale(found->unit, found->second ? found->second->value : absolute.value);
+  const std::string digits = round_by_interval(absolute, scale).plus_minus();
+  row.change = with_unit((absolute.value > 0 ? "+" : "") + digits, scale.unit);
+}
+
 }  // namespace
 
-std::vector<QuantityRow> quantity_rows(const Judgement& judgement) {
+std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
+                                       const std::optional<history::Comparison>& since_last) {
   std::vector<QuantityRow> rows;
   for (const QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
     row.words = q.words;
     row.outcome = outcome_of(q.verdict);
     row.verdict_word = word_of(q.verdict);
-    if (q.estimate) row.estimate = in_words(*q.estimate, quantity_scale(q.unit, q.estimate->value));
+    add_estimate(q, row);
+    for (const LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
+    if (since_last) add_change(*since_last, q, row);
     for (const std::string& reason : q.reasons) row.reasons.push_back(as_sentence(reason));
-    for (const LimitOutcome& limit : q.limits) {
-      // A limit that is not kept is among the reasons.
-      if (limit.state == LimitState::inside) row.limits.push_back(as_sentence(limit.words));
-    }
     row.experiment = as_sentence(q.experiment);
     rows.push_back(std::move(row));
   }

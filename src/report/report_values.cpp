@@ -48,6 +48,23 @@ void fill_note(const std::string& note, TemplateValues& values) {
   }
 }
 
+/// The weightiest in sight, the others behind a click.
+void fill_findings(const std::vector<std::string>& findings, TemplateValues& verdict) {
+  constexpr std::size_t in_sight = 3;
+  if (findings.empty()) return;
+  TemplateValues& first = verdict.add_section("FINDINGS");
+  for (std::size_t k = 0; k < std::min(in_sight, findings.size()); ++k) {
+    first.add_section("FINDING").set("TEXT", or_dash(findings[k]));
+  }
+  if (findings.size() <= in_sight) return;
+  const std::size_t others = findings.size() - in_sight;
+  TemplateValues& further = verdict.add_section("FURTHER");
+  further.set("COUNT", std::to_string(others) + (others == 1 ? " more finding" : " more findings"));
+  for (std::size_t k = in_sight; k < findings.size(); ++k) {
+    further.add_section("FINDING").set("TEXT", or_dash(findings[k]));
+  }
+}
+
 void fill_missing(const std::vector<MissingResult>& missing, TemplateValues& values) {
   if (missing.empty()) return;
   TemplateValues& list = values.add_include("MISSING", "missing.tpl");
@@ -85,14 +102,9 @@ void fill_report(const ReportView& view, TemplateValues& values) {
   verdict.set("SENTENCE", view.verdict_sentence);
   fill_outcome(view.verdict, verdict);
   verdict.set_optional("FIGURES_MISSING", view.figures_missing);
-  if (!view.findings.empty()) {
-    TemplateValues& findings = verdict.add_section("FINDINGS");
-    for (const std::string& finding : view.findings) {
-      findings.add_section("FINDING").set("TEXT", or_dash(finding));
-    }
-  }
+  fill_findings(view.findings, verdict);
 
-  fill_quantities(view.quantities, values);
+  fill_quantities(view, values);
   fill_data_checks(view.data_checks, values);
   fill_conversions(view.conversion_tables, values);
   fill_table(view.key_numbers, "KEY_NUMBERS", values);

@@ -117,14 +117,20 @@ std::string robot_and_joint(const Manifest& m) {
 
 ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure>& figures,
                             const std::vector<render::DrawnFigure>& drawn,
-                            const Provenance& provenance) {
+                            const Provenance& provenance,
+                            const std::optional<history::Comparison>& since_last) {
   ReportView view;
   view.title = robot_and_joint(c.manifest);
-  view.subtitle = "Identification of centre of gravity, surrogate mass and friction";
+  view.subtitle = "identification of centre of gravity, surrogate mass and friction";
   view.identity = identity_facts(c.manifest);
   view.note = c.manifest.note;
   add_verdict(c.judgement, view);
-  view.quantities = quantity_rows(c.judgement);
+  view.quantities = quantity_rows(c.judgement, since_last);
+  if (since_last) {
+    constexpr std::size_t day = 10;
+    view.last_day = since_last->first.facts.measured_at.substr(0, day);
+    view.last_id = since_last->first.id.substr(0, archive::shown_digits);
+  }
   view.data_checks = data_check_rows(c.data_checks);
   view.conversion_tables = conversion_tables(c);
   view.key_numbers = key_numbers_table(c);

@@ -5,9 +5,11 @@
 // markup; the template engine escapes them.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "archive/history/comparison.h"
 #include "provenance.h"
 
 #include "calibration.h"
@@ -56,6 +58,7 @@ struct FigureCard {
   bool is_lazy{false};
   std::string error;  ///< Why the figure is missing.
   std::vector<std::string> warnings;
+  std::string csv;  ///< The data behind it; empty: it shows none.
 };
 
 /// How far a stage came; decides icon, word and colour.
@@ -75,15 +78,26 @@ struct Section {
   std::vector<FigureCard> figures;
 };
 
+/// A limit that the manifest states, and what came of it.
+struct LimitCell {
+  std::string rule;  ///< "≤ 12 N·m"
+  std::string word;  ///< "kept"
+  Outcome outcome{Outcome::absent};
+};
+
 /// One quantity with its verdict.
 struct QuantityRow {
   std::string words;
   Outcome outcome{Outcome::absent};
   std::string verdict_word;  ///< "not identifiable"
-  std::string estimate;      ///< With unit and interval, or a dash.
+  std::string estimate;      ///< With its unit; may be empty.
+  std::string interval;      ///< "3.8789 … 3.8875"; may be empty.
+  std::vector<LimitCell> limits;
+  std::string change;       ///< Since the last calibration; may be empty.
+  std::string change_word;  ///< "no change seen"; empty: there is none to compare with.
+  bool is_changed{};
   std::vector<std::string> reasons;
-  std::string experiment;           ///< What to record next; may be empty.
-  std::vector<std::string> limits;  ///< What came of the manifest's limits.
+  std::string experiment;  ///< What to record next; may be empty.
 };
 
 /// One check on the data.
@@ -133,6 +147,8 @@ struct ReportView {
   std::vector<std::string> findings;
   std::string figures_missing;  ///< "2 figures missing"; empty: all are there.
   std::vector<QuantityRow> quantities;
+  std::string last_day;  ///< Of the calibration that changes are counted from; empty: none.
+  std::string last_id;
   std::vector<DataCheckRow> data_checks;
   Table key_numbers;
   std::vector<MissingResult> missing;
@@ -149,10 +165,12 @@ struct ReportView {
 
 /// Figures and drawn pictures pair up by id. A figure whose picture is missing or has an error
 /// becomes a card that says so; a picture without a figure is left out.
-/// `drawn` must outlive the view.
+/// `drawn` must outlive the view. @param since_last from the joint's calibration before to this
+/// one.
 ReportView make_report_view(const Calibration& calibration,
                             const std::vector<ReportFigure>& figures,
                             const std::vector<render::DrawnFigure>& drawn,
-                            const Provenance& provenance);
+                            const Provenance& provenance,
+                            const std::optional<history::Comparison>& since_last = std::nullopt);
 
 }  // namespace tribolog::report

@@ -1,5 +1,7 @@
 #include "report/verdict_values.h"
 
+#include <algorithm>
+
 #include "report/element_values.h"
 #include "report/view_parts.h"
 
@@ -39,23 +41,61 @@ void fill_reasons(const std::vector<std::string>& reasons, TemplateValues& value
   }
 }
 
+/// Columns that nothing stands in are not shown.
+struct ShownColumns {
+  bool limits{};
+  bool changes{};
+  [[nodiscard]] int count() const { return 4 + (limits ? 1 : 0) + (changes ? 1 : 0); }
+};
+
+void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
+  out.set("WORDS", row.words);
+  out.set("VERDICT", row.verdict_word);
+  fill_state(row.outcome, out);
+  out.set("ESTIMATE", or_dash(row.estimate));
+  out.set("INTERVAL", or_dash(row.interval));
+  if (shown.limits) {
+    TemplateValues& cell = out.add_section("LIMITS");
+    for (const LimitCell& limit : row.limits) {
+      TemplateValues& line = cell.add_section("LIMIT");
+      line.set("RULE", limit.rule);
+      line.set("WORD", limit.word);
+      fill_state(limit.outcome, line);
+    }
+    if (row.limits.empty()) cell.add_section("NONE");
+  }
+  if (shown.changes) {
+    TemplateValues& cell = out.add_section("CHANGE");
+    cell.set("AMOUNT", or_dash(row.change));
+    cell.set_optional("WORD", row.change_word);
+    cell.set("KIND", row.is_changed ? "changed" : "unchanged");
+  }
+  if (row.reasons.empty() && row.experiment.empty()) return;
+  TemplateValues& why = out.add_section("WHY");
+  why.set("COLUMNS", std::to_string(shown.count()));
+  fill_reasons(row.reasons, why);
+  why.set_optional("EXPERIMENT", row.experiment);
+}
+
 }  // namespace
 
-void fill_quantities(const std::vector<QuantityRow>& rows, TemplateValues& values) {
+void fill_quantities(const ReportView& view, TemplateValues& values) {
+  const std::vector<QuantityRow>& rows = view.quantities;
   if (rows.empty()) return;
   values.add_section("HAS_QUANTITIES");
   TemplateValues& table = values.add_include("QUANTITIES", "quantities.tpl");
-  for (const QuantityRow& row : rows) {
-    TemplateValues& out = table.add_section("QUANTITY");
-    out.set("WORDS", row.words);
-    out.set("VERDICT", row.verdict_word);
-    fill_state(row.outcome, out);
-    out.set("ESTIMATE", or_dash(row.estimate));
-    fill_reasons(row.reasons, out);
-    for (const std::string& limit : row.limits) out.add_section("LIMIT").set("TEXT", limit);
-    out.set_optional("EXPERIMENT", row.experiment);
-    if (row.reasons.empty() && row.limits.empty()) out.add_section("FINE");
+  const bool has_limits = std::any_of(rows.begin(), rows.end(),
+                                      [](const QuantityRow& row) { return !row.limits.empty(); });
+  const ShownColumns shown{has_limits, !view.last_day.empty()};
+  table.add_section(shown.limits ? "LIMITS_HEAD" : "NO_LIMITS");
+  TemplateValues& since = table.add_section(shown.changes ? "CHANGES_HEAD" : "NO_CHANGES");
+  if (shown.changes) {
+    since.set("DAY", view.last_day);
+    TemplateValues& note = table.add_section("CHANGES_NOTE");
+    note.set("DAY", view.last_day);
+    note.set("ID", view.last_id);
   }
+  for (const QuantityRow& row : rows) fill_row(row, shown, table.add_section("QUANTITY"));
 }
 
 void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values) {

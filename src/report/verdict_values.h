@@ -9,7 +9,7 @@
 namespace tribolog::report {
 
 /// Nothing where there are none.
-void fill_quantities(const std::vector<QuantityRow>& rows, TemplateValues& values);
+void fill_quantities(const ReportView& view, TemplateValues& values);
 void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values);
 
 }  // namespace tribolog::report

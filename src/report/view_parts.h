@@ -56,7 +56,8 @@ void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
 /// The known-truth check as the section "known-truth"; only where the check was made.
 Section truth_check_section(const TruthCheckResult& check, int number);
 
-std::vector<QuantityRow> quantity_rows(const Judgement& judgement);
+std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
+                                       const std::optional<history::Comparison>& since_last);
 std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks);
 Table key_numbers_table(const Calibration& calibration);
 Table paper_comparison_table(const Calibration& calibration);

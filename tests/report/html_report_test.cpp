@@ -81,9 +81,44 @@ TEST(HtmlReport, EachQuantityHasItsVerdictReasonAndNextExperiment) {
   EXPECT_NE(table.find("state good"), std::string::npos);
   EXPECT_NE(table.find("state bad"), std::string::npos);
   for (const char* text : {"usable", "not identifiable", "The data do not show it.", "A fast sine.",
-                           "Angle keeps the limit."}) {
+                           "≤ −20°</bdi>", "kept"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }
+}
+
+TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
+  const Calibration c = complete_calibration();
+  EXPECT_NE(report_of(c).find("There is no earlier calibration of this joint"), std::string::npos);
+  history::Comparison since;
+  since.first.facts.measured_at = "2026-01-04T10:00:00Z";
+  since.first.id = "0123456789abcdef";
+  history::ComparedQuantity angle;
+  angle.name = c.judgement.quantities.front().key;
+  angle.unit = "rad";
+  angle.second = c.judgement.quantities.front().estimate;
+  angle.change = history::Change{{0.01, 0.008, 0.012, ""}, {}, 1e-6};
+  angle.word = history::ChangeWord::changed;
+  since.quantities = {angle};
+  const std::string html = html_report(c, {}, {}, sample_provenance(), since);
+  const std::size_t at = html.find("id=\"table-quantities\"");
+  const std::string table = html.substr(at, html.find("</section>", at) - at);
+  EXPECT_NE(table.find("Since 2026-01-04</th>"), std::string::npos);
+  EXPECT_NE(table.find("<td class=\"change changed\" data-name=\"Change\"><bdi>+0.57 ± 0.11°</bdi> "
+                       "<small>changed</small></td>"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("<code>0123456789</code>"), std::string::npos);
+}
+
+TEST(HtmlReport, TheWeightiestThreeFindingsAreInSight) {
+  Calibration c = complete_calibration();
+  c.judgement.findings = {"one", "two", "three", "four", "five"};
+  const std::string html = report_of(c);
+  const std::size_t at = html.find("id=\"verdict\"");
+  const std::string banner = html.substr(at, html.find("</section>", at) - at);
+  EXPECT_LT(banner.find("Three."), banner.find("<summary>2 more findings</summary>"));
+  EXPECT_GT(banner.find("Four."), banner.find("<summary>2 more findings</summary>"));
+  EXPECT_NE(banner.find("Five."), std::string::npos);
 }
 
 TEST(HtmlReport, ChecksOnTheDataStandWithNumberAndLimit) {

@@ -59,6 +59,9 @@ Run add_fleet(CLI::App& archive);
 /// @return runs the one that the command line chose; empty where it chose another command.
 std::function<Run()> add_archive(CLI::App& app);
 
+/// Adds `tribolog review`. @return as add_archive().
+std::function<Run()> add_review(CLI::App& app);
+
 /// JSON to standard output, also with --quiet: it was asked for.
 void print_json(const std::string& json);
 

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/archive/archive_commands.h"
+#include "cli/archive/signed_report.h"
 #include "files/atomic_file.h"
 
 namespace tribolog::cli {
@@ -10,13 +11,16 @@ Run add_report(CLI::App& archive) {
     std::string id;
     std::string output;
     std::string calibration;
+    bool original{false};
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command =
-      *archive.add_subcommand("report", "the report of one calibration, byte for byte");
+      *archive.add_subcommand("report", "the report of one calibration, as it was made");
   command.add_option("ID", options->id, "the first digits of its id")->required();
   command.add_option("-o,--output", options->output, "report (HTML) to write");
   command.add_option("--calibration", options->calibration, "calibration (JSON) to write");
+  command.add_flag("--original", options->original,
+                   "byte for byte, without the decisions of reviewers");
   const auto where = add_archive_options(command);
   return [where, options](const Invocation& call) {
     if (options->output.empty() && options->calibration.empty()) {
@@ -26,19 +30,20 @@ Run add_report(CLI::App& archive) {
     where->protect_from(options->calibration);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     const archive::Entry entry = kept.find(options->id);
-    const auto write = [&](archive::DocumentKind kind, const std::string& path,
-                           const std::string& words) {
-      if (path.empty()) return;
-      const auto bytes = kept.document(entry, kind);
-      if (!bytes) {
-        throw UsageError(entry.id.substr(0, archive::shown_digits) + " has no " + words +
-                         " in the archive; tribolog report --archive keeps one");
-      }
-      write_file_atomically(path, *bytes);
-      call.console.say(words + ": " + printable(path, longest_path));
+    const auto write = [&](const std::string& path, const char* words, const std::string& bytes) {
+      write_file_atomically(path, bytes);
+      call.console.say(words + (": " + printable(path, longest_path)));
     };
-    write(archive::DocumentKind::report, options->output, "report");
-    write(archive::DocumentKind::calibration, options->calibration, "calibration");
+    if (!options->output.empty()) {
+      write(options->output, "report",
+            options->original ? original_report(kept, entry) : signed_report(kept, entry));
+    }
+    if (!options->calibration.empty()) {
+      const auto bytes = kept.document(entry, archive::DocumentKind::calibration);
+      if (!bytes)
+        throw ArchiveError(printable(kept.name(), longest_path) + ": its calibration is missing");
+      write(options->calibration, "calibration", *bytes);
+    }
     return ExitStatus::done;
   };
 }

@@ -1,0 +1,108 @@
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "archive/entry_of_calibration.h"
+#include "provenance.h"
+
+#include "cli/archive/archive_commands.h"
+#include "cli/archive/signed_report.h"
+#include "files/atomic_file.h"
+#include "files/file_contents.h"
+#include "files/sha256.h"
+#include "report/embedded_json.h"
+#include "report/sign_off.h"
+
+namespace tribolog::cli {
+namespace {
+
+struct Options {
+  std::string report;
+  std::string reviewer;
+  std::string note;
+  std::string output;
+  bool approve{false};
+  bool reject{false};
+};
+
+bool is_file(const std::string& name) {
+  std::error_code error;
+  return std::filesystem::exists(name, error);
+}
+
+/// The same inputs may be archived with a report made at another time.
+std::string hint_for(archive::CalibrationArchive& kept, const std::string& page,
+                     const std::string& path) {
+  const std::string identity =
+      archive::entry_of_calibration(embedded_json(page, path).json, path).identity();
+  for (const archive::Entry& entry : kept.list({})) {
+    if (entry.identity != identity) continue;
+    const std::string id = entry.id.substr(0, archive::shown_digits);
+    return fmt::format(
+        "the archive has another report of these inputs: tribolog archive report {} "
+        "-o FILE gives it, tribolog review {} decides on it",
+        id, id);
+  }
+  return "tribolog archive add CALIBRATION --report REPORT keeps it; --archive names another "
+         "archive";
+}
+
+archive::Entry entry_of_report(archive::CalibrationArchive& kept, const std::string& path) {
+  const std::string page = without_sign_off(read_file(path));
+  if (const auto entry = kept.find_report(sha256_hex(page))) return *entry;
+  throw InputError({path, 0, 0}, {"this report is not in the archive", "",
+                                  "one that it holds, unchanged", hint_for(kept, page, path)});
+}
+
+}  // namespace
+
+std::function<Run()> add_review(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("review", "approve or reject a report that is archived");
+  command.add_option("REPORT", options->report, "the report (HTML), or the id of its calibration")
+      ->required();
+  auto* const approve = command.add_flag("--approve", options->approve, "the report is good");
+  command.add_flag("--reject", options->reject, "it is not")->excludes(approve);
+  command.add_option("--reviewer", options->reviewer, "who decides")->required();
+  command.add_option("--note", options->note, "why, or under which condition");
+  command.add_option("-o,--output", options->output,
+                     "report with the decision (HTML) to write; default: the report itself");
+  const auto where = add_archive_options(command);
+  command.footer(
+      "\nThe decision is kept in the archive with reviewer and time, behind earlier ones; none is\n"
+      "ever changed. Reports written from then on show it; `tribolog archive report ID\n"
+      "--original` gives the report as it was made, byte for byte.");
+  return [&command, where, options]() -> Run {
+    if (!command) return {};
+    return [where, options](const Invocation& call) {
+      if (options->approve == options->reject)
+        throw UsageError("tribolog review: either --approve or --reject is needed");
+      if (options->reviewer.find_first_not_of(" \t") == std::string::npos)
+        throw UsageError("tribolog review: --reviewer is empty");
+      const bool is_report = is_file(options->report);
+      const std::string output =
+          options->output.empty() && is_report ? options->report : options->output;
+      where->protect_from(output);
+      archive::CalibrationArchive kept = where->open(sql::Access::write);
+      const archive::Entry entry =
+          is_report ? entry_of_report(kept, options->report) : kept.find(options->report);
+      const archive::Review review{make_provenance({}).created_utc, options->reviewer,
+                                   options->approve ? archive::Review::Decision::approved
+                                                    : archive::Review::Decision::rejected,
+                                   options->note};
+      // Before the decision is kept: a report that cannot be written keeps none.
+      const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
+      kept.add_review(entry, review);
+      call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, archive::shown_digits),
+                                   to_string(review.decision), printable(review.reviewer)));
+      if (!output.empty()) {
+        write_file_atomically(output, page);
+        call.console.say("report: " + printable(output, longest_path));
+      }
+      return ExitStatus::done;
+    };
+  };
+}
+
+}  // namespace tribolog::cli

@@ -1,0 +1,75 @@
+#include "report/sign_off.h"
+
+#include <sstream>
+#include <string_view>
+
+#include "error.h"
+#include "report/template_engine.h"
+#include "report/view_parts.h"
+
+namespace tribolog {
+namespace {
+
+using report::TemplateValues;
+
+// No text of a report holds a raw '<', so these are the page's own.
+constexpr std::string_view content = "<main id=\"content\">\n";
+constexpr std::string_view opening = "<!-- sign-off -->\n";
+constexpr std::string_view closing = "<!-- end of sign-off -->\n";
+
+/// "2026-11-22T10:05:00Z" -> "2026-11-22 10:05 UTC"
+std::string readable(const std::string& utc) {
+  constexpr std::size_t day = 10;
+  constexpr std::size_t minute = 16;
+  if (utc.size() < minute) return report::or_dash(utc);
+  return utc.substr(0, day) + " " + utc.substr(day + 1, minute - day - 1) + " UTC";
+}
+
+void fill(const SignOff& decision, TemplateValues& values) {
+  values.set("DECISION", decision.is_approved ? "Approved" : "Rejected");
+  values.set("REVIEWER", report::or_dash(decision.reviewer));
+  values.set("AT", readable(decision.at_utc));
+  std::istringstream lines(decision.note);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!line.empty()) values.add_section("NOTE").set("LINE", line);
+  }
+}
+
+}  // namespace
+
+std::string with_sign_off(const std::string& report, const std::string& id,
+                          const std::vector<SignOff>& decisions, const std::string& file) {
+  std::string page = without_sign_off(report);
+  const std::size_t at = page.find(content);
+  if (at == std::string::npos || decisions.empty()) {
+    throw InputError({file, 0, 0},
+                     {"no report of tribolog: decisions have no place in it", "", "", ""});
+  }
+  TemplateValues values;
+  const SignOff& last = decisions.back();
+  values.set("OUTCOME", last.is_approved ? "good" : "bad");
+  values.set("WORD", last.is_approved ? "✓ Approved" : "✗ Rejected");
+  values.set("ID", id);
+  fill(last, values);
+  if (decisions.size() > 1) {
+    TemplateValues& earlier = values.add_section("EARLIER");
+    earlier.set("COUNT", std::to_string(decisions.size() - 1));
+    for (std::size_t k = 0; k + 1 < decisions.size(); ++k) {
+      fill(decisions[k], earlier.add_section("REVIEW"));
+    }
+  }
+  std::string block(opening);
+  block += report::expand_template("sign_off.tpl", values);
+  block += closing;
+  return page.insert(at + content.size(), block);
+}
+
+std::string without_sign_off(const std::string& report) {
+  const std::size_t from = report.find(opening);
+  const std::size_t to = report.find(closing, from);
+  if (from == std::string::npos || to == std::string::npos) return report;
+  return report.substr(0, from) + report.substr(to + closing.size());
+}
+
+}  // namespace tribolog

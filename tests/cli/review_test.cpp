@@ -1,0 +1,109 @@
+// `tribolog show` and `tribolog review`, as a user would call them.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+using nlohmann::json;
+
+class ReviewCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    const ProgramRun made =
+        run("report dataset.toml -o r.html --truth-runs 0 --resamples 0 --no-figures --archive "
+            "a.tribolog");
+    ASSERT_EQ(made.status, 0) << made.err;
+    original_ = read_text(dataset_.file("r.html"));
+    id_ = json::parse(run("archive list --json --archive a.tribolog").out)["calibrations"][0]["id"];
+  }
+  [[nodiscard]] ProgramRun run(const std::string& command) const {
+    return run_shell("cd '" + dataset_.scratch().path() + "' && " + program + command);
+  }
+  [[nodiscard]] ProgramRun review(const std::string& what) const {
+    return run("review " + what + " --archive a.tribolog");
+  }
+  [[nodiscard]] json reviews() const {
+    return json::parse(run("archive show " + id_ + " --json --archive a.tribolog").out)["reviews"];
+  }
+  SmallDataset dataset_;
+  std::string original_;
+  std::string id_;
+};
+
+TEST_F(ReviewCommands, AReportIsSignedAndItsOriginalStays) {
+  const ProgramRun rejected =
+      review("r.html --reject --reviewer 'A. Reviewer' --note 'gearbox was cold'");
+  ASSERT_EQ(rejected.status, 0) << rejected.err;
+  EXPECT_EQ(rejected.out, id_.substr(0, 10) + " rejected by A. Reviewer\nreport: r.html\n");
+  const std::string once = read_text(dataset_.file("r.html"));
+  EXPECT_NE(once.find("gearbox was cold"), std::string::npos);
+  // The signed report is the same report.
+  ASSERT_EQ(review("r.html --approve --reviewer B").status, 0);
+  ASSERT_EQ(reviews().size(), 2U);
+  EXPECT_EQ(reviews()[0]["note"], "gearbox was cold");
+  EXPECT_EQ(reviews()[1]["decision"], "approved");
+  const std::string twice = read_text(dataset_.file("r.html"));
+  EXPECT_NE(twice.find("Earlier decisions: 1"), std::string::npos);
+
+  const std::string from_archive = "archive report " + id_ + " --archive a.tribolog -o ";
+  ASSERT_EQ(run(from_archive + "signed.html").status, 0);
+  EXPECT_TRUE(read_text(dataset_.file("signed.html")) == twice);
+  ASSERT_EQ(run(from_archive + "original.html --original").status, 0);
+  EXPECT_TRUE(read_text(dataset_.file("original.html")) == original_);
+  const ProgramRun verified = run("archive verify --archive a.tribolog");
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+}
+
+TEST_F(ReviewCommands, AnIdIsReviewedWithoutAFile) {
+  ASSERT_EQ(review(id_.substr(0, 8) + " --approve --reviewer B").status, 0);
+  EXPECT_EQ(reviews().size(), 1U);
+  EXPECT_TRUE(read_text(dataset_.file("r.html")) == original_);
+  ASSERT_EQ(review(id_ + " --approve --reviewer B -o new.html").status, 0);
+  EXPECT_NE(read_text(dataset_.file("new.html")).find("Earlier decisions: 1"), std::string::npos);
+}
+
+TEST_F(ReviewCommands, WhatIsNotTheArchivedReportIsRefused) {
+  dataset_.scratch().write("other.html", original_ + " ");
+  const ProgramRun changed = review("other.html --approve --reviewer B");
+  EXPECT_EQ(changed.status, 3);
+  EXPECT_EQ(changed.err,
+            "tribolog: other.html: this report is not in the archive, expected one that it holds, "
+            "unchanged; hint: the archive has another report of these inputs: tribolog archive "
+            "report " +
+                id_.substr(0, 10) + " -o FILE gives it, tribolog review " + id_.substr(0, 10) +
+                " decides on it\n");
+  dataset_.scratch().write("page.html", "<html></html>");
+  EXPECT_EQ(review("page.html --approve --reviewer B").status, 3);
+  EXPECT_EQ(review("r.html --approve --reviewer ' '").status, 2);
+  EXPECT_EQ(review("r.html --reviewer B").status, 2);
+  EXPECT_EQ(review("r.html --approve --reject --reviewer B").status, 2);
+  EXPECT_EQ(review(id_ + " --approve --reviewer B -o nowhere/x.html").status, 4);
+  EXPECT_EQ(review(id_ + " --approve --reviewer B -o a.tribolog").status, 2);
+  EXPECT_TRUE(reviews().empty()) << "nothing was decided";
+  EXPECT_TRUE(read_text(dataset_.file("r.html")) == original_);
+}
+
+TEST_F(ReviewCommands, ShowReadsTheNumbersOfAReport) {
+  const ProgramRun of_report = run("show r.html");
+  ASSERT_EQ(of_report.status, 0) << of_report.err;
+  EXPECT_NE(of_report.out.find("test robot"), std::string::npos);
+  EXPECT_NE(of_report.out.find("quantity"), std::string::npos);
+  EXPECT_EQ(run("show r.calibration.json").out, of_report.out);
+  EXPECT_EQ(json::parse(run("show r.html --json").out),
+            json::parse(read_text(dataset_.file("r.calibration.json"))));
+  dataset_.scratch().write("page.html", "<html></html>");
+  const ProgramRun refused = run("show page.html");
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_EQ(refused.err,
+            "tribolog: page.html: no page of tribolog with its numbers; hint: `tribolog show` "
+            "reads the reports and pages that tribolog writes, and calibrations\n");
+}
+
+}  // namespace
+}  // namespace tribolog::test
