@@ -12,6 +12,7 @@ namespace tribolog {
 namespace {
 
 constexpr int most_dots = 50;
+constexpr std::size_t deepest_brackets = 32;  ///< As the parser has it.
 
 /// Walks a document just closely enough to tell texts and comments from the rest, and where a key
 /// or a value has begun: the parser scans a bare one up to a blank or further (dates), through
@@ -38,6 +39,10 @@ class Walk {
  private:
   enum class Place { before_key, in_key, before_value, in_value };
   enum class Bracket { header, array, table };
+  struct Open {
+    Bracket kind{};
+    long line{};
+  };
 
   [[nodiscard]] bool at_end() const { return i_ >= text_.size(); }
   [[nodiscard]] bool is_ahead(std::string_view what) const {
@@ -124,7 +129,7 @@ class Walk {
   /// Only an array goes on in the next line.
   void end_line() {
     dots_ = 0;
-    if (!open_.empty() && open_.back() == Bracket::array) {
+    if (!open_.empty() && open_.back().kind == Bracket::array) {
       place_ = Place::before_value;
       return;
     }
@@ -137,7 +142,11 @@ class Walk {
     if (has_begun() || follows_point) refuse("bracket in the middle of a key or value");
     const bool is_header = c == '[' && place_ == Place::before_key;
     const bool is_array = c == '[' && !is_header;
-    open_.push_back(is_header ? Bracket::header : is_array ? Bracket::array : Bracket::table);
+    if (open_.size() == deepest_brackets) refuse("brackets nested too deeply");
+    open_.push_back({is_header  ? Bracket::header
+                     : is_array ? Bracket::array
+                                : Bracket::table,
+                     line_});
     place_ = is_array ? Place::before_value : Place::before_key;
     dots_ = 0;
   }
@@ -150,14 +159,18 @@ class Walk {
   }
 
   void assign() {
-    if (place_ == Place::before_value || place_ == Place::in_value)
-      refuse("'=' in the middle of a value");
+    if (place_ == Place::before_value || place_ == Place::in_value) {
+      const bool is_from_above = !open_.empty() && open_.back().line < line_;
+      refuse(
+          "'=' in the middle of a value",
+          is_from_above ? fmt::format("the '[' of line {} is not closed", open_.back().line) : "");
+    }
     place_ = Place::before_value;
     dots_ = 0;
   }
 
   void separate() {
-    const bool is_array = !open_.empty() && open_.back() == Bracket::array;
+    const bool is_array = !open_.empty() && open_.back().kind == Bracket::array;
     place_ = is_array ? Place::before_value : Place::before_key;
     dots_ = 0;
   }
@@ -174,13 +187,13 @@ class Walk {
 
   static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
-  [[noreturn]] void refuse(const char* what) const {
-    throw InputError({file_, line_, static_cast<long>(i_ - line_start_ + 1)}, {what, "", "", ""});
+  [[noreturn]] void refuse(const char* what, const std::string& hint = "") const {
+    throw InputError({file_, line_, static_cast<long>(i_ - line_start_ + 1)}, {what, "", "", hint});
   }
 
   std::string_view text_;
   const std::string& file_;
-  std::vector<Bracket> open_;
+  std::vector<Open> open_;
   Place place_{Place::before_key};
   std::size_t i_{0};
   std::size_t line_start_{0};

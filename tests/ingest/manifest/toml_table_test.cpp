@@ -143,6 +143,11 @@ TEST(TomlTable, RefusesATextBehindAnElementThatHasBegun) {
             "m.toml:1:3: bracket in the middle of a key or value");
 }
 
+TEST(TomlTable, AnUnclosedBracketIsFoundWhereItsLineStands) {
+  EXPECT_EQ(refusal([] { return parse("a = [\n  1,\nb = 2\n"); }),
+            "m.toml:3:3: '=' in the middle of a value; hint: the '[' of line 1 is not closed");
+}
+
 TEST(TomlTable, TakesTextsWhereverTheyMayStand) {
   const TomlTable table = parse(
       "a = [ # °\n  \"µ\", # one\n  '°'\n]\nb . \"c\" = {d = [[\"x\"], ['y', \"z\"]], e = 1.5}\n"
