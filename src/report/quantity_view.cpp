@@ -63,8 +63,9 @@ void add_change(const history::Comparison& since_last, const QuantityVerdict& q,
   const Estimate& absolute = found->change->absolute;
   const Scale scale =
       quantity_scale(found->unit, found->second ? found->second->value : absolute.value);
-  const std::string digits = round_by_interval(absolute, scale).plus_minus();
-  row.change = with_unit((absolute.value > 0 ? "+" : "") + digits, scale.unit);
+  const RoundedEstimate text = round_by_interval(absolute, scale);
+  row.change = with_unit((absolute.value > 0 ? "+" : "") + text.estimate, scale.unit);
+  row.change_range = text.half_width.empty() ? text.range() : "± " + text.half_width;
 }
 
 }  // namespace

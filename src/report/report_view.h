@@ -93,8 +93,9 @@ struct QuantityRow {
   std::string estimate;      ///< With its unit; may be empty.
   std::string interval;      ///< "3.8789 … 3.8875"; may be empty.
   std::vector<LimitCell> limits;
-  std::string change;       ///< Since the last calibration; may be empty.
-  std::string change_word;  ///< "no change seen"; empty: there is none to compare with.
+  std::string change;        ///< Since the last calibration, with its unit; may be empty.
+  std::string change_range;  ///< Of its interval: "± 0.0047"; may be empty.
+  std::string change_word;   ///< "no change seen"; empty: there is none to compare with.
   bool is_changed{};
   std::vector<std::string> reasons;
   std::string experiment;  ///< What to record next; may be empty.

@@ -50,7 +50,8 @@ std::string with_sign_off(const std::string& report, const std::string& id,
   const SignOff& last = decisions.back();
   values.set("OUTCOME", last.is_approved ? "good" : "bad");
   values.set("WORD", last.is_approved ? "✓ Approved" : "✗ Rejected");
-  values.set("ID", id);
+  constexpr std::size_t shown_digits = 10;
+  values.set("ID", report::or_dash(id.substr(0, shown_digits)));
   fill(last, values);
   if (decisions.size() > 1) {
     TemplateValues& earlier = values.add_section("EARLIER");

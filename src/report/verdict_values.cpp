@@ -54,6 +54,8 @@ void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
   fill_state(row.outcome, out);
   out.set("ESTIMATE", or_dash(row.estimate));
   out.set("INTERVAL", or_dash(row.interval));
+  if (row.estimate.empty()) out.add_section("NO_ESTIMATE");
+  if (row.interval.empty()) out.add_section("NO_INTERVAL");
   if (shown.limits) {
     TemplateValues& cell = out.add_section("LIMITS");
     for (const LimitCell& limit : row.limits) {
@@ -68,7 +70,8 @@ void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
     TemplateValues& cell = out.add_section("CHANGE");
     cell.set("AMOUNT", or_dash(row.change));
     cell.set_optional("WORD", row.change_word);
-    cell.set("KIND", row.is_changed ? "changed" : "unchanged");
+    cell.set_optional("RANGE", row.change_range);
+    cell.set("KIND", row.is_changed ? "changed" : row.change_word.empty() ? "none" : "unchanged");
   }
   if (row.reasons.empty() && row.experiment.empty()) return;
   TemplateValues& why = out.add_section("WHY");

@@ -15,14 +15,18 @@ LimitState against_bound(const Estimate& e, double bound, bool is_upper) {
   return low_keeps || high_keeps ? LimitState::crosses : LimitState::outside;
 }
 
-std::string words_of(const LimitOutcome& o, const std::string& quantity, const std::string& rule) {
+/// @param unit of the estimate; the limit's is "%" for some.
+std::string words_of(const LimitOutcome& o, const std::string& quantity, const std::string& unit,
+                     const std::string& rule) {
   const std::string bound = fmt::format("the limit of {} {:.6g} {}", rule, o.limit, o.unit);
   if (o.state == LimitState::unknown) {
     return fmt::format("{}: there is no estimate to hold against {}", quantity, bound);
   }
   const Estimate& e = *o.estimate;
   const std::string value =
-      fmt::format("{} {:.5g} (95 %: {:.5g} to {:.5g})", quantity, e.value, e.low, e.high);
+      fmt::format("{}{} {:.5g} {} (95 %: {:.5g} to {:.5g})", quantity,
+                  o.key.find("_joint") == std::string::npos ? "" : " at the joint", e.value, unit,
+                  e.low, e.high);
   switch (o.state) {
     case LimitState::inside:
       return value + " keeps " + bound;
@@ -72,7 +76,7 @@ class LimitJudge {
   void add(const std::string& rule, double limit, const std::string& unit, const std::string& words,
            LimitState state) {
     LimitOutcome o{key_.key, rule, limit, unit, estimate_, state, ""};
-    o.words = words_of(o, quantity_.words, words);
+    o.words = words_of(o, quantity_.words, key_.unit, words);
     if (state != LimitState::inside) {
       lower(quantity_, Verdict::doubtful, o.words,
             state == LimitState::outside && (rule == "min" || rule == "max")
