@@ -4,7 +4,9 @@
 // `{{PNG:x-png}}` base64 text -> a data URI of an image; anything else -> an empty picture.
 // `{{JSON:x-json}}` JSON for a `<script type="application/json">`: `<`, `>`, `&`, U+2028 and U+2029
 //                   become \uXXXX, which JSON reads back as the same text.
-// `{{CSS:x-css}}`   the embedded style sheet, and no other text.
+// `{{CSS:x-css}}`   the embedded style sheet, with or without that of the loop viewer, and no other
+//                   text.
+// `{{SCRIPT:x-script}}` the script of the loop viewer, and no other text.
 // `{{TEXT:x-symbols}}` escaped text in which symbols of one letter get their index: `q_peak`,
 // `T_c`,
 //                   `δ_a`. Words (`constant_speed`) and file names (`a_b.csv`) stay as they are.
@@ -13,8 +15,6 @@
 #include <string_view>
 
 namespace tribolog::report {
-
-inline constexpr char style_sheet_name[] = "report.css";
 
 /// Makes the modifiers known to the engine; may be called more than once.
 void register_template_modifiers();
