@@ -175,8 +175,11 @@
     const step = tickStep(high - low, most);
     const out = [];
     for (let k = Math.ceil(low / step); k * step <= high; ++k) out.push(k * step);
-    return { values: out, decimals: clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 9) };
+    return { values: out, share: step / (high - low),
+             decimals: clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 9) };
   };
+  const longest = ({ values, decimals }) =>
+    Math.max(0, ...values.map((value) => fixed(value, decimals).length));
 
   const paintAxes = (plot, pen) => {
     const labels = [];
@@ -185,7 +188,10 @@
     const tick = (text, x, y, anchor) =>
       labels.push(draw("text", { x, y, "text-anchor": anchor }, text));
     pen.lineWidth = 1;
-    const xs = tickValues(ranges[plot.x].now, plot.width / 75);
+    // As many as have room for the longest label.
+    const xs = [44, 58, 75, 100].map((apart) => tickValues(ranges[plot.x].now, plot.width / apart))
+      .find((some) => some.share * plot.width > 14 + 7.2 * longest(some)) ||
+      tickValues(ranges[plot.x].now, 2);
     const ys = tickValues(ranges[plot.y].now, plot.height / 42);
     pen.beginPath();
     for (const value of xs.values) {
@@ -890,9 +896,9 @@
     if (ranges.z) left.append(addPlot("q", "z", true, paintLoops));
     if (ranges.dz) left.append(addPlot("q", "dz", true, paintLoops));
     right.append(addPlot("t", "T", true, paintLoops), addPlot("t", "q", true, paintLoops));
-    right.append(make("div", { class: "numbers" },
+    right.append(make("div", { class: "beside" }, make("div", { class: "numbers" },
       make("div", {}, make("h4", {}, "At the instant"), instantOf, instant),
-      make("div", {}, readingTitle, readingWhat, readingList)));
+      make("div", {}, readingTitle, readingWhat, readingList))));
     slider.addEventListener("input", () => setSample(Number(slider.value)));
     root.append(loopControls(), make("div", { class: "columns" }, left, right),
       make("div", { class: "scrub" }, make("label", { for: "review-slider" }, "Instant"), slider,

@@ -113,3 +113,14 @@ export const inkOf = (page, id, colour) => page.evaluate(([name, hex]) => {
   }
   return count;
 }, [id, colour]);
+
+/// The same key so many times in some plots, at once.
+export async function press(page, plots, key, times) {
+  await page.evaluate(([names, pressed, count]) => {
+    for (const name of names) {
+      const view = document.querySelector(`[data-plot="${name}"] .view`);
+      for (let k = 0; k < count; ++k) view.dispatchEvent(new KeyboardEvent("keydown", { key: pressed }));
+    }
+  }, [plots, key, times]);
+  await settled(page);
+}

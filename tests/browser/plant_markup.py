@@ -31,4 +31,8 @@ manifest = manifest.replace('serial = "simulated"',
                             '\n'.join('%s = %s' % (key, quoted)
                                       for key in ('serial', 'operator', 'measured_on')))
 manifest = manifest.replace('[joint]\nname = "3"', '[joint]\nname = ' + quoted)
+manifest = manifest.replace('[[recording]]', '[[recording]]\nnote = ' + quoted)
+manifest += '\n[payload]\nnote = %s\n' % quoted
+manifest += '\n[[known_load]]\namplitude_Nm = 1e-6\nangles = [%s]\nnote = %s\n' % (
+    json.dumps('q' + text), quoted)
 (target / 'dataset.toml').write_text(manifest)

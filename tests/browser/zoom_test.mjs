@@ -1,7 +1,7 @@
 // Pan and zoom by wheel, keys, buttons, box, drag and two fingers; what shares a quantity follows.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertNear, focusPlot, plotOf, screenOf, settled, withReport } from "./open_report.mjs";
+import { assertNear, focusPlot, plotOf, press, screenOf, settled, withReport } from "./open_report.mjs";
 
 const span = ([low, high]) => high - low;
 const button = (page, name) => page.getByRole("button", { name, exact: true });
@@ -118,15 +118,28 @@ test("a box, by its button or by Shift, becomes the range; a drag moves it", () 
     assertClose(plot.y, [rough(z.y, 0.4), rough(z.y, 0.9)], z.y, "box y");
   }));
 
+test("the cursor's place is told in the units of the axes", () =>
+  withReport("noisy.html", {}, async (page) => {
+    await focusPlot(page, "T-q");
+    const plot = await plotOf(page, "T-q");
+    const at = screenOf(plot, -42, 4.2);
+    await page.mouse.move(at.x, at.y);
+    const text = await page.locator('[data-plot="T-q"] .cursor').innerText();
+    const [q, T] = text.replace("−", "-").split(", ").map(Number);
+    assert.ok(Math.abs(q + 42) < span(plot.x) / plot.width && Math.abs(T - 4.2) < 2 * span(plot.y) / plot.height, text);
+    await page.mouse.move(2, 2);
+    assert.equal(await page.locator('[data-plot="T-q"] .cursor').innerText(), "");
+  }));
+
 test("zoom and pan have ends", () =>
   withReport("noisy.html", {}, async (page) => {
     await focusPlot(page, "z-q");
     const full = await plotOf(page, "z-q");
-    for (let k = 0; k < 60; ++k) await page.keyboard.press("+");
+    await press(page, ["z-q"], "+", 60);
     let plot = await plotOf(page, "z-q");
     assert.ok(Math.abs(span(plot.x) / span(full.x) - 1e-4) < 1e-8);
-    for (let k = 0; k < 80; ++k) await page.keyboard.press("-");
-    for (let k = 0; k < 30; ++k) await page.keyboard.press("ArrowRight");
+    await press(page, ["z-q"], "-", 80);
+    await press(page, ["z-q"], "ArrowRight", 30);
     plot = await plotOf(page, "z-q");
     assert.ok(span(plot.x) <= 1.5 * span(full.x) * (1 + 1e-9));
     assert.ok((plot.x[0] + plot.x[1]) / 2 <= full.x[1] * (1 + 1e-9), "the data stay in sight");
