@@ -11,19 +11,27 @@
 
   // state
   const state = {
-    loop: 0,          // the loop that is scrubbed and read
-    sample: 0,        // its sample: the instant marked in all plots
+    // The loop that is scrubbed and read.
+    loop: 0,
+    // Its sample: the instant marked in all plots.
+    sample: 0,
     shown: loops.map((_, k) => k === 0),
     fit: true,
-    reading: "",      // A to F, a pair, midline, fit, sweep ...
-    run: -1,          // the run marked in the curves
-    others: true,     // the other candidates' curves
+    // A to F, a pair, midline, fit, sweep ...
+    reading: "",
+    // The run marked in the curves.
+    run: -1,
+    // The other candidates' curves.
+    others: true,
     closeUp: false,
-    box: false,       // dragging zooms to a box
+    // Dragging zooms to a box.
+    box: false,
   };
-  const ranges = {};  // by quantity: { full: [a, b], now: [a, b], decimals }
+  // By quantity: { full: [a, b], now: [a, b], decimals }.
+  const ranges = {};
   const plots = [];
-  let current = null; // the plot that the zoom buttons act on
+  // The plot that the zoom buttons act on.
+  let current = null;
 
   // elements and numbers
   const make = (tag, attributes, ...children) => {
@@ -48,7 +56,8 @@
     const size = Math.abs(value);
     if (size === 0) return "0";
     if (size >= 1e-6) return fixed(value, Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
-    return minus(value.toExponential(digits - 1).replace("e-", "×10^−"));
+    return minus(value.toExponential(digits - 1))
+      .replace(/e-(\d+)/, (_, n) => "×10⁻" + [...n].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]).join(""));
   };
   const withUnit = (number, name) => number + " " + quantities[name].unit;
   const valueText = (value, name) => withUnit(fixed(value, ranges[name].decimals), name);
@@ -63,7 +72,8 @@
 
   const status = make("p", { class: "spoken", role: "status" });
   let speaking = 0;
-  const say = (text) => {  // waits for a pause, so that a held key is not read out value by value
+  // Waits for a pause, so that a held key is not read out value by value.
+  const say = (text) => {
     clearTimeout(speaking);
     speaking = setTimeout(() => { status.textContent = text; }, 400);
   };
@@ -93,7 +103,8 @@
     const span = clamp(high - low, 1e-4 * (last - first), 1.5 * (last - first));
     const middle = clamp((low + high) / 2, first, last);
     ranges[name].now = [middle - span / 2, middle + span / 2];
-    const isTime = name === "t";  // loops are drawn pale outside the time shown
+    // Loops are drawn pale outside the time shown.
+    const isTime = name === "t";
     for (const plot of plots) {
       if (plot.x === name || plot.y === name || (isTime && plot.isLoop)) plot.dirty = true;
     }
@@ -237,10 +248,7 @@
   };
   const acrossAt = (plot, pen, value, style) => {
     setPen(pen, style, 1.6);
-    pen.beginPath();
-    pen.moveTo(margin.left, plot.py(value));
-    pen.lineTo(margin.left + plot.width, plot.py(value));
-    pen.stroke();
+    trace(plot, pen, ranges[plot.x].now, [value, value]);
   };
 
   const paintPlot = (plot) => {
@@ -332,10 +340,7 @@
     }
     if (plot.x === "q" && isShown && isNumber(loop.q_peak)) {
       setPen(pen, peakStyle, 1.6);
-      pen.beginPath();
-      pen.moveTo(plot.px(loop.q_peak), margin.top);
-      pen.lineTo(plot.px(loop.q_peak), margin.top + plot.height);
-      pen.stroke();
+      trace(plot, pen, [loop.q_peak, loop.q_peak], ranges[plot.y].now);
     }
     const level = chosen();
     if (plot.y === "T" && level && isNumber(level.T)) acrossAt(plot, pen, level.T, level.style);
@@ -416,16 +421,15 @@
 
   // what the candidates' plots show
   const hasRun = (i) => i >= 0 && isNumber(runs.w[i]);
-  const paintRunCurve = (plot, pen, ys) => {  // broken at standstill
+  // Broken at standstill.
+  const paintRunCurve = (plot, pen, ys) => {
     const middle = runs.w.filter((w) => w <= 0).length;
     trace(plot, pen, runs.w, ys, 0, middle);
     trace(plot, pen, runs.w, ys, middle);
   };
   const paintDots = (plot, pen, ys, colour, radius) => {
-    pen.setLineDash([]);
+    setPen(pen, { colour: ink }, 1);
     pen.fillStyle = colour;
-    pen.strokeStyle = ink;
-    pen.lineWidth = 1;
     ys.forEach((y, i) => {
       if (!isNumber(y) || !hasRun(i)) return;
       pen.beginPath();
@@ -656,8 +660,10 @@
   const listen = (plot) => {
     const { view } = plot;
     const pointers = new Map();
-    let start = null;   // of a press that may still be a click
-    let corner = null;  // of a box
+    // Of a press that may still be a click.
+    let start = null;
+    // Of a box.
+    let corner = null;
     const place = (event) => {
       const box = view.getBoundingClientRect();
       return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -772,7 +778,8 @@
     draw("line", { x1: 1, x2: 33, y1: 5, y2: 5, stroke: style.colour, "stroke-width": 2.5,
                    "stroke-dasharray": (dashes[style.line] || []).join(" ") }));
   const key = (style, words) => make("span", { class: "key" }, swatch(style), words);
-  const levelKey = make("span", { class: "key" });  // of the level line of the reading
+  // Of the level line of the reading.
+  const levelKey = make("span", { class: "key" });
   const check = (words, isOn, act, ...before) => {
     const input = make("input", { type: "checkbox" });
     input.checked = isOn;
@@ -785,9 +792,14 @@
       state.box = isOn;
       root.classList.toggle("boxing", isOn);
     });
+    // What a drag does must be possible without one, too.
+    const moves = [["←", "Move left", -0.2, 0], ["→", "Move right", 0.2, 0],
+                   ["↑", "Move up", 0, 0.2], ["↓", "Move down", 0, -0.2]];
     return make("div", { class: "controls", role: "group", "aria-label": "Zoom" },
       button("+", () => zoom(current, 0.7), { "aria-label": "Zoom in" }),
       button("−", () => zoom(current, 1 / 0.7), { "aria-label": "Zoom out" }),
+      ...moves.map(([sign, name, x, y]) =>
+        button(sign, () => pan(current, x, y), { "aria-label": name })),
       box, button("Reset", resetRanges));
   };
 
@@ -834,7 +846,8 @@
     if (candidates.length) line.append(levelKey);
     if (loops.length < 2) return line;
     const select = make("select", { id: "review-loop" });
-    loops.forEach((loop, k) => select.append(make("option", { value: k }, `${k + 1}: ${loop.name || "loop"}`)));
+    loops.forEach((loop, k) =>
+      select.append(make("option", { value: k }, `${k + 1}: ${loop.name || "loop"}`)));
     select.addEventListener("change", () => {
       state.loop = Number(select.value);
       state.shown[state.loop] = true;
@@ -860,7 +873,8 @@
       if (!isPlaying) return;
       const loop = loops[state.loop];
       const period = loop.frequency_Hz ? 1 / loop.frequency_Hz : loop.t[loop.t.length - 1] / 10;
-      time += Math.min(now - last, 100) / 4000 * period;  // a cycle lasts four seconds
+      // A cycle lasts four seconds.
+      time += Math.min(now - last, 100) / 4000 * period;
       last = now;
       setSample(nearestInTime(loop, time));
       if (state.sample === loop.t.length - 1) isPlaying = false;
@@ -886,7 +900,7 @@
     for (const name of ["t", "q", "T", "z", "dz"]) {
       const columns = loops.map((loop) => loop[name]);
       if (name === "T") {
-        columns.push(...loops.map((loop) => loop.fit), ...loops.map((loop) => loop.midline && loop.midline.T));
+        columns.push(...loops.flatMap((loop) => [loop.fit, (loop.midline || {}).T]));
       }
       addRange(name, columns.concat(data.points.first.map((point) => [point[name]])));
     }
@@ -924,7 +938,9 @@
     const grid = make("div", { class: "columns" },
       make("div", { class: "column" }, addPlot("w", "f", false, paintRuns)));
     if (hasErrors) grid.append(make("div", { class: "column" }, addPlot("w", "e", false, paintRuns)));
-    if (!loops.length) root.append(make("div", { class: "numbers alone" }, readingTitle, readingWhat, readingList));
+    if (!loops.length) {
+      root.append(make("div", { class: "numbers alone" }, readingTitle, readingWhat, readingList));
+    }
     root.append(line, grid, runLine);
   };
 
@@ -940,7 +956,8 @@
   root.append(status);
   root.hidden = false;
   setCurrent(plots[0]);
-  if (loops.length) {  // inside the first stroke, clear of the points
+  // Inside the first stroke, clear of the points.
+  if (loops.length) {
     const { t, frequency_Hz } = loops[0];
     setSample(nearestInTime(loops[0], 0.6 * (frequency_Hz ? 1 / frequency_Hz : t[t.length - 1])));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figures/axis_scale.h"
 #include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
@@ -100,7 +101,8 @@ Table loop_points_table(const std::vector<LoopPoint>& points, const std::string&
   for (const LoopPoint& p : points) {
     if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
   }
-  const Scale bristle = radian_scale(z);
+  const figures::AxisScale shown = figures::prefixed("rad", z);  // as in the figures
+  const Scale bristle{shown.factor, shown.unit};
   table.columns = {{"Point", "", false},      {"Where", "", false, true},
                    {"t", "s", true},          {"q", "°", true},
                    {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},

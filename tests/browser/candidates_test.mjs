@@ -1,7 +1,7 @@
 // Switching the candidate mass: curves, errors and numbers, against the data and the tables.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertNear, dataOf, focusPlot, inkOf, listOf, plotOf, screenOf, settled, withReport }
+import { assertNear, dataOf, focusPlot, inkOf, listOf, plotOf, plotsOf, screenOf, settled, withReport }
   from "./open_report.mjs";
 
 const cellsOf = (page, table) => page.evaluate((id) => Object.fromEntries(
@@ -34,8 +34,9 @@ for (const name of ["paper.html", "noisy.html"]) {
         assert.equal(shown["Surrogate mass"], candidate.mass);
         assert.equal(candidate.mass, row(masses)[4] + "\u00a0kg");
         assert.equal(shown["Error, rms"], row(errors)[2] + " % of T", candidate.name);
+        const drawn = await plotsOf(page);
         for (const quantity of ["f", "e"]) {
-          const plot = await plotOf(page, `${quantity}-w`);
+          const plot = drawn[`${quantity}-w`];
           for (const run of [0, last]) {
             const colour = await colourAt(page, `${quantity}-w`, plot, data.runs.w[run],
                                           candidate[quantity][run]);

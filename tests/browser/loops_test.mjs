@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { assertNear, dataOf, focusPlot, inkOf, listOf, plotOf, reportPath, screenOf, settled, withReport }
+import { assertNear, dataOf, focusPlot, inkOf, listOf, plotOf, plotsOf, reportPath, screenOf, settled, withReport }
   from "./open_report.mjs";
 
 const plots = [["T-q", "q", "T"], ["z-q", "q", "z"], ["dz-q", "q", "dz"], ["T-t", "t", "T"],
@@ -19,8 +19,9 @@ for (const name of ["paper.html", "noisy.html"]) {
       const check = async (expected) => {
         const i = Number(await page.locator("#review-slider").inputValue());
         if (expected !== undefined) assert.equal(i, expected);
+        const drawn = await plotsOf(page);
         for (const [id, x, y] of plots) {
-          const plot = await plotOf(page, id);
+          const plot = drawn[id];
           assertNear(plot.now.x, loop[x][i], plot.x, `${id} at ${i}, x`);
           assertNear(plot.now.y, loop[y][i], plot.y, `${id} at ${i}, y`);
         }
@@ -58,8 +59,9 @@ for (const name of ["paper.html", "noisy.html"]) {
           [row.cells[0].textContent.trim(), [...row.cells].slice(2).map((cell) => cell.textContent.trim())])));
       for (const point of data.points.first) {
         await page.locator(`#review-reading-${point.name}`).check();
+        const drawn = await plotsOf(page);
         for (const [id, x, y] of plots) {
-          const plot = await plotOf(page, id);
+          const plot = drawn[id];
           assert.deepEqual(plot.rings.map((ring) => ring.name), [point.name], id);
           assertNear(plot.rings[0].x, point[x], plot.x, `${point.name} in ${id}, x`);
           assertNear(plot.rings[0].y, point[y], plot.y, `${point.name} in ${id}, y`);

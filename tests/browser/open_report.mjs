@@ -53,26 +53,29 @@ export const dataOf = (page) =>
 export const settled = (page) => page.evaluate(
   () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/// What a plot shows: area, ranges and the marker of the instant, in the units of its axes.
-export async function plotOf(page, id) {
+/// What each plot shows: area, ranges and the marker of the instant, in the units of its axes.
+export async function plotsOf(page) {
   await settled(page);
-  return page.evaluate((name) => {
-    const element = document.querySelector(`[data-plot="${name}"]`);
-    const numbers = (text) => text.split(" ").map(Number);
-    const [left, top, width, height] = numbers(element.dataset.area);
-    const x = numbers(element.dataset.xRange);
-    const y = numbers(element.dataset.yRange);
-    const value = (circle) => circle && {
-      x: x[0] + (circle.getAttribute("cx") - left) / width * (x[1] - x[0]),
-      y: y[1] - (circle.getAttribute("cy") - top) / height * (y[1] - y[0]),
-    };
-    const box = element.querySelector(".view").getBoundingClientRect();
-    return { x, y, left: box.left + left, top: box.top + top, width, height,
-             now: value(element.querySelector(".now")),
-             rings: [...element.querySelectorAll(".point:has(.ring)")].map((point) => (
-               { name: point.dataset.point, ...value(point.querySelector(".ring")) })) };
-  }, id);
+  return page.evaluate(() => Object.fromEntries(
+    [...document.querySelectorAll("#review .plot")].map((element) => {
+      const numbers = (text) => text.split(" ").map(Number);
+      const [left, top, width, height] = numbers(element.dataset.area);
+      const x = numbers(element.dataset.xRange);
+      const y = numbers(element.dataset.yRange);
+      const value = (circle) => circle && {
+        x: x[0] + (circle.getAttribute("cx") - left) / width * (x[1] - x[0]),
+        y: y[1] - (circle.getAttribute("cy") - top) / height * (y[1] - y[0]),
+      };
+      const box = element.querySelector(".view").getBoundingClientRect();
+      return [element.dataset.plot, {
+        x, y, left: box.left + left, top: box.top + top, width, height,
+        now: value(element.querySelector(".now")),
+        rings: [...element.querySelectorAll(".point:has(.ring)")].map((point) => (
+          { name: point.dataset.point, ...value(point.querySelector(".ring")) })),
+      }];
+    })));
 }
+export const plotOf = async (page, id) => (await plotsOf(page))[id];
 
 /// Place on the screen of a value.
 export const screenOf = (plot, x, y) => ({

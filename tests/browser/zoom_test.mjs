@@ -63,6 +63,13 @@ test("plots that share a quantity move together; reset shows all", () =>
     await button(page, "Zoom in").click();
     assertRange((await plotOf(page, "T-q")).y,
                 [y[0] + 0.15 * span(y), y[1] - 0.15 * span(y)], y, "button");
+    const zoomed = await plotOf(page, "T-q");
+    for (const [name, axis, by] of [["Move left", "x", -0.2], ["Move up", "y", 0.2]]) {
+      await button(page, name).click();
+      const { [axis]: now } = await plotOf(page, "T-q");
+      const was = zoomed[axis];
+      assertRange(now, was.map((end) => end + by * span(was)), was, name);
+    }
     await button(page, "Reset").click();
     for (const id in all) {
       const plot = await plotOf(page, id);

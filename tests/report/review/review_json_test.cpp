@@ -44,6 +44,11 @@ double factor_of(const Json& data, const std::string& name) {
   return unit.front() == 'm' ? 1e3 : 1.0;
 }
 
+/// As it stands in a table.
+std::string cell_of(const std::string& text) {
+  return std::string(1, '>').append(text).append(1, '<');
+}
+
 TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
   const LoopTrace& trace = noisy_joint().hysteresis.traces.front();
   const Json data = data_of(noisy_joint());
@@ -123,8 +128,8 @@ TEST(ReviewJson, CandidatesHaveTheirCurvesErrorsAndTheTablesTexts) {
       expect_digits(one["e"][i], error->percent[i], 1.0);
     }
     const std::string mass = one["mass"];
-    EXPECT_NE(tables.find(">" + mass.substr(0, mass.find("\u00a0")) + "<"), std::string::npos);
-    EXPECT_NE(tables.find(">" + one["rms"].get<std::string>() + "<"), std::string::npos) << name;
+    EXPECT_NE(tables.find(cell_of(mass.substr(0, mass.find("\u00a0")))), std::string::npos) << mass;
+    EXPECT_NE(tables.find(cell_of(one["rms"])), std::string::npos) << name;
     recommended += one["recommended"].get<bool>() ? 1 : 0;
   }
   EXPECT_EQ(recommended, 1U);
