@@ -63,8 +63,10 @@
   const valueText = (value, name) => withUnit(fixed(value, ranges[name].decimals), name);
   const find = (list, name) => list.find((one) => one.name === name);
   const dashes = {
-    solid: [], dash: [8, 4], dot: [2, 3], dash_dot: [9, 3, 2, 3], dash_dot_dot: [9, 3, 2, 3, 2, 3],
+    solid: [], level: [15, 4], dash: [8, 4], dot: [2, 3], dash_dot: [9, 3, 2, 3], dash_dot_dot: [9, 3, 2, 3, 2, 3],
   };
+  // Level with a reading's torque: as no curve is.
+  const levelStyle = (candidate) => ({ colour: candidate.style.colour, line: "level" });
   const ink = "#1b1f24";
   const pale = "#c3c9d0";
   const midlineStyle = { colour: "#000000", line: "dash" };
@@ -173,7 +175,12 @@
     };
     plots.push(plot);
     listen(plot);
-    new ResizeObserver(() => { plot.dirty = true; requestFrame(); }).observe(view);
+    // Asking for the size while drawing would make the browser lay out the page each time.
+    new ResizeObserver(([{ contentRect }]) => {
+      plot.box = contentRect;
+      plot.dirty = true;
+      requestFrame();
+    }).observe(view);
     return element;
   };
 
@@ -232,17 +239,23 @@
     pen.setLineDash(dashes[style.line] || []);
   };
   const trace = (plot, pen, xs, ys, from = 0, to = xs.length) => {
+    const [x0, y0] = [plot.px(0), plot.py(0)];
+    const [dx, dy] = [plot.px(1) - x0, plot.py(1) - y0];
     let isDown = false;
+    let [atX, atY] = [0, 0];
     pen.beginPath();
     for (let i = from; i < to; ++i) {
       if (xs[i] === null || ys[i] === null) {
         isDown = false;
-      } else if (isDown) {
-        pen.lineTo(plot.px(xs[i]), plot.py(ys[i]));
-      } else {
-        pen.moveTo(plot.px(xs[i]), plot.py(ys[i]));
-        isDown = true;
+        continue;
       }
+      const x = x0 + xs[i] * dx;
+      const y = y0 + ys[i] * dy;
+      // Steps that nobody can see cost as much as others.
+      if (isDown && i + 1 < to && Math.abs(x - atX) + Math.abs(y - atY) < 0.5) continue;
+      if (isDown) pen.lineTo(x, y); else pen.moveTo(x, y);
+      isDown = true;
+      [atX, atY] = [x, y];
     }
     pen.stroke();
   };
@@ -252,7 +265,8 @@
   };
 
   const paintPlot = (plot) => {
-    const box = plot.view.getBoundingClientRect();
+    const { box } = plot;
+    if (!box) return;
     const ratio = window.devicePixelRatio || 1;
     const width = Math.round(box.width * ratio);
     const height = Math.round(box.height * ratio);
@@ -343,7 +357,9 @@
       trace(plot, pen, [loop.q_peak, loop.q_peak], ranges[plot.y].now);
     }
     const level = chosen();
-    if (plot.y === "T" && level && isNumber(level.T)) acrossAt(plot, pen, level.T, level.style);
+    if (plot.y === "T" && level && isNumber(level.T)) {
+      acrossAt(plot, pen, level.T, levelStyle(level));
+    }
   };
 
   // Points chosen by the reading: its own, or both of a pair.
@@ -572,7 +588,7 @@
     readingWhat.textContent = [what !== "–" && what, ...titles].filter(Boolean).join("; ");
     fillList(readingList, rows);
     levelKey.replaceChildren(...(candidate && ranges.T && isWithin("T", candidate.T)
-      ? [swatch(candidate.style), `T of ${candidate.words}`] : []));
+      ? [swatch(levelStyle(candidate)), `T of ${candidate.words}`] : []));
     root.dataset.reading = state.reading;
     return [words].concat(rows.map((row) => row.join(" "))).join(", ");
   };
