@@ -17,18 +17,27 @@ struct Scaled {
   double span;
 };
 
+constexpr std::size_t long_recording = 100;  // times what is to be kept
+constexpr std::size_t parts_per_kept = 5;
+
+/// Where the smallest and the largest finite values in [from, to) are; `to` if there are none.
+std::pair<std::size_t, std::size_t> extremes(const std::vector<double>& signal, std::size_t from,
+                                             std::size_t to) {
+  std::size_t low = to;
+  std::size_t high = to;
+  for (std::size_t i = from; i < to; ++i) {
+    if (!std::isfinite(signal[i])) continue;
+    if (low == to || signal[i] < signal[low]) low = i;
+    if (high == to || signal[i] > signal[high]) high = i;
+  }
+  return {low, high};
+}
+
 /// Marks where the smallest and the largest are; returns the signals that vary at all.
 std::vector<Scaled> varying(const Signals& signals, std::vector<bool>& stays) {
   std::vector<Scaled> out;
   for (const std::vector<double>* signal : signals) {
-    std::size_t low = signal->size();
-    std::size_t high = low;
-    for (std::size_t i = 0; i < signal->size(); ++i) {
-      const double value = (*signal)[i];
-      if (!std::isfinite(value)) continue;
-      if (low == signal->size() || value < (*signal)[low]) low = i;
-      if (high == signal->size() || value > (*signal)[high]) high = i;
-    }
+    const auto [low, high] = extremes(*signal, 0, signal->size());
     if (low == signal->size()) continue;
     stays[low] = stays[high] = true;
     const double span = (*signal)[high] - (*signal)[low];
@@ -100,11 +109,62 @@ class ThinnedLine {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
+/// Weighing every sample of an hour's log would take its time and memory: of each of so many parts
+/// the smallest and the largest of each signal, and what is needed.
+std::vector<std::size_t> extremes_of_parts(std::size_t size, const Signals& signals,
+                                           std::vector<std::size_t> needed, std::size_t parts) {
+  for (std::size_t k = 0; k < parts; ++k) {
+    const std::size_t from = size * k / parts;
+    const std::size_t to = size * (k + 1) / parts;
+    needed.push_back(from);
+    for (const std::vector<double>* signal : signals) {
+      const auto [low, high] = extremes(*signal, from, to);
+      if (low < to) needed.insert(needed.end(), {low, high});
+    }
+  }
+  needed.push_back(size - 1);
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  return needed;
+}
+
+std::vector<double> picked(const std::vector<double>& signal, const std::vector<std::size_t>& at) {
+  std::vector<double> out;
+  out.reserve(at.size());
+  for (const std::size_t i : at) out.push_back(signal[i]);
+  return out;
+}
+
+/// The same question about fewer samples.
+std::vector<std::size_t> kept_of_extremes(const std::vector<double>& t, const Signals& signals,
+                                          const std::vector<std::size_t>& needed,
+                                          std::size_t most) {
+  const auto rough = extremes_of_parts(t.size(), signals, needed, parts_per_kept * most);
+  std::vector<std::vector<double>> values;
+  values.reserve(signals.size());
+  for (const std::vector<double>* signal : signals) values.push_back(picked(*signal, rough));
+  Signals fewer;
+  for (const std::vector<double>& signal : values) fewer.push_back(&signal);
+  std::vector<std::size_t> still_needed;
+  for (const std::size_t i : needed) {
+    const auto at = std::lower_bound(rough.begin(), rough.end(), i);
+    still_needed.push_back(static_cast<std::size_t>(at - rough.begin()));
+  }
+  std::vector<std::size_t> kept = kept_samples(picked(t, rough), fewer, still_needed, most);
+  for (std::size_t& i : kept) i = rough[i];
+  return kept;
+}
+
 }  // namespace
 
 std::vector<std::size_t> kept_samples(const std::vector<double>& t, const Signals& signals,
                                       const std::vector<std::size_t>& needed, std::size_t most) {
   if (t.empty()) return {};
+  // Fewer than half of the samples are left for the second time, so that it ends.
+  const std::size_t rest = needed.size() + 1 + parts_per_kept * most * (1 + 2 * signals.size());
+  if (most > 0 && t.size() > long_recording * most && t.size() > 2 * rest) {
+    return kept_of_extremes(t, signals, needed, most);
+  }
   std::vector<bool> stays(t.size(), false);
   stays.front() = stays.back() = true;
   for (const std::size_t i : needed) stays[i] = true;

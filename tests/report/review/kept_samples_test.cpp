@@ -73,6 +73,20 @@ TEST(KeptSamples, ASmoothCurveLooksTheSame) {
   EXPECT_LT(worst_miss(s.t, s.sine, kept), 2 * even);
 }
 
+TEST(KeptSamples, ALongRecordingKeepsItsShapeAndExtremesToo) {
+  Signals s = ten_cycles(400000);
+  s.noise[123456] = 1.5;
+  for (std::size_t i = 123000; i < 123400; ++i) s.noise[i] = std::nan("");
+  const auto kept = kept_samples(s.t, {&s.sine, &s.noise}, {98765}, 500);
+  EXPECT_EQ(kept.size(), 500U);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  for (const std::size_t i : {0U, 98765U, 123456U, 399999U}) {
+    EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), i)) << i;
+  }
+  constexpr double even = std::numbers::pi * std::numbers::pi / 2 / 50 / 50;
+  EXPECT_LT(worst_miss(s.t, s.sine, kept_samples(s.t, {&s.sine}, {}, 500)), 2 * even);
+}
+
 TEST(KeptSamples, ASmallSignalCountsAsMuchAsALargeOne) {
   Signals s = ten_cycles(10000);
   for (double& y : s.noise) y = 0;
