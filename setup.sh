@@ -17,11 +17,18 @@ needed=(cmake ninja-build g++ pkg-config git
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-jsonschema
+    python3-minimal python3-jsonschema poppler-utils
     postgresql slurm-wlm munge) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
     python3-pandas)  ;;
 esac
+
+# A browser and its driver for the report's tests, where the distribution packages them as such (in
+# Ubuntu, Chromium is a snap): without them these tests say so. Node may come from elsewhere, with npm.
+if [ "$goal" != program ] && grep -q '^ID=debian$' /etc/os-release 2>/dev/null; then
+  command -v chromium >/dev/null || needed+=(chromium)
+  command -v npm >/dev/null || needed+=(nodejs npm)
+fi
 
 say() { printf 'tribolog: %s\n' "$*"; }
 

@@ -6,6 +6,7 @@
 {{#FACTS}}<dl class="facts">
 {{#FACT}}<div><dt>{{NAME}}</dt><dd><bdi>{{TEXT:x-symbols}}</bdi></dd></div>
 {{/FACT}}</dl>{{/FACTS}}
+{{>REVIEW}}
 {{>FIGURE}}
 {{>TABLE}}
 </section>

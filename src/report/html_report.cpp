@@ -4,6 +4,7 @@
 #include "report/page_style.h"
 #include "report/report_values.h"
 #include "report/report_view.h"
+#include "report/review/review_json.h"
 #include "report/template_engine.h"
 
 namespace tribolog {
@@ -13,8 +14,14 @@ std::string html_report(const Calibration& calibration, const std::vector<Report
   using namespace report;
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
   TemplateValues values;
-  fill_report(view, values);
-  fill_style(values);
+  const std::string loops = review_json(calibration);
+  fill_report(view, !loops.empty(), values);
+  if (loops.empty()) {
+    fill_style(values);
+  } else {
+    fill_style_and_script(values);
+    values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
+  }
   values.set_checked_by_modifier("RESULT_JSON", calibration_json(calibration, provenance));
   return expand_template("report.tpl", values);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// A calibration as one HTML file that needs nothing else: no script, no link to the outside.
+// A calibration as one HTML file that needs nothing else: no link to the outside, and one script,
+// that of the loop viewer, without which nothing is missing.
 
 #include <optional>
 #include <string>
@@ -16,7 +17,9 @@ namespace tribolog {
 
 /// UTF-8 HTML. The style is inline and named by its hash in a content security policy, pictures
 /// are data URIs, and the result as JSON stands in `<script type="application/json"
-/// id="tribolog-result">`, which a browser does not run. Same arguments, same bytes.
+/// id="tribolog-result">`, which a browser does not run. Where there are loops or friction curves,
+/// the viewer's data stand in `tribolog-loops`, and the policy names the viewer's script by its
+/// hash. Same arguments, same bytes.
 ///
 /// Figures and drawn pictures pair up by id. A figure that could not be drawn gets a placeholder
 /// with the reason, and the banner says how many are missing.

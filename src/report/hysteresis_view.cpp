@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figures/axis_scale.h"
 #include "report/estimator_words.h"
 #include "report/units.h"
 #include "report/view_parts.h"
@@ -60,35 +61,6 @@ int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::*mem
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 12);
 }
 
-Table points_table(const std::vector<LoopPoint>& points, const std::string& id,
-                   const std::string& caption) {
-  Table table;
-  table.id = id;
-  table.caption = caption;
-  double z = 0.0;
-  for (const LoopPoint& p : points) {
-    if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
-  }
-  const Scale bristle = radian_scale(z);
-  table.columns = {{"Point", "", false},      {"Where", "", false, true},
-                   {"t", "s", true},          {"q", "°", true},
-                   {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
-                   {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
-  const int z_decimals = column_decimals(points, &LoopPoint::z_rad, bristle.factor);
-  const int rate_decimals = column_decimals(points, &LoopPoint::dz_rad_s, bristle.factor);
-  for (const LoopPoint& p : points) {
-    const std::string name(1, p.name);
-    const RoundedEstimate torque =
-        round_by_interval({p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
-    table.rows.push_back(
-        {{name, point_meaning(name), fixed(p.t_s, 4), fixed(p.q_rad * degree_scale().factor, 4),
-          torque.plus_minus(), or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
-          fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
-         false});
-  }
-  return table;
-}
-
 void add_results(const HysteresisResult& r, Section& section) {
   Table table;
   table.id = section.id + "-results";
@@ -120,6 +92,36 @@ void add_results(const HysteresisResult& r, Section& section) {
 
 }  // namespace
 
+Table loop_points_table(const std::vector<LoopPoint>& points, const std::string& id,
+                        const std::string& caption) {
+  Table table;
+  table.id = id;
+  table.caption = caption;
+  double z = 0.0;
+  for (const LoopPoint& p : points) {
+    if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
+  }
+  const figures::AxisScale shown = figures::prefixed("rad", z);  // as in the figures
+  const Scale bristle{shown.factor, shown.unit};
+  table.columns = {{"Point", "", false},      {"Where", "", false, true},
+                   {"t", "s", true},          {"q", "°", true},
+                   {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
+                   {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
+  const int z_decimals = column_decimals(points, &LoopPoint::z_rad, bristle.factor);
+  const int rate_decimals = column_decimals(points, &LoopPoint::dz_rad_s, bristle.factor);
+  for (const LoopPoint& p : points) {
+    const std::string name(1, p.name);
+    const RoundedEstimate torque =
+        round_by_interval({p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
+    table.rows.push_back(
+        {{name, point_meaning(name), fixed(p.t_s, 4), fixed(p.q_rad * degree_scale().factor, 4),
+          torque.plus_minus(), or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
+          fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
+         false});
+  }
+  return table;
+}
+
 void describe_hysteresis(const HysteresisResult& r, Section& section) {
   if (r.found) {
     section.facts.push_back({"Oscillations used", count(r.oscillations.size())});
@@ -129,16 +131,17 @@ void describe_hysteresis(const HysteresisResult& r, Section& section) {
   add_results(r, section);
   if (!r.oscillations.empty()) section.tables.push_back(oscillations_table(r, section));
   if (!r.points.empty()) {
-    section.tables.push_back(points_table(r.points, section.id + "-points",
-                                          "Points A to F, read from the first strokes as the "
-                                          "paper does"));
+    section.tables.push_back(loop_points_table(r.points, section.id + "-points",
+                                               "Points A to F, read from the first strokes as the "
+                                               "paper does"));
     section.tables.back().note =
         "Torques at the motor. The first stroke starts from rest: A is read before the loop has "
         "closed, which is why A and B do not mirror each other here.";
   }
   if (!r.steady_points.empty()) {
-    section.tables.push_back(points_table(r.steady_points, section.id + "-steady-points",
-                                          "Points A to F of the steady loop, mean of its cycles"));
+    section.tables.push_back(
+        loop_points_table(r.steady_points, section.id + "-steady-points",
+                          "Points A to F of the steady loop, mean of its cycles"));
   }
 }
 

@@ -2,21 +2,37 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "files/sha256.h"
 #include "report/base64.h"
-#include "report/embedded_files.h"
-#include "report/template_modifiers.h"
+#include "report/page_texts.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
 
-void fill_style(TemplateValues& values) {
-  const std::string style(embedded_file(style_sheet_name));
-  values.set_checked_by_modifier("CSS", style);
-  values.set("CSP", "default-src 'none'; img-src data:; style-src 'sha256-" +
-                        base64_of_hex(sha256_hex(style)) +
-                        "'; base-uri 'none'; form-action 'none'");
+namespace {
+
+std::string hash_source(const std::string& text) {
+  return fmt::format("'sha256-{}'", base64_of_hex(sha256_hex(text)));
 }
+
+/// @param script empty: none may run.
+void fill(const std::string& style, const std::string& script, TemplateValues& values) {
+  values.set_checked_by_modifier("CSS", style);
+  std::string policy = "default-src 'none'; img-src data:; style-src " + hash_source(style);
+  if (!script.empty()) {
+    values.set_checked_by_modifier("SCRIPT", script);
+    policy += "; script-src " + hash_source(script);
+  }
+  values.set("CSP", policy + "; base-uri 'none'; form-action 'none'");
+}
+
+}  // namespace
+
+void fill_style(TemplateValues& values) { fill(own_style(false), "", values); }
+
+void fill_style_and_script(TemplateValues& values) { fill(own_style(true), own_script(), values); }
 
 void fill_head(const Provenance& provenance, TemplateValues& values) {
   fill_style(values);

@@ -14,4 +14,8 @@ void fill_head(const Provenance& provenance, TemplateValues& values);
 /// and nothing else but pictures as data URIs.
 void fill_style(TemplateValues& values);
 
+/// The same with the style of the loop viewer, and SCRIPT, its script, which the policy allows by
+/// its hash too.
+void fill_style_and_script(TemplateValues& values);
+
 }  // namespace tribolog::report

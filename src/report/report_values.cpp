@@ -11,7 +11,7 @@
 namespace tribolog::report {
 namespace {
 
-void fill_section(const Section& section, TemplateValues& values) {
+void fill_section(const Section& section, bool has_viewer, TemplateValues& values) {
   TemplateValues& out = values.add_include("STAGE", "stage.tpl");
   out.set("SECTION_ID", section.id);
   out.set("NUMBER", std::to_string(section.number));
@@ -22,6 +22,9 @@ void fill_section(const Section& section, TemplateValues& values) {
   out.set_optional("REASON", section.reason);
   out.set_optional("EXPERIMENT", section.experiment);
   fill_facts(section.facts, out);
+  if (has_viewer && section.id == section_anchor(StageId::hysteresis)) {
+    out.add_include("REVIEW", "review.tpl");
+  }
   for (const FigureCard& figure : section.figures) fill_figure(figure, out);
   for (const Table& table : section.tables) fill_table(table, "TABLE", out);
 }
@@ -88,7 +91,7 @@ void fill_conversions(const std::vector<Table>& tables, TemplateValues& values) 
 
 }  // namespace
 
-void fill_report(const ReportView& view, TemplateValues& values) {
+void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values) {
   values.set("DOCUMENT_TITLE", view.title);
   values.set("SUBTITLE", view.subtitle);
   values.set("CREATED", view.created_utc);
@@ -110,7 +113,7 @@ void fill_report(const ReportView& view, TemplateValues& values) {
   fill_table(view.key_numbers, "KEY_NUMBERS", values);
   fill_missing(view.missing, values);
   if (!view.missing.empty()) values.add_section("HAS_MISSING");
-  for (const Section& section : view.sections) fill_section(section, values);
+  for (const Section& section : view.sections) fill_section(section, has_viewer, values);
   // The paper's own joint has the table, with its own masses beside it, in stage 4.
   bool is_in_stage_4 = false;
   for (const Section& section : view.sections) {

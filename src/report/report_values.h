@@ -6,6 +6,7 @@
 
 namespace tribolog::report {
 
-void fill_report(const ReportView& view, TemplateValues& values);
+/// @param has_viewer gives the loop viewer its place.
+void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values);
 
 }  // namespace tribolog::report

@@ -6,7 +6,7 @@
 #include <ctemplate/template_modifiers.h>
 
 #include "files/utf8.h"
-#include "report/embedded_files.h"
+#include "report/page_texts.h"
 
 namespace tribolog::report {
 namespace {
@@ -55,7 +55,16 @@ class OwnStyle : public ctemplate::TemplateModifier {
  public:
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
               ctemplate::ExpandEmitter* out, const std::string&) const override {
-    if (std::string_view(in, length) == embedded_file(style_sheet_name)) out->Emit(in, length);
+    const std::string_view text(in, length);
+    if (text == own_style(false) || text == own_style(true)) out->Emit(in, length);
+  }
+};
+
+class OwnScript : public ctemplate::TemplateModifier {
+ public:
+  void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
+              ctemplate::ExpandEmitter* out, const std::string&) const override {
+    if (std::string_view(in, length) == own_script()) out->Emit(in, length);
   }
 };
 
@@ -170,11 +179,13 @@ void register_template_modifiers() {
   static const CsvUri csv;
   static const ScriptJson json;
   static const OwnStyle css;
+  static const OwnScript script;
   static const Symbols symbols;
   static const bool once = ctemplate::AddXssSafeModifier("x-png", &png) &&
                            ctemplate::AddXssSafeModifier("x-csv", &csv) &&
                            ctemplate::AddXssSafeModifier("x-json", &json) &&
                            ctemplate::AddXssSafeModifier("x-css", &css) &&
+                           ctemplate::AddXssSafeModifier("x-script", &script) &&
                            ctemplate::AddXssSafeModifier("x-symbols", &symbols);
   static_cast<void>(once);
 }

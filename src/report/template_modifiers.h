@@ -5,7 +5,9 @@
 // `{{CSV:x-csv}}`   any text -> a data URI to save.
 // `{{JSON:x-json}}` JSON for a `<script type="application/json">`: `<`, `>`, `&`, U+2028 and U+2029
 //                   become \uXXXX, which JSON reads back as the same text.
-// `{{CSS:x-css}}`   the embedded style sheet, and no other text.
+// `{{CSS:x-css}}`   the embedded style sheet, with or without that of the loop viewer, and no other
+//                   text.
+// `{{SCRIPT:x-script}}` the script of the loop viewer, and no other text.
 // `{{TEXT:x-symbols}}` escaped text in which symbols of one letter get their index: `q_peak`,
 // `T_c`,
 //                   `δ_a`. Words (`constant_speed`) and file names (`a_b.csv`) stay as they are.
@@ -14,8 +16,6 @@
 #include <string_view>
 
 namespace tribolog::report {
-
-inline constexpr char style_sheet_name[] = "report.css";
 
 /// Makes the modifiers known to the engine; may be called more than once.
 void register_template_modifiers();

@@ -43,6 +43,10 @@ void describe_selection(const Calibration& calibration, Section& section);
 void describe_parameters(const Calibration& calibration, Section& section);
 void describe_curve_models(const Calibration& calibration, Section& section);
 
+/// Points A to F of one turn.
+Table loop_points_table(const std::vector<LoopPoint>& points, const std::string& id,
+                        const std::string& caption);
+
 void describe_break_away(const Calibration& calibration, Section& section);
 /// The loops without any model; no rows where none was recorded.
 Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,

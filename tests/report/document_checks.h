@@ -30,7 +30,7 @@ class Reader(html.parser.HTMLParser):
 reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); reader.close()
 )py";
 
-/// Prints every fault of a page: balance, identifiers, targets, the policy of its style.
+/// Prints every fault of a page: balance, identifiers, targets, the policy of its style and script.
 inline const char* const checks = R"py(
 import base64, hashlib, html.parser, re, sys
 text = open(sys.argv[1], encoding='utf-8').read()
@@ -67,6 +67,11 @@ style = re.search(r'<style>(.*?)</style>', text, re.S).group(1)
 digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
 policy = html.unescape(re.search(r'Content-Security-Policy" content="([^"]*)"', text).group(1))
 if "style-src 'sha256-%s'" % digest not in policy: faults.append('policy does not name the style: ' + policy)
+scripts = re.findall(r'<script>(.*?)</script>', text, re.S)
+allowed = ["'sha256-%s'" % base64.b64encode(hashlib.sha256(s.encode()).digest()).decode() for s in scripts]
+rules = dict(rule.split(None, 1) for rule in policy.split('; '))
+if rules.get('script-src', '').split() != allowed: faults.append('policy does not name the script: ' + policy)
+if set(rules) - {'default-src', 'img-src', 'style-src', 'script-src', 'base-uri', 'form-action'}: faults.append('policy allows more: ' + policy)
 if "default-src 'none'" not in policy: faults.append('policy is open: ' + policy)
 for f in faults: print(f)
 sys.exit(1 if faults else 0)

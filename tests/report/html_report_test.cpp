@@ -28,7 +28,8 @@ TEST(HtmlReport, PointsToNothingOutside) {
     for (const char* word : {"http:", "https:", "url(", "@import", "fetch(", "XMLHttpRequest"}) {
       EXPECT_EQ(body.find(word), std::string::npos) << word;
     }
-    EXPECT_EQ(occurrences(html, "<script"), 1U);
+    // The result, and where there is something to review the viewer and its data.
+    EXPECT_EQ(occurrences(html, "<script"), c.viscous.curves.empty() ? 1U : 3U);
   }
 }
 

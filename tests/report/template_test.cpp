@@ -62,7 +62,8 @@ TEST(Templates, ModifiersStandOnlyWhereTheyBelong) {
   for (std::sregex_iterator at(all.begin(), all.end(), modifier), end; at != end; ++at) {
     const std::string use = at->str();
     const bool is_ours = use == "{{PNG:x-png}}" || use == "{{CSV:x-csv}}" ||
-                         use == "{{RESULT_JSON:x-json}}" || use == "{{CSS:x-css}}" ||
+                         use == "{{RESULT_JSON:x-json}}" || use == "{{LOOPS_JSON:x-json}}" ||
+                         use == "{{CSS:x-css}}" || use == "{{SCRIPT:x-script}}" ||
                          at->str(2) == "x-symbols";
     EXPECT_TRUE(is_ours) << use;
   }

@@ -18,7 +18,8 @@ const std::string peer = TRIBOLOG_SOURCE_DIR "/tests/ingest/bags/peer";
 /// @return why there is no peer; empty: there is.
 std::string missing_peer() {
   const test::ProgramRun run =
-      test::run_shell("'" + peer + "/fetch_packages.sh' '" + packages + "'");
+      test::run_shell("'" TRIBOLOG_SOURCE_DIR "/tests/support/npm_packages.sh' '" + packages +
+                      "' '" + peer + "/package.json'");
   return run.status == 0 ? "" : run.out + run.err;
 }
 

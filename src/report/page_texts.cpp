@@ -1,0 +1,36 @@
+#include "report/page_texts.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "report/embedded_files.h"
+
+namespace tribolog::report {
+namespace {
+
+std::string without_indentation(std::string_view script) {
+  std::string out;
+  while (!script.empty()) {
+    const std::size_t end = script.find('\n');
+    std::string_view line = script.substr(0, end);
+    script = end == std::string_view::npos ? std::string_view() : script.substr(end + 1);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty() && !line.starts_with("//")) out.append(line).append("\n");
+  }
+  return out;
+}
+
+}  // namespace
+
+const std::string& own_style(bool with_viewer) {
+  static const std::string plain(embedded_file("report.css"));
+  static const std::string both = plain + std::string(embedded_file("review.css"));
+  return with_viewer ? both : plain;
+}
+
+const std::string& own_script() {
+  static const std::string script = without_indentation(embedded_file("review.js"));
+  return script;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,140 @@
+// Widths, dark mode, sharp drawing, labels that do not collide, and the page without JavaScript.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { focusPlot, press, settled, withReport } from "./open_report.mjs";
+
+/// Faults that can be seen: labels on each other or cut, targets too small, wider than the screen.
+const faultsOf = (page) => page.evaluate(() => {
+  const faults = [];
+  if (document.documentElement.scrollWidth > innerWidth) faults.push("scrolls sideways");
+  const box = (element) => element.getBoundingClientRect();
+  for (const plot of document.querySelectorAll("#review .plot")) {
+    const name = plot.dataset.plot;
+    const labels = [...plot.querySelectorAll(".ticks text")];
+    for (const anchor of ["middle", "end"]) {  // of x and of y
+      const some = labels.filter((label) => label.getAttribute("text-anchor") === anchor);
+      if (some.length < 2) faults.push(`${name}: ${some.length} label on an axis`);
+    }
+    const view = box(plot.querySelector(".view"));
+    labels.push(...plot.querySelectorAll(".point text"));
+    labels.forEach((label, i) => {
+      const a = box(label);
+      if (a.left < view.left - 1 || a.right > view.right + 1 || a.top < view.top - 1 || a.bottom > view.bottom + 1) {
+        faults.push(`${name}: "${label.textContent}" is cut`);
+      }
+      for (const other of labels.slice(i + 1)) {
+        const b = box(other);
+        // Boxes of text are higher than its letters.
+        if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 5 && b.top < a.bottom - 5) {
+          faults.push(`${name}: "${label.textContent}" on "${other.textContent}"`);
+        }
+      }
+    });
+    for (const title of plot.querySelectorAll(".axis-title")) {
+      if (title.scrollWidth > title.clientWidth + 1 && getComputedStyle(title).display !== "inline") {
+        faults.push(`${name}: title is cut`);
+      }
+    }
+  }
+  for (const target of document.querySelectorAll("#review :is(button, select, label, input[type=range])")) {
+    const { width, height } = box(target);
+    if (!target.hidden && (width < 24 || height < 24)) faults.push(`${target.textContent}: ${width} x ${height}`);
+  }
+  for (const text of document.querySelectorAll("#review :is(dt, dd, p, h4, legend, output)")) {
+    if (box(text).right > box(text.parentElement).right + 1) faults.push(`${text.textContent} sticks out`);
+  }
+  return faults;
+});
+
+for (const width of [390, 768, 1400]) {
+  for (const name of ["paper.html", "noisy.html", "hostile.html"]) {
+    test(`${name} at ${width} px: nothing collides, is cut or scrolls sideways, zoomed or not`, () =>
+      withReport(name, { width }, async (page) => {
+        await settled(page);
+        assert.deepEqual(await faultsOf(page), []);
+        const height = () => page.evaluate(() => document.getElementById("review").offsetHeight);
+        const first = await height();
+        if (name === "hostile.html") return;
+        for (const times of [1, 2, 3, 6, 12, 24]) {
+          await press(page, ["T-q", "dz-q", "T-t", "e-w"], "+", times);
+          assert.deepEqual(await faultsOf(page), [], `${times} times closer`);
+        }
+        await press(page, ["T-q"], "0", 1);
+        if (width < 1400) return;
+        for (const radio of await page.locator("#review fieldset input").all()) {
+          await radio.check();
+          await settled(page);
+          assert.equal(await height(), first, "the layout jumps with the reading");
+        }
+      }));
+  }
+}
+
+test("light and dark draw the same, on a dark page", async () => {
+  const seen = [];
+  for (const colorScheme of ["light", "dark"]) {
+    await withReport("noisy.html", { colorScheme }, async (page) => {
+      await settled(page);
+      seen.push(await page.evaluate(() => ({
+        plots: [...document.querySelectorAll("#review canvas")].map((canvas) => canvas.toDataURL()),
+        card: getComputedStyle(document.querySelector("#review .plot")).backgroundColor,
+        page: getComputedStyle(document.body).backgroundColor,
+      })));
+    });
+  }
+  const [light, dark] = seen;
+  assert.equal(light.plots.length, 7);
+  assert.deepEqual(dark.plots, light.plots);
+  assert.equal(dark.card, light.card);
+  assert.notEqual(dark.page, light.page);
+});
+
+test("a display of high density gets as many pixels as it has", () =>
+  withReport("noisy.html", { deviceScaleFactor: 2.5 }, async (page) => {
+    await settled(page);
+    const size = await page.evaluate(() => {
+      const canvas = document.querySelector("#review canvas");
+      return [canvas.width / canvas.clientWidth, canvas.height / canvas.clientHeight];
+    });
+    for (const ratio of size) assert.ok(Math.abs(ratio - 2.5) < 0.01, size);
+  }));
+
+test("without JavaScript there is no viewer, and every figure is there", async () => {
+  let figures = 0;
+  await withReport("paper.html", {}, async (page) => {
+    figures = await page.locator("figure img").count();
+    assert.ok(await page.locator("#review").isVisible());
+  });
+  assert.ok(figures >= 10);
+  await withReport("paper.html", { javaScriptEnabled: false }, async (page) => {
+    assert.equal(await page.locator("#review").isVisible(), false);
+    assert.equal(await page.locator("figure img").count(), figures);
+    for (const image of await page.locator("figure img").all()) {
+      await image.scrollIntoViewIfNeeded();
+      await image.evaluate((element) => element.decode());
+      assert.ok(await image.evaluate((element) => element.naturalWidth) >= 1000);
+    }
+    const text = await page.locator("body").innerText();
+    for (const word of ["Box zoom", "Review the loops", "Page Down"]) assert.ok(!text.includes(word), word);
+  });
+});
+
+test("dragging keeps pace: every plot is drawn within a frame", () =>
+  withReport("noisy.html", {}, async (page) => {
+    await focusPlot(page, "T-q");
+    const longest = await page.evaluate(async () => {
+      const view = document.querySelector('[data-plot="T-q"] .view');
+      const times = [];
+      for (let k = 0; k < 30; ++k) {
+        view.dispatchEvent(new KeyboardEvent("keydown", { key: k % 2 ? "ArrowLeft" : "ArrowRight" }));
+        // The viewer's own frame comes first; what this one sees is the time that it took.
+        await new Promise((done) => requestAnimationFrame((begin) => {
+          times.push(performance.now() - begin);
+          done();
+        }));
+      }
+      return times.sort((a, b) => a - b)[15];
+    });
+    console.log(`# a frame with all plots redrawn takes ${longest.toFixed(1)} ms (median)`);
+    assert.ok(longest < 50, longest);  // 16.7 ms on a free machine; tests share theirs
+  }));

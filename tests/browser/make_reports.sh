@@ -1,0 +1,24 @@
+#!/bin/sh
+# The reports that the browser tests open: the paper's joint without and with noise, and the noisy
+# one with markup of strangers in every text of its manifest and its logs.
+#   make_reports.sh TRIBOLOG DIRECTORY
+set -e
+tribolog=$1
+sources=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$2" && cd "$2"
+
+quick='--resamples 0 --truth-runs 0'
+
+for name in scenario scenario_noise; do
+  "$tribolog" --quiet simulate "$sources/../../examples/paper/$name.toml" -o $name
+done
+"$tribolog" --quiet report scenario/dataset.toml $quick -o paper.html
+"$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures -o noisy.html
+
+# Recorded names of columns and files become markup too.
+python3 "$sources/plant_markup.py" scenario_noise harmless x
+python3 "$sources/plant_markup.py" scenario_noise hostile \
+  "\"'></script><script>window.ran=1</script><img src=x onerror=window.ran=1></title></style><!--"
+for name in harmless hostile; do
+  "$tribolog" --quiet report $name/dataset.toml $quick --no-figures -o $name.html
+done

@@ -1,0 +1,57 @@
+// The printed report: every figure whole on one page with its heading, and nothing of the viewer.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { test } from "node:test";
+import { reportPath, withReport } from "./open_report.mjs";
+
+function hasPoppler() {
+  try {
+    execFileSync("pdfimages", ["-v"], { stdio: "ignore" });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+test("each figure stands whole on one page, under its heading; the viewer is not printed",
+  { skip: hasPoppler() ? false : "poppler-utils is not installed" },
+  () => withReport("paper.html", {}, async (page) => {
+    const file = reportPath("paper.pdf");
+    const headings = await page.locator("figure:has(img) h3").evaluateAll(
+      (list) => list.map((heading) => heading.firstChild.textContent.trim()));
+    await page.pdf({ path: file, preferCSSPageSize: true });
+
+    // A picture that a page's end cuts is drawn, and listed, on both pages.
+    const images = execFileSync("pdfimages", ["-list", file], { encoding: "utf8" }).split("\n").slice(2)
+      .map((line) => line.trim().split(/\s+/)).filter((words) => words[2] === "image");
+    const pagesOf = new Map();
+    for (const [at, , , width, height, , , , , , object] of images) {
+      assert.ok(Number(width) >= 1000 && Number(height) >= 400, `${width} x ${height}`);
+      pagesOf.set(object, [...(pagesOf.get(object) || []), Number(at)]);
+    }
+    assert.equal(pagesOf.size, headings.length);
+    for (const [object, pages] of pagesOf) assert.equal(pages.length, 1, `object ${object} on pages ${pages}`);
+
+    const text = execFileSync("pdftotext", ["-layout", file, "-"], { encoding: "utf8" }).split("\f");
+    const lines = text.map((one) => one.split("\n").map((line) => line.trim().replace(/\s+/g, " ")));
+    const found = headings.map((heading) => lines.findIndex((one) => one.includes(heading)) + 1);
+    const drawn = [...pagesOf.values()].map(([at]) => at);
+    assert.deepEqual(found.slice().sort((a, b) => a - b), drawn.sort((a, b) => a - b));
+    for (const word of ["Review the loops", "Box zoom", "At the instant"]) {
+      assert.ok(text.every((one) => !one.includes(word)), word);
+    }
+  }));
+
+test("a picture cut by a page's end would be found", { skip: !hasPoppler() && "poppler-utils is not installed" },
+  () => withReport("paper.html", {}, async (page) => {
+    await page.evaluate(() => {
+      const images = [...document.querySelectorAll("figure img")];
+      for (const image of images.slice(1)) image.closest("figure").remove();
+      images[0].style.cssText = "height: 400mm; max-height: none";
+    });
+    const file = reportPath("cut.pdf");
+    await page.pdf({ path: file, preferCSSPageSize: true });
+    const rows = execFileSync("pdfimages", ["-list", file], { encoding: "utf8" }).split("\n").slice(2)
+      .filter((line) => line.includes(" image "));
+    assert.ok(rows.length > 1, rows.join("\n"));
+  }));
