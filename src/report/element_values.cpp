@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "report/base64.h"
+#include "files/base64.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "files/base64.h"
 #include "files/sha256.h"
-#include "report/base64.h"
 #include "report/embedded_files.h"
 #include "report/template_modifiers.h"
 #include "report/view_parts.h"
