@@ -53,12 +53,24 @@ bool is_narrow(const Diagram& diagram) {
   return least_scale * diagram.width <= single_column_mm;
 }
 
+/// Texts that were cut for want of room.
+std::size_t cut_texts(const DrawList& list) {
+  const auto is_cut = [](const Primitive& one) {
+    const auto* run = std::get_if<TextRun>(&one);
+    return run != nullptr && run->text.ends_with("…");
+  };
+  return static_cast<std::size_t>(
+      std::count_if(list.primitives.begin(), list.primitives.end(), is_cut));
+}
+
 /// Whether a chart or scene shows in one column all that it shows in two.
 bool fits_in_one(const Figure& one, const Figure& two, const Font& font) {
-  constexpr double least_plot_mm = 24;
+  constexpr double least_plot_mm = 28;
   constexpr double least_width_share = 0.6;
   const DrawList list = lay_out(one, font);
-  if (list.warnings.size() > lay_out(two, font).warnings.size()) return false;
+  const DrawList wide = lay_out(two, font);
+  if (list.warnings.size() > wide.warnings.size() || cut_texts(list) > cut_texts(wide))
+    return false;
   return std::all_of(list.plots.begin(), list.plots.end(), [&](const PixelBox& plot) {
     return plot.height() >= least_plot_mm * px_per_mm &&
            plot.width() >= least_width_share * one.width_px;

@@ -41,7 +41,7 @@ DocumentFace::DocumentFace(const Font& font, Weight weight, const std::set<char3
     : weight_(weight),
       file_(std::make_unique<TrueTypeFile>(font.file(weight))),
       originals_(glyphs_of(font, weight, characters)) {
-  name_ = fmt::format("{}-DejaVuSans{}", tag_of(originals_), weight == Weight::bold ? "Bold" : "");
+  name_ = fmt::format("{}+DejaVuSans{}", tag_of(originals_), weight == Weight::bold ? "Bold" : "");
   subset_ = true_type_subset(*file_, originals_, name_);
 }
 

@@ -31,6 +31,7 @@ void add_figures(CLI::App& command, FiguresOptions& figures) {
           },
           "png (the default), svg, pdf: one or more, with commas between them")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(figure_formats))
       ->type_name("FORMAT");
   command
