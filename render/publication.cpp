@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "render/layout/figure_layout.h"
 #include "render/layout/figure_style.h"
@@ -63,14 +64,48 @@ std::size_t cut_texts(const DrawList& list) {
       std::count_if(list.primitives.begin(), list.primitives.end(), is_cut));
 }
 
+/// Length of curves and of a scene's lines on which a label stands.
+double covered_mm(const DrawList& list) {
+  constexpr double step_px = 2.0;
+  std::vector<PixelBox> labels;
+  for (const Primitive& one : list.primitives) {
+    const auto* run = std::get_if<TextRun>(&one);
+    if (run == nullptr) continue;
+    const Role role = run->owner.role;
+    if (role == Role::label_text || role == Role::reference_text) labels.push_back(run->box);
+  }
+  double covered_px = 0;
+  const auto walk = [&](PixelPoint a, PixelPoint b) {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const int steps = static_cast<int>(length / step_px) + 1;
+    for (int i = 0; i < steps; ++i) {
+      const double t = (i + 0.5) / steps;
+      const PixelPoint p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      const bool hidden = std::any_of(labels.begin(), labels.end(),
+                                      [&](const PixelBox& box) { return box.contains(p); });
+      if (hidden) covered_px += length / steps;
+    }
+  };
+  for (const Primitive& one : list.primitives) {
+    const auto* line = std::get_if<Polyline>(&one);
+    if (line == nullptr) continue;
+    if (line->owner.role != Role::series && line->owner.role != Role::scene_line) continue;
+    for (std::size_t i = 1; i < line->points.size(); ++i)
+      walk(line->points[i - 1], line->points[i]);
+  }
+  return covered_px / px_per_mm;
+}
+
 /// Whether a chart or scene shows in one column all that it shows in two.
 bool fits_in_one(const Figure& one, const Figure& two, const Font& font) {
   constexpr double least_plot_mm = 28;
   constexpr double least_width_share = 0.6;
+  constexpr double little_mm = 1.5;
   const DrawList list = lay_out(one, font);
   const DrawList wide = lay_out(two, font);
   if (list.warnings.size() > wide.warnings.size() || cut_texts(list) > cut_texts(wide))
     return false;
+  if (covered_mm(list) > covered_mm(wide) + little_mm) return false;
   return std::all_of(list.plots.begin(), list.plots.end(), [&](const PixelBox& plot) {
     return plot.height() >= least_plot_mm * px_per_mm &&
            plot.width() >= least_width_share * one.width_px;

@@ -15,7 +15,7 @@ inline constexpr double px_per_mm = 20.0;    ///< 508 dots to the inch.
 
 /// The same figure for print: without its title, which stands in the caption; letters of 7 to 8 pt,
 /// thin lines; as wide as one column, or as two where it does not fit into one: a text would be
-/// cut, a label find no place, or the legend leave too little room for the curves.
+/// cut, a label stand on a curve, or the legend leave too little room for the curves.
 ///
 /// Heights: a chart in one column is 84 x 60 mm, as the paper's are, and each further panel adds
 /// what it needs for a plot of 36 mm; in two columns a plot is as high as 52 mm. Drawings keep

@@ -79,6 +79,20 @@ TEST(Publication, TakesTwoColumnsForWhatDoesNotFitIntoOne) {
   Figure labelled = examples::hysteresis();
   labelled.panels[0].point_labels[0].text = "a point with a text too long to stand in one column";
   EXPECT_EQ(for_publication(labelled, font).width_mm, publication::double_column_mm);
+  // A peak, and on each side of it a text that has no room beside the curve.
+  Figure peak = examples::plain();
+  peak.panels[0].series[0].label.clear();
+  peak.panels[0].series[0].x.clear();
+  peak.panels[0].series[0].y.clear();
+  for (int i = -100; i <= 100; ++i) {
+    peak.panels[0].series[0].x.push_back(i);
+    peak.panels[0].series[0].y.push_back(-i * i);
+  }
+  EXPECT_EQ(for_publication(peak, font).width_mm, publication::single_column_mm);
+  peak.panels[0].reference_lines.push_back(
+      {ReferenceLine::Direction::vertical, 0, "q_{peak} = −22.23187° here"});
+  peak.panels[0].point_labels.push_back({0, 0, "the largest torque is here"});
+  EXPECT_EQ(for_publication(peak, font).width_mm, publication::double_column_mm);
   Figure drawing = examples::diagram();
   drawing.diagram->width = 160;
   EXPECT_EQ(for_publication(drawing, font).width_mm, publication::double_column_mm);
