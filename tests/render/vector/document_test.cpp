@@ -110,7 +110,6 @@ TEST(VectorDocument, OfASceneNeedsThePictureOfItsSolidParts) {
   EXPECT_THROW(pdf_document(list, words, font, no_picture), FigureError);
 }
 
-// A band between two edges that turns back covers itself twice, as in the picture.
 TEST(VectorDocument, HasTransparentColours) {
   const Font font;
   Figure figure = examples::plain();
