@@ -17,7 +17,7 @@ needed=(cmake ninja-build g++ pkg-config git
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-jsonschema poppler-utils
+    python3-minimal python3-jsonschema poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
     python3-pandas)  ;;

@@ -111,6 +111,7 @@ using Primitive = std::variant<Polyline, Ribbon, Polygon, Markers, TextRun>;
 struct DrawList {
   int width{};
   int height{};
+  double width_mm{160.0};              ///< In print.
   std::vector<PixelBox> plots;         ///< The axes box of each panel.
   std::optional<SceneGeometry> scene;  ///< Solid parts, painted before everything else.
   std::vector<Primitive> primitives;

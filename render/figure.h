@@ -86,6 +86,12 @@ struct Panel {
   bool show_legend{true};
 };
 
+/// What a figure is drawn for: sizes of letters, widths of lines, margins.
+enum class Look {
+  report,       ///< 160 mm wide, read on a screen and on paper.
+  publication,  ///< A column of a journal, with the caption below it.
+};
+
 /// Either panels, or a diagram, or a scene.
 struct Figure {
   std::string id;     ///< File-name and anchor safe, e.g. "fig-15-hysteresis".
@@ -96,6 +102,8 @@ struct Figure {
   int height_px{1000};
   bool panels_share_x{false};  ///< Only the lowest panel gets tick labels and the axis title.
   std::optional<Scene> scene{};
+  double width_mm{160.0};  ///< In print; letters and lines are sized for it.
+  Look look{Look::report};
 };
 
 }  // namespace tribolog::render

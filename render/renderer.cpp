@@ -61,7 +61,7 @@ class DrawingCrew {
           member.worker = server_.start_worker(options_.most_per_figure);
         }
         Message request;
-        put_figure(request, figures_[member.figure]);
+        put_request(request, figures_[member.figure], options_.solid_parts_only);
         member.deadline = Clock::now() + options_.most_per_figure;
         member.busy = true;
         // A worker that has gone is noticed when its answer is awaited.

@@ -36,6 +36,9 @@ struct DrawOptions {
   /// Called in the caller's thread after each figure with (done, all).
   std::function<void(std::size_t, std::size_t)> progress;
   std::chrono::milliseconds most_per_figure{60'000};  ///< A worker that takes longer is stopped.
+  /// Of scenes the solid parts alone, without lines and texts: what vector_document.h puts below
+  /// them.
+  bool solid_parts_only{false};
 };
 
 /// What the drawing processes prepare for; all of them draw every figure.

@@ -144,7 +144,7 @@ void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar
     return;
   }
   const double half_cap = 8 * style.unit;
-  const double width = 2.5 * style.unit;
+  const double width = 2.5 * style.stroke;
   const auto line = [&](PixelPoint a, PixelPoint b) {
     if (const auto visible = clipped({a, b}, frame.plot)) {
       list.primitives.emplace_back(
@@ -168,7 +168,7 @@ void draw_reference_line(DrawList& list, const PanelFrame& frame, const Referenc
   const PixelPoint a =
       vertical ? PixelPoint{at, frame.plot.bottom} : PixelPoint{frame.plot.left, at};
   const PixelPoint b = vertical ? PixelPoint{at, frame.plot.top} : PixelPoint{frame.plot.right, at};
-  const double width = 2.0 * style.unit;
+  const double width = 2.0 * style.stroke;
   if (line.style == LineStyle::none || !clipped({a, b}, frame.plot)) return;
   list.primitives.emplace_back(
       Polyline{owner, {a, b}, width, line.colour, dash_lengths(line.style, width)});

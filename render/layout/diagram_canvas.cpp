@@ -33,11 +33,11 @@ std::vector<double> dashes_of(LineStyle style, double width) {
 }  // namespace
 
 DiagramCanvas::DiagramCanvas(DrawList& list, const Diagram& diagram, const PixelBox& room,
-                             const Font& font)
+                             const Font& font, double most_px_per_mm)
     : list_(list),
       font_(font),
-      px_per_mm_(std::min(room.width() / std::max(1.0, diagram.width),
-                          room.height() / std::max(1.0, diagram.height))) {
+      px_per_mm_(std::min({room.width() / std::max(1.0, diagram.width),
+                           room.height() / std::max(1.0, diagram.height), most_px_per_mm})) {
   const double width = px_per_mm_ * diagram.width;
   const double height = px_per_mm_ * diagram.height;
   const PixelPoint middle = room.centre();

@@ -19,8 +19,10 @@ struct PlacedText {
 
 class DiagramCanvas {
  public:
-  /// The canvas is fitted into `room`, as large as possible and in its middle.
-  DiagramCanvas(DrawList& list, const Diagram& diagram, const PixelBox& room, const Font& font);
+  /// The canvas is fitted into `room`, as large as possible but for `most_px_per_mm`, and in its
+  /// middle.
+  DiagramCanvas(DrawList& list, const Diagram& diagram, const PixelBox& room, const Font& font,
+                double most_px_per_mm);
 
   [[nodiscard]] PixelPoint pixel(DiagramPoint p) const;
   [[nodiscard]] std::vector<PixelPoint> pixels(const std::vector<DiagramPoint>& points) const;

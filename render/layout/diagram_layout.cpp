@@ -20,7 +20,8 @@ void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
     list.warnings.push_back("the diagram has a length that cannot be drawn; it is left out");
     return;
   }
-  DiagramCanvas canvas(list, diagram, room, font);
+  const double designed_px_per_mm = 10 * style.unit;
+  DiagramCanvas canvas(list, diagram, room, font, style.most_diagram_scale * designed_px_per_mm);
   const auto each_block = [&](auto&& draw) {
     int index = 0;
     for (const Block& block : diagram.blocks) draw(canvas, block, index++);

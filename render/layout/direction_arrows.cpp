@@ -37,7 +37,7 @@ void draw_direction_arrows(DrawList& list, const PanelFrame& frame, const Series
                            const FigureStyle& style, Owner owner) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
   if (count < 2) return;
-  const double length = 20 * style.unit + 2.0 * series.width_px;
+  const double length = 20 * style.marker + 2.0 * series.width_px;
   const double half_width = 0.42 * length;
   for (const double share : series.direction_arrows_at) {
     if (!(share >= 0.0 && share <= 1.0)) continue;

@@ -59,6 +59,7 @@ class Attempt {
       : figure_(figure), font_(font), style_(style), strips_(std::move(strips)) {
     list_.width = figure.width_px;
     list_.height = figure.height_px;
+    list_.width_mm = figure.width_mm;
   }
 
   /// False if a strip was added: try again with `strips()`.

@@ -2,29 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tribolog::render {
 
 FigureStyle::FigureStyle(const Figure& figure) {
-  constexpr double designed_width = 1600.0;
+  constexpr double designed_px_per_mm = 10.0;
   constexpr double crowded = 0.87;  // three panels and more leave less room for titles
-  unit = std::clamp(figure.width_px / designed_width, 0.35, 4.0);
-  const double text = unit * (figure.panels.size() >= 3 ? crowded : 1.0);
+  // In publications:
+  constexpr double thinner = 0.7;
+  constexpr double smaller = 0.75;
+  constexpr double letters_of_a_chart = 0.92;
+  const bool printed = figure.look == Look::publication;
+  unit = std::clamp(figure.width_px / (designed_px_per_mm * figure.width_mm), 0.35, 4.0);
+  stroke = printed ? thinner * unit : unit;
+  marker = printed ? smaller * unit : unit;
+  most_diagram_scale = printed ? letters_of_a_chart : std::numeric_limits<double>::infinity();
+  const double text = unit * (figure.panels.size() >= 3 && !printed ? crowded : 1.0);
   const auto sized = [](double size, double factor, Weight weight = Weight::regular) {
     return TextStyle{std::max(8, static_cast<int>(std::lround(size * factor))), weight, ink::text};
   };
-  tick = sized(26, text);
-  axis_title = sized(30, text);
-  panel_title = sized(28, text);
+  // In tenths of a millimetre; 26 of them are 7.4 pt.
+  tick = sized(printed ? 25 : 26, text);
+  axis_title = sized(printed ? 27 : 30, text);
+  panel_title = sized(printed ? 26 : 28, text);
   figure_title = sized(32, unit, Weight::bold);
-  legend = sized(26, text);
-  label = sized(28, text, Weight::bold);
+  legend = sized(printed ? 25 : 26, text);
+  label = sized(printed ? 26 : 28, text, Weight::bold);
   reference = sized(25, text);
-  margin = 22 * unit;
-  gap = 10 * unit;
-  tick_mark = 8 * unit;
-  axis_width = std::max(1.0, 2.0 * unit);
-  grid_width = std::max(1.0, 1.5 * unit);
+  margin = (printed ? 8 : 22) * unit;
+  gap = (printed ? 7 : 10) * unit;
+  legend_sample = (printed ? 60 : 96) * unit;
+  tick_mark = (printed ? 6 : 8) * unit;
+  axis_width = std::max(1.0, 2.0 * stroke);
+  grid_width = std::max(1.0, 1.5 * stroke);
 }
 
 }  // namespace tribolog::render

@@ -1,6 +1,7 @@
 #pragma once
-// Sizes and colours that all figures share. Sizes are for a picture 1600 px wide, which reads well
-// 160 mm wide on paper and on a phone, and grow and shrink with the width.
+// Sizes and colours that all figures share. Sizes of a report are for a picture 1600 px wide, which
+// reads well 160 mm wide on paper and on a phone; those of a publication are 7 to 8 pt in print.
+// Both grow and shrink with the pixels per millimetre.
 
 #include "render/text/text_line.h"
 
@@ -18,7 +19,10 @@ inline constexpr Colour backing{255, 255, 255, 215};
 struct FigureStyle {
   explicit FigureStyle(const Figure& figure);
 
-  double unit{1.0};  ///< Pixels per pixel of the 1600 px picture.
+  double unit{1.0};             ///< Pixels to 0.1 mm in print: 1 in a picture 1600 px wide.
+  double stroke{1.0};           ///< What widths of lines are multiplied with,
+  double marker{1.0};           ///< and sizes of markers.
+  double most_diagram_scale{};  ///< Of a drawing's millimetres in print.
   TextStyle tick;
   TextStyle axis_title;
   TextStyle panel_title;
@@ -27,8 +31,9 @@ struct FigureStyle {
   TextStyle label;      ///< Point labels.
   TextStyle reference;  ///< Texts of reference lines.
 
-  double margin{};  ///< Around everything.
-  double gap{};     ///< Between a text and what it belongs to.
+  double margin{};         ///< Around everything.
+  double gap{};            ///< Between a text and what it belongs to.
+  double legend_sample{};  ///< Length of a curve's piece in the legend.
   double tick_mark{};
   double axis_width{};
   double grid_width{};

@@ -18,7 +18,7 @@ Legend::Legend(const Panel& panel, int panel_index, const Font& font, const Figu
     : style_(style),
       panel_(panel_index),
       row_height_(1.36 * style.legend.size_px),
-      sample_width_(96 * style.unit),
+      sample_width_(style.legend_sample),
       padding_(12 * style.unit) {
   if (!panel.show_legend) return;
   const double text_width = most_width - sample_width_ - 3 * padding_;
@@ -134,7 +134,7 @@ void Legend::draw_block(DrawList& list, const Block& block, PixelPoint top_left,
     list.primitives.emplace_back(
         Polyline{owner,
                  {{x, y}, {right, y}, {right, bottom}, {x, bottom}, {x, y}},
-                 std::max(1.0, 1.5 * style_.unit),
+                 std::max(1.0, 1.5 * style_.stroke),
                  ink::frame,
                  {}});
   }

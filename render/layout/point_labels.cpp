@@ -113,14 +113,14 @@ void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& pan
   }
   Placer(labels, frame.plot, taken, style).run();
 
-  const double marker_size = 15 * style.unit;
+  const double marker_size = 15 * style.marker;
   for (const Label& label : labels) {
     const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
     if (distance_to(label.box, label.point) > leader_from * style.unit && !label.line.empty()) {
       list.primitives.emplace_back(
           Polyline{{Role::label_leader, index, label.index},
                    {label.point, nearest_in(label.box.grown(2 * style.unit), label.point)},
-                   std::max(1.0, 1.8 * style.unit),
+                   std::max(1.0, 1.8 * style.stroke),
                    point.colour,
                    {}});
       taken.mark(list.primitives.back());

@@ -11,19 +11,12 @@
 #include <vtkTextRenderer.h>
 #include <vtkTransform2D.h>
 
+#include "render/marker_shapes.h"
+
 namespace tribolog::render {
 namespace {
 
 constexpr int dots_per_inch = 72;
-constexpr double rim_px = 1.5;
-constexpr Colour rim_colour{255, 255, 255};
-
-/// Dots are too small for one: in a cloud of them it would only eat their neighbours.
-bool has_rim(const Markers& markers) {
-  constexpr double largest_dot_px = 8.0;
-  return markers.shape != Marker::cross && markers.shape != Marker::plus &&
-         markers.size > largest_dot_px;
-}
 
 }  // namespace
 
@@ -75,8 +68,8 @@ bool DrawListItem::Paint(vtkContext2D* context) {
       strip_.add(*polygon);
     } else if (const auto* markers = std::get_if<Markers>(&primitive)) {
       if (has_rim(*markers)) {
-        use(rim_colour);
-        strip_.add(*markers, rim_px);
+        use(marker_rim_colour);
+        strip_.add(*markers, marker_rim_px);
       }
       use(markers->colour);
       strip_.add(*markers);

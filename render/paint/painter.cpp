@@ -54,7 +54,7 @@ Painter::Painter(const Font& font) : parts_(std::make_unique<Parts>(font)) {
 Painter::~Painter() = default;
 
 Picture Painter::paint(const DrawList& list, int strip_rows) {
-  Picture picture{list.width, list.height, {}};
+  Picture picture{list.width, list.height, {}, list.width_mm};
   picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
                      static_cast<std::size_t>(list.height));
   parts_->window->SetSize(list.width, strip_rows);

@@ -14,6 +14,7 @@ struct Picture {
   int width{};
   int height{};
   std::vector<std::uint8_t> rgb;
+  double width_mm{160.0};  ///< In print.
 
   [[nodiscard]] Colour at(int x, int y) const {
     const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

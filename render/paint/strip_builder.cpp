@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/dashes.h"
+#include "render/marker_shapes.h"
 
 namespace tribolog::render {
 namespace {
@@ -24,28 +25,9 @@ int circle_corners(double radius) {
       fewest, static_cast<int>(std::ceil(std::numbers::pi / std::acos(1.0 - flatness / radius))));
 }
 
-std::vector<PixelPoint> regular_polygon(PixelPoint c, double radius, int corners, double turn) {
-  std::vector<PixelPoint> out;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners + turn;
-    out.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
-  }
-  return out;
-}
-
-/// Corners, and radii that give all shapes about the area of the circle.
 std::vector<PixelPoint> marker_outline(Marker shape, PixelPoint c, double radius) {
-  constexpr double quarter = std::numbers::pi / 4;
-  switch (shape) {
-    case Marker::square:
-      return regular_polygon(c, 1.25 * radius, 4, quarter);
-    case Marker::diamond:
-      return regular_polygon(c, 1.3 * radius, 4, 0.0);
-    case Marker::triangle:
-      return regular_polygon(c, 1.45 * radius, 3, -2 * quarter);
-    default:
-      return regular_polygon(c, radius, circle_corners(radius), 0.0);
-  }
+  if (shape != Marker::circle) return marker_corners(shape, c, radius);
+  return regular_polygon(c, radius, circle_corners(radius), 0.0);
 }
 
 }  // namespace
@@ -119,16 +101,13 @@ void StripBuilder::add(const Ribbon& ribbon) {
 void StripBuilder::add(const Polygon& polygon) { convex(polygon.outline); }
 
 void StripBuilder::add(const Markers& markers, double grow) {
-  const double radius = markers.size / 2 + grow;
-  const double thickness = std::max(2.0, 0.22 * markers.size) + 2 * grow;
-  const double reach_of_any_shape = 1.5 * radius + thickness;
+  const double radius = marker_radius(markers, grow);
+  const double reach_of_any_shape = 1.5 * radius + marker_strokes(markers, {}, grow).thickness;
   for (const PixelPoint& c : markers.centres) {
     if (c.y + reach_of_any_shape < top_ || c.y - reach_of_any_shape > bottom_) continue;
-    if (markers.shape == Marker::cross || markers.shape == Marker::plus) {
-      const double reach = markers.shape == Marker::cross ? 0.8 * radius : 1.1 * radius;
-      const double tilt = markers.shape == Marker::cross ? reach : 0.0;
-      stroke({{c.x - reach, c.y - tilt}, {c.x + reach, c.y + tilt}}, thickness);
-      stroke({{c.x - tilt, c.y + reach}, {c.x + tilt, c.y - reach}}, thickness);
+    if (is_stroked(markers.shape)) {
+      const MarkerStrokes strokes = marker_strokes(markers, c, grow);
+      for (const auto& [from, to] : strokes.lines) stroke({from, to}, strokes.thickness);
     } else if (markers.shape != Marker::none) {
       convex(marker_outline(markers.shape, c, radius));
     }

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
 #include <libdeflate.h>
 
-#include "error.h"
 #include "render/png/palette.h"
+#include "render/png/zlib_compression.h"
 
 namespace tribolog::render {
 namespace {
 
-constexpr int compression_level = 6;
-constexpr double printed_width_m = 0.160;
 constexpr std::uint8_t filter_none = 0;
 constexpr std::uint8_t filter_up = 2;
 constexpr std::uint8_t type_rgb = 2;
@@ -59,17 +56,6 @@ Bytes filtered(const Bytes& pixels, std::size_t row, std::uint8_t filter) {
   return out;
 }
 
-Bytes compressed(const Bytes& raw) {
-  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-      libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
-  if (!compressor) throw FigureError("no memory for compressing a picture");
-  Bytes out(libdeflate_zlib_compress_bound(compressor.get(), raw.size()));
-  out.resize(
-      libdeflate_zlib_compress(compressor.get(), raw.data(), raw.size(), out.data(), out.size()));
-  if (out.empty()) throw FigureError("a picture could not be compressed");
-  return out;
-}
-
 }  // namespace
 
 std::vector<std::byte> encode_png(const Picture& picture) {
@@ -82,7 +68,8 @@ std::vector<std::byte> encode_png(const Picture& picture) {
   put_chunk(out, "IHDR", header);
 
   Bytes density;
-  const auto per_metre = static_cast<std::uint32_t>(std::lround(picture.width / printed_width_m));
+  const auto per_metre =
+      static_cast<std::uint32_t>(std::lround(1000 * picture.width / picture.width_mm));
   put_u32(density, per_metre);
   put_u32(density, per_metre);
   density.push_back(1);  // the unit is the metre
@@ -91,9 +78,9 @@ std::vector<std::byte> encode_png(const Picture& picture) {
   const auto width = static_cast<std::size_t>(picture.width);
   if (palette) {
     put_chunk(out, "PLTE", palette->palette);
-    put_chunk(out, "IDAT", compressed(filtered(palette->indices, width, filter_none)));
+    put_chunk(out, "IDAT", zlib_compressed(filtered(palette->indices, width, filter_none)));
   } else {
-    put_chunk(out, "IDAT", compressed(filtered(picture.rgb, 3 * width, filter_up)));
+    put_chunk(out, "IDAT", zlib_compressed(filtered(picture.rgb, 3 * width, filter_up)));
   }
   put_chunk(out, "IEND", {});
   std::vector<std::byte> bytes(out.size());

@@ -9,7 +9,8 @@
 namespace tribolog::render {
 
 /// The same picture gives the same bytes: no time stamp, no text. Indexed colour where 256 of them
-/// suffice (palette.h), else exact. Printed at 160 mm width by programs that heed pHYs.
+/// suffice (palette.h), else exact. As wide in print as the picture says, by programs that heed
+/// pHYs.
 std::vector<std::byte> encode_png(const Picture& picture);
 
 }  // namespace tribolog::render

@@ -75,6 +75,7 @@ DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& fault
   DrawList list;
   list.width = figure.width_px;
   list.height = figure.height_px;
+  list.width_mm = figure.width_mm;
   check_parts(scene);
 
   FigureFrame frame;

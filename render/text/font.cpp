@@ -88,8 +88,10 @@ Font::~Font() = default;
 
 const std::string& Font::file(Weight weight) const { return faces_->at(weight).file; }
 
-bool Font::has(Weight weight, char32_t c) const {
-  return FT_Get_Char_Index(faces_->at(weight).face, c) != 0;
+bool Font::has(Weight weight, char32_t c) const { return glyph(weight, c) != 0; }
+
+unsigned Font::glyph(Weight weight, char32_t c) const {
+  return FT_Get_Char_Index(faces_->at(weight).face, c);
 }
 
 const GlyphMeasure& Font::measure(Weight weight, int size_px, char32_t c) const {

@@ -29,6 +29,8 @@ class Font {
 
   [[nodiscard]] const std::string& file(Weight weight) const;
   [[nodiscard]] bool has(Weight weight, char32_t c) const;
+  /// The number of its glyph in the file; 0 if it has none.
+  [[nodiscard]] unsigned glyph(Weight weight, char32_t c) const;
   [[nodiscard]] const GlyphMeasure& measure(Weight weight, int size_px, char32_t c) const;
   /// What to add between two glyphs.
   [[nodiscard]] double kerning(Weight weight, int size_px, char32_t left, char32_t right) const;

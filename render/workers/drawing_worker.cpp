@@ -2,6 +2,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -175,7 +176,7 @@ void DrawingWorker::warm_up(Prepared prepared) {
   }
 }
 
-DrawnFigure DrawingWorker::draw(const Figure& figure) {
+DrawnFigure DrawingWorker::draw(const Figure& figure, bool solid_parts_only) {
   DrawnFigure drawn;
   drawn.id = figure.id;
   drawn.width_px = figure.width_px;
@@ -185,7 +186,8 @@ DrawnFigure DrawingWorker::draw(const Figure& figure) {
     start();
     Painter& painter = *stack_->painter;
     drawn.drawn_by = painter.info();
-    const DrawList list = lay_out(figure, *stack_->font);
+    DrawList list = lay_out(figure, *stack_->font);
+    if (solid_parts_only) list.primitives.clear();
     drawn.warnings = list.warnings;
     const Picture picture = painter.paint(list);
     PictureFindings findings = check_picture(list, figure, picture);
@@ -207,9 +209,15 @@ DrawnFigure DrawingWorker::draw(const Figure& figure) {
 
 void DrawingWorker::serve(int socket) {
   while (auto request = receive_message(socket)) {
-    const DrawnFigure drawn = draw(take_figure(*request));
+    const Figure figure = take_figure(*request);
+    const DrawnFigure drawn = draw(figure, request->take_number() != 0);
     if (!send_message(socket, drawn_figure_message(drawn))) return;
   }
+}
+
+void put_request(Message& message, const Figure& figure, bool solid_parts_only) {
+  put_figure(message, figure);
+  message.put(std::uint32_t{solid_parts_only ? 1U : 0U});
 }
 
 DrawnFigure read_drawn_figure(Message& message) {

@@ -23,7 +23,8 @@ class DrawingWorker {
   void warm_up(Prepared prepared);
 
   /// A figure that cannot be drawn has its `error` set.
-  DrawnFigure draw(const Figure& figure);
+  /// @param solid_parts_only see DrawOptions
+  DrawnFigure draw(const Figure& figure, bool solid_parts_only = false);
 
   /// Draws what arrives on the socket until the other side closes it.
   void serve(int socket);
@@ -34,6 +35,9 @@ class DrawingWorker {
 
   std::unique_ptr<Stack> stack_;
 };
+
+/// What DrawingWorker::serve is asked for.
+void put_request(Message& message, const Figure& figure, bool solid_parts_only);
 
 /// The answer to one figure, as DrawingWorker::serve sends it.
 DrawnFigure read_drawn_figure(Message& message);

@@ -177,7 +177,7 @@ void visit_fields(Visitor& visit, Is<Scene> auto& item) {
 template <class Visitor>
 void visit_fields(Visitor& visit, Is<Figure> auto& item) {
   visit(item.id, item.title, item.panels, item.diagram, item.scene, item.width_px, item.height_px,
-        item.panels_share_x);
+        item.panels_share_x, item.width_mm, item.look);
 }
 
 template <class Value>

@@ -7,6 +7,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/commands.h"
+#include "cli/figures_options.h"
 
 namespace tribolog {
 namespace {
@@ -292,10 +293,9 @@ ExitStatus run_command_line(int argc, char** argv) {
   identify_command->footer(manifest_help);
 
   FiguresOptions figures;
-  CLI::App* figures_command = app.add_subcommand("figures", "draw the figures as PNG files");
-  figures_command->add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
-  figures_command->add_option("-o,--output", figures.directory, "directory to write to")
-      ->required();
+  CLI::App* figures_command =
+      app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");
+  add_figures(*figures_command, figures);
   add_truth_runs(*figures_command, figures.truth_runs);
   add_processes(*figures_command, figures.processes);
 

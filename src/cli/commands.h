@@ -29,9 +29,19 @@ struct IdentifyArguments {
   ArchivingOptions archiving;
 };
 
+enum class FigureFormat { png, svg, pdf };
+
+/// What figures are drawn for.
+enum class FigureStyleChoice {
+  report,  ///< As in the report, 160 mm wide.
+  paper,   ///< For the columns of a journal.
+};
+
 struct FiguresOptions {
   std::string dataset;
   std::string directory;
+  std::vector<FigureFormat> formats{FigureFormat::png};
+  FigureStyleChoice style{FigureStyleChoice::report};
   std::size_t truth_runs{20};
   int processes{2};
 };

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "report/base64.h"
+#include "files/base64.h"
 #include "report/view_parts.h"
 #include "report/visible_text.h"
 

@@ -47,6 +47,32 @@ TEST(RobotDrawings, AreNamedFilesOfTheFiguresCommand) {
   }
 }
 
+TEST(RobotDrawings, AsVectorsAreLinesOverAPicture) {
+  const SmallDataset dataset(described_manifest());
+  dataset.scratch().write("arm.toml", planar_arm());
+  ASSERT_EQ(dataset.run("figures --truth-runs 0 --format svg,pdf", "figures").status, 0);
+  const std::string svg = read_text(dataset.file("figures/fig-10-phenomenological-model.svg"));
+  const std::size_t image = svg.find("<image ");
+  ASSERT_NE(image, std::string::npos);
+  EXPECT_NE(svg.find("<path ", image), std::string::npos);
+  EXPECT_NE(svg.find("<text ", image), std::string::npos);
+  const std::string pdf = read_text(dataset.file("figures/fig-10-phenomenological-model.pdf"));
+  EXPECT_NE(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+TEST(RobotDrawings, WithoutAGraphicsStackAreNamedAndChartsAreWritten) {
+  const SmallDataset dataset(described_manifest());
+  dataset.scratch().write("arm.toml", planar_arm());
+  const ProgramRun run = run_shell("TRIBOLOG_TEST_CRASH_FIGURE=warm-up " + program +
+                                   "figures --truth-runs 0 '" + dataset.file("dataset.toml") +
+                                   "' -o '" + dataset.file("figures") + "' --format svg");
+  EXPECT_EQ(run.status, 5) << run.err;
+  EXPECT_NE(run.err.find("fig-09-robot: the drawing process was lost"), std::string::npos)
+      << run.err;
+  EXPECT_TRUE(std::filesystem::exists(dataset.file("figures/fig-13-rough-torque.svg")));
+  EXPECT_FALSE(std::filesystem::exists(dataset.file("figures/fig-09-robot.svg")));
+}
+
 TEST(RobotDrawings, OfAnotherJointAreNoted) {
   const SmallDataset dataset(described_manifest("J1"));
   dataset.scratch().write("arm.toml", planar_arm());

@@ -63,6 +63,8 @@ TEST(FigureMessage, WritesEveryField) {
   expect_change(figure.width_px, 7);
   expect_change(figure.height_px, 7);
   expect_change(figure.panels_share_x, true);
+  expect_change(figure.width_mm, 84.0);
+  expect_change(figure.look, Look::publication);
   expect_change(panel.title, "title");
   expect_change(panel.show_legend, false);
   for (Axis* axis : {&panel.x, &panel.y}) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace tribolog::report {
+namespace tribolog {
 
 std::string base64(std::span<const std::byte> bytes);
 
@@ -13,4 +13,4 @@ std::string base64(std::span<const std::byte> bytes);
 /// @param hex an even number of lower- or upper-case hex digits.
 std::string base64_of_hex(const std::string& hex);
 
-}  // namespace tribolog::report
+}  // namespace tribolog

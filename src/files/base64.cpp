@@ -1,9 +1,9 @@
-#include "report/base64.h"
+#include "files/base64.h"
 
 #include <stdexcept>
 #include <vector>
 
-namespace tribolog::report {
+namespace tribolog {
 namespace {
 
 constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -42,4 +42,4 @@ std::string base64_of_hex(const std::string& hex) {
   return base64(bytes);
 }
 
-}  // namespace tribolog::report
+}  // namespace tribolog

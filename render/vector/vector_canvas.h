@@ -1,0 +1,39 @@
+#pragma once
+// What a vector format can paint, and a draw list painted with it.
+
+#include <vector>
+
+#include "render/draw_list.h"
+
+namespace tribolog::render {
+
+struct StrokeLook {
+  double width{1.0};
+  Colour colour;
+  std::vector<double> dashes;  ///< Ink and gap in turn; empty: solid.
+};
+
+/// Points and lengths in pixels of the draw list.
+class VectorCanvas {
+ public:
+  using Points = std::vector<PixelPoint>;
+
+  virtual ~VectorCanvas() = default;
+  /// Closed outlines, filled as one: where they overlap, the colour lies once.
+  virtual void fill(const std::vector<Points>& outlines, Colour colour) = 0;
+  virtual void fill_discs(const Points& centres, double radius, Colour colour) = 0;
+  /// Round joins, butt ends. A line that returns to its first point is closed.
+  virtual void stroke(const std::vector<Points>& lines, const StrokeLook& look) = 0;
+  virtual void text(const TextRun& run) = 0;
+};
+
+/// Paints in the order of the list what the painter of pictures would. Solid parts of a scene are
+/// not painted.
+void paint_on(VectorCanvas& canvas, const DrawList& list);
+
+/// Whether a stroked line ends where it began.
+inline bool is_closed(const VectorCanvas::Points& line, const StrokeLook& look) {
+  return look.dashes.empty() && line.size() > 3 && line.front() == line.back();
+}
+
+}  // namespace tribolog::render

@@ -1,0 +1,148 @@
+#include "cli/figure_files.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "cli/drawing.h"
+#include "error.h"
+#include "render/layout/figure_layout.h"
+#include "render/publication.h"
+#include "render/text/font.h"
+#include "render/vector/vector_document.h"
+
+namespace tribolog {
+namespace {
+
+std::string text_of(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// The pictures of scenes that go below their lines and texts, by the figure's place in the list.
+std::map<std::size_t, render::DrawnFigure> draw_solid_parts(
+    const std::vector<ReportFigure>& figures, render::FigureRenderer* renderer) {
+  std::vector<std::size_t> places;
+  std::vector<render::Figure> scenes;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!figures[i].figure.scene) continue;
+    places.push_back(i);
+    scenes.push_back(figures[i].figure);
+  }
+  std::map<std::size_t, render::DrawnFigure> out;
+  if (scenes.empty() || renderer == nullptr) return out;
+  render::DrawOptions options;
+  options.solid_parts_only = true;
+  std::vector<render::DrawnFigure> drawn = renderer->draw(scenes, options);
+  for (std::size_t k = 0; k < places.size(); ++k) out.emplace(places[k], std::move(drawn[k]));
+  return out;
+}
+
+class VectorWriter {
+ public:
+  VectorWriter(FigureFiles& out, const std::vector<FigureFormat>& formats)
+      : out_(out), formats_(formats) {}
+
+  /// @param solid_parts null for what has none
+  void write(const ReportFigure& figure, const render::DrawnFigure* solid_parts,
+             render::DrawnFigure& outcome) {
+    try {
+      const render::DrawList list = render::lay_out(figure.figure, font_);
+      if (outcome.warnings.empty()) {
+        for (const std::string& one : list.warnings)
+          outcome.warnings.push_back(printable(one, 400));
+      }
+      std::vector<std::byte> picture;
+      if (solid_parts != nullptr) {
+        if (!solid_parts->error.empty()) throw FigureError(solid_parts->error);
+        picture = solid_parts->png;
+      }
+      const render::DocumentTexts texts{figure.figure.id, figure.title, figure.alt};
+      for (const FigureFormat format : formats_) {
+        if (format == FigureFormat::png) continue;
+        out_.files.push_back(
+            {file_name(figure, format), format == FigureFormat::svg
+                                            ? svg_document(list, texts, font_, picture)
+                                            : pdf_document(list, texts, font_, picture)});
+      }
+    } catch (const FigureError& problem) {
+      if (outcome.error.empty()) outcome.error = printable(problem.what(), 400);
+    }
+  }
+
+  static std::string file_name(const ReportFigure& figure, FigureFormat format) {
+    return fmt::format("{}.{}", figure.figure.id, ending_of(format));
+  }
+
+ private:
+  FigureFiles& out_;
+  const std::vector<FigureFormat>& formats_;
+  render::Font font_;
+};
+
+void draw_pictures(const std::vector<ReportFigure>& figures, render::FigureRenderer& renderer,
+                   FigureFiles& out, Console& console) {
+  out.drawn = draw(renderer, figures, console);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!out.drawn[i].error.empty()) continue;
+    out.files.push_back(
+        {VectorWriter::file_name(figures[i], FigureFormat::png), text_of(out.drawn[i].png)});
+    out.drawn[i].png.clear();
+  }
+}
+
+bool has(const std::vector<FigureFormat>& formats, FigureFormat wanted) {
+  return std::find(formats.begin(), formats.end(), wanted) != formats.end();
+}
+
+}  // namespace
+
+const char* ending_of(FigureFormat format) {
+  switch (format) {
+    case FigureFormat::svg:
+      return "svg";
+    case FigureFormat::pdf:
+      return "pdf";
+    case FigureFormat::png:
+      break;
+  }
+  return "png";
+}
+
+std::vector<ReportFigure> for_publication(std::vector<ReportFigure> figures) {
+  const render::Font font;
+  for (ReportFigure& one : figures) {
+    try {
+      one.figure = render::for_publication(one.figure, font);
+    } catch (const FigureError&) {
+      continue;
+    }
+  }
+  return figures;
+}
+
+FigureFiles figure_files(const std::vector<ReportFigure>& figures,
+                         const std::vector<FigureFormat>& formats, render::FigureRenderer* renderer,
+                         Console& console) {
+  FigureFiles out;
+  if (has(formats, FigureFormat::png)) {
+    draw_pictures(figures, *renderer, out, console);
+  } else {
+    for (const ReportFigure& one : figures) out.drawn.emplace_back().id = one.figure.id;
+  }
+  if (has(formats, FigureFormat::svg) || has(formats, FigureFormat::pdf)) {
+    const auto solid_parts = draw_solid_parts(figures, renderer);
+    VectorWriter writer(out, formats);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      console.progress("writing figures", i, figures.size());
+      const auto below = solid_parts.find(i);
+      writer.write(figures[i], below == solid_parts.end() ? nullptr : &below->second, out.drawn[i]);
+    }
+  }
+  out.whole = static_cast<std::size_t>(
+      std::count_if(out.drawn.begin(), out.drawn.end(),
+                    [](const render::DrawnFigure& one) { return one.error.empty(); }));
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,118 @@
+#include "drawn_set.h"
+
+#include <stdexcept>
+
+#include "../example_diagram.h"
+#include "../example_figures.h"
+#include "../png_reading.h"
+#include "archive/history/simulated_history.h"
+
+#include "figures/history/comparison_figures.h"
+#include "figures/history/trend_figures.h"
+#include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/scenario_file.h"
+#include "paper/checks/paper_figures.h"
+#include "render/layout/figure_layout.h"
+#include "render/publication.h"
+#include "render/renderer.h"
+
+namespace tribolog::render {
+namespace {
+
+history::RecordedCurves curves(double shift) {
+  history::RecordedCurves c;
+  c.friction = {
+      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
+  c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
+  return c;
+}
+
+DrawnExample with_picture(const ReportFigure& figure, const DrawnFigure& picture,
+                          const Font& font) {
+  if (!picture.error.empty()) throw std::runtime_error(picture.id + ": " + picture.error);
+  return {figure, lay_out(figure.figure, font), read_png(picture.png), {}};
+}
+
+}  // namespace
+
+std::vector<ReportFigure> paper_set() {
+  const std::string examples = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/";
+  const paper::PapersJoint joint(read_scenario(examples + "scenario.toml"),
+                                 read_robot(examples + "am100ib.toml"));
+  return paper_figures(joint);
+}
+
+std::vector<ReportFigure> history_set() {
+  test::HistoryShape shape;
+  shape.calibrations = 24;
+  for (std::size_t k = 0; k < shape.calibrations; ++k) {
+    shape.temperature_C.push_back(20 + static_cast<double>(k % 7));
+  }
+  const auto all = test::simulated_history(
+      3,
+      [](const std::string& name, std::size_t k) {
+        return name == "coulomb_torque" && k >= 14 ? 1.08 : 1.0;
+      },
+      shape);
+  std::vector<ReportFigure> out = trend_figures(history::joint_trends(all, {}));
+  constexpr std::size_t enough = 3;
+  if (out.size() > enough) out.resize(enough);
+  const auto comparison = history::compare(all[0], all[20], {10, 2}, false);
+  for (ReportFigure& one : comparison_figures(comparison, curves(0), curves(0.1))) {
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+std::vector<ReportFigure> publication_set() {
+  const Font font;
+  std::vector<ReportFigure> out;
+  for (ReportFigure& one : paper_set()) {
+    const bool wanted = one.number == 7 || one.number == 10 || one.number == 13 ||
+                        one.number == 15 || one.number == 18;
+    if (!wanted) continue;
+    one.figure = for_publication(one.figure, font);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+std::vector<ReportFigure> trouble_set() {
+  std::vector<Figure> figures = examples::nasty();
+  figures.push_back(examples::diagram());
+  figures.push_back(examples::noisy_sweep());
+  figures.push_back(examples::many_curves(12));
+  std::vector<ReportFigure> out;
+  for (Figure& one : figures) {
+    ReportFigure figure;
+    figure.id = one.id;
+    figure.title = one.title;
+    figure.figure = std::move(one);
+    out.push_back(std::move(figure));
+  }
+  return out;
+}
+
+std::vector<DrawnExample> drawn(const std::vector<ReportFigure>& figures) {
+  std::vector<Figure> descriptions;
+  std::vector<Figure> scenes;
+  for (const ReportFigure& one : figures) {
+    descriptions.push_back(one.figure);
+    if (one.figure.scene) scenes.push_back(one.figure);
+  }
+  FigureRenderer renderer(2, scenes.empty() ? Prepared::charts : Prepared::charts_and_scenes);
+  const auto pictures = renderer.draw(descriptions);
+  DrawOptions solid_only;
+  solid_only.solid_parts_only = true;
+  const auto solid = renderer.draw(scenes, solid_only);
+  const Font font;
+  std::vector<DrawnExample> out;
+  std::size_t next_scene = 0;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    out.push_back(with_picture(figures[i], pictures[i], font));
+    if (figures[i].figure.scene) out.back().solid_parts = solid[next_scene++].png;
+  }
+  return out;
+}
+
+}  // namespace tribolog::render

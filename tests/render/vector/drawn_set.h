@@ -1,0 +1,33 @@
+#pragma once
+// The figures that the project draws, each laid out and painted.
+
+#include <vector>
+
+#include "figures/report_figure.h"
+#include "render/draw_list.h"
+#include "render/paint/picture.h"
+#include "render/vector/vector_document.h"
+
+namespace tribolog::render {
+
+struct DrawnExample {
+  ReportFigure figure;
+  DrawList list;
+  Picture picture;                     ///< By our own painter.
+  std::vector<std::byte> solid_parts;  ///< PNG, of scenes.
+
+  [[nodiscard]] DocumentTexts texts() const { return {figure.figure.id, figure.title, figure.alt}; }
+};
+
+/// The paper's figures: charts, diagrams, scenes, and those of the identification.
+std::vector<ReportFigure> paper_set();
+/// A joint over time and two calibrations side by side.
+std::vector<ReportFigure> history_set();
+/// Charts, a drawing and a scene of the paper, for the columns of a journal.
+std::vector<ReportFigure> publication_set();
+/// Every kind of trouble that can be drawn.
+std::vector<ReportFigure> trouble_set();
+
+std::vector<DrawnExample> drawn(const std::vector<ReportFigure>& figures);
+
+}  // namespace tribolog::render
