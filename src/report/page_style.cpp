@@ -30,12 +30,14 @@ void fill(const std::string& style, const std::string& script, TemplateValues& v
 
 }  // namespace
 
-void fill_style(TemplateValues& values) { fill(own_style(false), "", values); }
+void fill_style(TemplateValues& values, PageKind kind) { fill(own_style(kind), "", values); }
 
-void fill_style_and_script(TemplateValues& values) { fill(own_style(true), own_script(), values); }
+void fill_style_and_script(TemplateValues& values) {
+  fill(own_style(PageKind::with_viewer), own_script(), values);
+}
 
-void fill_head(const Provenance& provenance, TemplateValues& values) {
-  fill_style(values);
+void fill_head(const Provenance& provenance, TemplateValues& values, PageKind kind) {
+  fill_style(values, kind);
   values.set("TOOL", "tribolog " + provenance.tool_version);
   values.set("CREATED", or_dash(provenance.created_utc));
   values.set("COMMAND_LINE", or_dash(provenance.command_line));

@@ -22,10 +22,19 @@ std::string without_indentation(std::string_view script) {
 
 }  // namespace
 
-const std::string& own_style(bool with_viewer) {
+const std::string& own_style(PageKind kind) {
   static const std::string plain(embedded_file("report.css"));
-  static const std::string both = plain + std::string(embedded_file("review.css"));
-  return with_viewer ? both : plain;
+  static const std::string with_viewer = plain + std::string(embedded_file("review.css"));
+  static const std::string fleet = plain + std::string(embedded_file("fleet.css"));
+  switch (kind) {
+    case PageKind::with_viewer:
+      return with_viewer;
+    case PageKind::fleet:
+      return fleet;
+    case PageKind::plain:
+      break;
+  }
+  return plain;
 }
 
 const std::string& own_script() {

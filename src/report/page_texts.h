@@ -5,8 +5,11 @@
 
 namespace tribolog::report {
 
-/// The style sheet, with that of the loop viewer behind it or without.
-const std::string& own_style(bool with_viewer);
+/// What a page has beyond tables and figures.
+enum class PageKind { plain, with_viewer, fleet };
+
+/// The style sheet, with the page's own behind it.
+const std::string& own_style(PageKind kind);
 
 /// The script of the loop viewer without its indentation and its lines of comment.
 const std::string& own_script();

@@ -56,7 +56,9 @@ class OwnStyle : public ctemplate::TemplateModifier {
   void Modify(const char* in, std::size_t length, const ctemplate::PerExpandData*,
               ctemplate::ExpandEmitter* out, const std::string&) const override {
     const std::string_view text(in, length);
-    if (text == own_style(false) || text == own_style(true)) out->Emit(in, length);
+    for (const PageKind kind : {PageKind::plain, PageKind::with_viewer, PageKind::fleet}) {
+      if (text == own_style(kind)) return out->Emit(in, length);
+    }
   }
 };
 

@@ -139,7 +139,7 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
 std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
                        const Provenance& provenance) {
   TemplateValues values;
-  report::fill_head(provenance, values);
+  report::fill_head(provenance, values, report::PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);
   fill_facts(facts_of(fleet, archive, outliers), values);
   fill_outcome_of(fleet, outliers, values);
