@@ -34,9 +34,11 @@ bool is_file(const std::string& name) {
 /// The same inputs may be archived with a report made at another time.
 std::string hint_for(archive::CalibrationArchive& kept, const std::string& page,
                      const std::string& path) {
-  const std::string identity =
-      archive::entry_of_calibration(embedded_json(page, path).json, path).identity();
-  for (const archive::Entry& entry : kept.list({})) {
+  const archive::NewCalibration made =
+      archive::entry_of_calibration(embedded_json(page, path).json, path);
+  const std::string identity = made.identity();
+  const archive::JointName& of = made.facts.of;
+  for (const archive::Entry& entry : kept.list({of.robot, of.serial, of.joint})) {
     if (entry.identity != identity) continue;
     const std::string id = entry.id.substr(0, archive::shown_digits);
     return fmt::format(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -73,6 +74,15 @@ void fill_facts(const std::vector<Fact>& facts, TemplateValues& values) {
     TemplateValues& item = list.add_section("FACT");
     item.set("NAME", fact.name);
     item.set("TEXT", fact.text);
+  }
+}
+
+void fill_lines(const std::string& text, const std::string& section, const std::string& variable,
+                TemplateValues& values) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!line.empty()) values.add_section(section).set(variable, line);
   }
 }
 

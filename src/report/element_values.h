@@ -20,6 +20,10 @@ void fill_table(const Table& table, const std::string& marker, TemplateValues& v
 
 /// The section FACTS; nothing if there are none.
 void fill_facts(const std::vector<Fact>& facts, TemplateValues& values);
+/// A text of somebody's own, line by line: the variable in a repetition of the section for each
+/// line that is not empty.
+void fill_lines(const std::string& text, const std::string& section, const std::string& variable,
+                TemplateValues& values);
 
 /// One more figure.tpl at the marker FIGURE.
 void fill_figure(const FigureCard& figure, TemplateValues& values);

@@ -1,7 +1,6 @@
 #include "report/report_values.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "report/closing_values.h"
 #include "report/element_values.h"
@@ -37,17 +36,6 @@ void fill_contents(const ReportView& view, TemplateValues& values) {
     entry.set("TITLE", section.title);
     entry.set("STATUS", section.status);
     entry.set("OUTCOME", class_of(section.outcome));
-  }
-}
-
-/// The operator's note, line by line.
-void fill_note(const std::string& note, TemplateValues& values) {
-  if (note.empty()) return;
-  TemplateValues& out = values.add_section("NOTE");
-  std::istringstream lines(note);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!line.empty()) out.add_section("NOTE_LINE").set("TEXT", line);
   }
 }
 
@@ -97,7 +85,7 @@ void fill_report(const ReportView& view, bool has_viewer, TemplateValues& values
   values.set("CREATED", view.created_utc);
   values.set("TOOL", view.tool);
   fill_facts(view.identity, values);
-  fill_note(view.note, values);
+  if (!view.note.empty()) fill_lines(view.note, "NOTE_LINE", "TEXT", values.add_section("NOTE"));
   fill_contents(view, values);
 
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");

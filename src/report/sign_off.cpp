@@ -1,9 +1,9 @@
 #include "report/sign_off.h"
 
-#include <sstream>
 #include <string_view>
 
 #include "error.h"
+#include "report/element_values.h"
 #include "report/template_engine.h"
 #include "report/view_parts.h"
 
@@ -29,11 +29,7 @@ void fill(const SignOff& decision, TemplateValues& values) {
   values.set("DECISION", decision.is_approved ? "Approved" : "Rejected");
   values.set("REVIEWER", report::or_dash(decision.reviewer));
   values.set("AT", readable(decision.at_utc));
-  std::istringstream lines(decision.note);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!line.empty()) values.add_section("NOTE").set("LINE", line);
-  }
+  report::fill_lines(decision.note, "NOTE", "LINE", values);
 }
 
 }  // namespace
