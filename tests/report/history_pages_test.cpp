@@ -53,18 +53,10 @@ std::string trend_page_with(const std::string& text) {
   return trend_page(trends, provenance_with(text), figures, sample_pictures(figures));
 }
 
-history::RecordedCurves curves(double shift) {
-  history::RecordedCurves c;
-  c.friction = {
-      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
-  c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
-  return c;
-}
-
 std::string diff_page_with(const std::string& text) {
   const auto all = history_with(text);
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
-  const auto figures = comparison_figures(c, curves(0), curves(0.1));
+  const auto figures = comparison_figures(c, simple_curves(0), simple_curves(0.1));
   return comparison_page(c, provenance_with(text), text, figures, sample_pictures(figures));
 }
 
@@ -157,11 +149,11 @@ TEST(HistoryFigures, AChangeThatStandsComesFirst) {
 TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[1], {}, false);
-  EXPECT_EQ(comparison_figures(c, curves(0), curves(0)).size(), 2U);
-  EXPECT_TRUE(comparison_figures(c, curves(0), {}).empty());
-  history::RecordedCurves old = curves(0);
+  EXPECT_EQ(comparison_figures(c, simple_curves(0), simple_curves(0)).size(), 2U);
+  EXPECT_TRUE(comparison_figures(c, simple_curves(0), {}).empty());
+  history::RecordedCurves old = simple_curves(0);
   old.loops.clear();
-  EXPECT_EQ(comparison_figures(c, old, curves(0)).size(), 1U);
+  EXPECT_EQ(comparison_figures(c, old, simple_curves(0)).size(), 1U);
 }
 
 }  // namespace

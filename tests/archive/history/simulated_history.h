@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "archive/history/recorded_curves.h"
 #include "archive/store/calibration_archive.h"
 
 #include "simulate/random_stream.h"
@@ -85,6 +86,15 @@ inline std::vector<archive::Measured> simulated_history(std::uint64_t seed, cons
     all.push_back(std::move(m));
   }
   return all;
+}
+
+/// A friction curve and a loop of a few points, both lifted at one point by `shift`.
+inline history::RecordedCurves simple_curves(double shift) {
+  history::RecordedCurves c;
+  c.friction = {
+      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
+  c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
+  return c;
 }
 
 inline double unchanged(const std::string& /*name*/, std::size_t /*calibration*/) { return 1; }

@@ -19,14 +19,6 @@
 namespace tribolog::render {
 namespace {
 
-history::RecordedCurves curves(double shift) {
-  history::RecordedCurves c;
-  c.friction = {
-      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
-  c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
-  return c;
-}
-
 DrawnExample with_picture(const ReportFigure& figure, const DrawnFigure& picture,
                           const Font& font) {
   if (!picture.error.empty()) throw std::runtime_error(picture.id + ": " + picture.error);
@@ -58,7 +50,8 @@ std::vector<ReportFigure> history_set() {
   constexpr std::size_t enough = 3;
   if (out.size() > enough) out.resize(enough);
   const auto comparison = history::compare(all[0], all[20], {10, 2}, false);
-  for (ReportFigure& one : comparison_figures(comparison, curves(0), curves(0.1))) {
+  for (ReportFigure& one :
+       comparison_figures(comparison, test::simple_curves(0), test::simple_curves(0.1))) {
     out.push_back(std::move(one));
   }
   return out;
