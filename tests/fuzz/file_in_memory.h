@@ -5,20 +5,23 @@
 #include <cstdlib>
 #include <string>
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 namespace tribolog::fuzz {
 
+/// In shared memory under a name of its own: SQLite and libhdf5 resolve a path before they open
+/// it, so that a file without a name (memfd) is one they cannot open.
 class FileInMemory {
  public:
-  FileInMemory() : descriptor_(memfd_create("fuzz", 0)) {
+  FileInMemory() : path_("/dev/shm/tribolog-fuzz-XXXXXX"), descriptor_(::mkstemp(path_.data())) {
     if (descriptor_ < 0) std::abort();
-    path_ = "/proc/self/fd/" + std::to_string(descriptor_);
   }
   FileInMemory(const FileInMemory&) = delete;
   FileInMemory& operator=(const FileInMemory&) = delete;
-  ~FileInMemory() { ::close(descriptor_); }
+  ~FileInMemory() {
+    ::close(descriptor_);
+    ::unlink(path_.c_str());
+  }
 
   /// The path of these bytes.
   const std::string& holding(const std::uint8_t* data, std::size_t size) {
@@ -29,8 +32,8 @@ class FileInMemory {
   }
 
  private:
-  int descriptor_;
   std::string path_;
+  int descriptor_;
 };
 
 }  // namespace tribolog::fuzz

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "check_tables.h"
+#include "outcomes.h"
 
 #include "error.h"
 #include "files/byte_source.h"
@@ -70,6 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Outcome one = read(whole, rules);
   const Outcome other = read(pieces, rules);
   fuzz::require(one.refusal == other.refusal);
+  fuzz::count_outcome(one.table.has_value());
   if (!one.table) return 0;
   fuzz::require(one.table->columns.size() == other.table->columns.size());
   for (std::size_t k = 0; k < one.table->columns.size(); ++k) {

@@ -4,15 +4,13 @@
 
 #include "check_tables.h"
 #include "file_in_memory.h"
+#include "outcomes.h"
 
-#include "error.h"
 #include "ingest/bags/rosbag_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static tribolog::fuzz::FileInMemory file;
-  try {
-    tribolog::fuzz::check_tables(tribolog::read_rosbag_db3(file.holding(data, size)));
-  } catch (const tribolog::InputError&) {
-  }
+  tribolog::fuzz::read_or_refuse(
+      [&] { tribolog::fuzz::check_tables(tribolog::read_rosbag_db3(file.holding(data, size))); });
   return 0;
 }

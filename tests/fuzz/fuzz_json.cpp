@@ -2,15 +2,13 @@
 #include <string_view>
 
 #include "check_tables.h"
+#include "outcomes.h"
 
-#include "error.h"
 #include "ingest/arrays/json_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  try {
-    tribolog::fuzz::check_tables(tribolog::parse_json_log(bytes, "a.json"));
-  } catch (const tribolog::InputError&) {
-  }
+  tribolog::fuzz::read_or_refuse(
+      [&] { tribolog::fuzz::check_tables(tribolog::parse_json_log(bytes, "a.json")); });
   return 0;
 }

@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <string_view>
 
-#include "error.h"
+#include "outcomes.h"
+
 #include "ingest/manifest/manifest_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  try {
+  tribolog::fuzz::read_or_refuse([&] {
     (void)tribolog::parse_manifest({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
-  } catch (const tribolog::InputError&) {
-  }
+  });
   return 0;
 }

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <string_view>
 
-#include "error.h"
+#include "check_tables.h"
+#include "outcomes.h"
+
 #include "ingest/bags/mcap_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 16;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  try {
-    (void)tribolog::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes);
-  } catch (const tribolog::InputError&) {
-  }
+  tribolog::fuzz::read_or_refuse(
+      [&] { (void)tribolog::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes); });
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ingest/arrays/array_tables.h"
+#include "ingest/arrays/hdf5_chunks.h"
 #include "ingest/arrays/hdf5_objects.h"
 #include "ingest/arrays/isolated_reading.h"
 
@@ -168,6 +169,27 @@ class FileWalk {
     read_numbers(name, dataset.get(), type.get(), {sides.begin(), sides.end()});
   }
 
+  /// What the file claims of a dataset and does not hold, "" where nothing is seen: looked for
+  /// before memory is taken for it. Each of a damaged file's datasets may claim the same bytes.
+  std::string unkept_claim(hid_t dataset, hid_t type, const std::vector<std::uint64_t>& sides,
+                           std::uint64_t count) {
+    const std::uint64_t stored = H5Dget_storage_size(dataset);
+    const std::uint64_t file_bytes = bytes_of_file();
+    if (stored > file_bytes) {
+      return fmt::format("damaged: {} of the file's {} bytes are claimed", stored, file_bytes);
+    }
+    const Hdf5Chunks chunks = chunks_of(dataset);
+    const bool is_chunked = !chunks.sides.empty();
+    const std::uint64_t numbers = std::max(count, chunks.numbers);
+    const std::uint64_t claimed = numbers * H5Tget_size(type);
+    if (stored == 0 || claimed / (is_chunked ? largest_ratio : 1) > stored ||
+        (claimed_bytes_ + claimed) / largest_ratio > file_bytes) {
+      return fmt::format("{} numbers are claimed, {} bytes are stored", numbers, stored);
+    }
+    claimed_bytes_ += claimed;
+    return is_chunked ? chunk_damage(dataset, chunks, sides, H5Tget_size(type)) : std::string();
+  }
+
   void read_numbers(const std::string& name, hid_t dataset, hid_t type,
                     const std::vector<std::uint64_t>& sides) {
     NamedArray array;
@@ -175,12 +197,9 @@ class FileWalk {
     const std::uint64_t values_before = found.values;
     if (!shape_array(sides, array, found)) return;
     const std::uint64_t count = found.values - values_before;
-    const std::uint64_t stored = H5Dget_storage_size(dataset);
-    if (stored == 0 || count * H5Tget_size(type) / largest_ratio > stored) {
+    if (const std::string unkept = unkept_claim(dataset, type, sides, count); !unkept.empty()) {
       found.values = values_before;
-      found.leave_out(name,
-                      fmt::format("{} numbers are claimed, {} bytes are stored", count, stored));
-      return;
+      return found.leave_out(name, unkept);
     }
     array.values.resize(count);
     if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) <
@@ -196,7 +215,13 @@ class FileWalk {
     found.arrays.push_back(std::move(array));
   }
 
+  [[nodiscard]] std::uint64_t bytes_of_file() const {
+    hsize_t bytes = 0;
+    return H5Fget_filesize(file_.get(), &bytes) < 0 ? 0 : bytes;
+  }
+
   Hdf5Handle file_;
+  std::uint64_t claimed_bytes_{0};
   std::set<haddr_t> seen_;
   std::vector<std::string> datasets_;
 };

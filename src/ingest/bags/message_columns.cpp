@@ -191,7 +191,7 @@ void MessageColumns::put(Place* place, double value) {
   }
   std::vector<double>& values = columns_[place->column].values;
   values.resize(rows_, std::numeric_limits<double>::quiet_NaN());
-  values.push_back(value);
+  values.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN());
 }
 
 MessageColumns::Place* MessageColumns::field_of(Place* parent, std::size_t index,

@@ -2,7 +2,9 @@
 
 #include "ingest/bags/message_columns.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,23 @@ TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
   EXPECT_EQ(finished[5].values, (Values{1, -1}));
   EXPECT_EQ(finished[8].values, (Values{4, 4}));
   EXPECT_EQ(finished[15].values, (Values{1.5, 1.5}));
+}
+
+TEST(MessageColumns, TakesWhatIsNoNumberForAGap) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  for (const double value : {1.5, infinity, -infinity, std::nan(""), 2.5}) {
+    take(columns, arm_message(value));
+  }
+  const std::vector<LogColumn> found = std::move(columns).finish();
+  const auto column = std::find_if(found.begin(), found.end(), [](const LogColumn& one) {
+    return one.header.name == "measured.j1.position";
+  });
+  ASSERT_NE(column, found.end());
+  EXPECT_EQ(column->gaps, 3U);
+  EXPECT_EQ(column->values.front(), 1.5);
+  EXPECT_EQ(column->values.back(), 2.5);
+  for (const std::size_t row : {1U, 2U, 3U}) EXPECT_TRUE(std::isnan(column->values[row])) << row;
 }
 
 TEST(MessageColumns, GivesTheStampInNanoseconds) {
