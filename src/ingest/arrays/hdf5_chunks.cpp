@@ -106,6 +106,19 @@ bool reaches_over(const std::vector<hsize_t>& corner, const std::vector<hsize_t>
   return false;
 }
 
+/// As the file has it of its first chunk; of chunks without filters the library itself goes by the
+/// layout. 0 where there is none.
+hsize_t first_chunk_bytes(hid_t dataset) {
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+  std::array<hsize_t, H5S_MAX_RANK> corner{};
+  unsigned left_out = 0;
+  haddr_t address = 0;
+  hsize_t bytes = 0;
+  const auto found =
+      H5Dget_chunk_info(dataset, space.get(), 0, corner.data(), &left_out, &address, &bytes);
+  return found < 0 ? 0 : bytes;
+}
+
 }  // namespace
 
 Hdf5Chunks chunks_of(hid_t dataset) {
@@ -130,7 +143,11 @@ std::string chunk_damage(hid_t dataset, const Hdf5Chunks& chunks,
   }
   const Hdf5Handle creation(H5Dget_create_plist(dataset), H5Pclose);
   const Pipeline pipeline = pipeline_of(creation.get());
-  ChunkLengths lengths(chunks.numbers * number_bytes);
+  const hsize_t chunk_bytes = chunks.numbers * number_bytes;
+  if (pipeline.filters.empty() && first_chunk_bytes(dataset) != chunk_bytes) {
+    return fmt::format("damaged: its chunks are not of {} numbers", chunks.numbers);
+  }
+  ChunkLengths lengths(chunk_bytes);
   std::vector<hsize_t> corner(sides.size(), 0);
   std::vector<std::uint8_t> stored;
   do {

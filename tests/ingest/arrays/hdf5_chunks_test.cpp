@@ -56,8 +56,8 @@ class Hdf5ChunksTest : public testing::Test {
 
   [[nodiscard]] Values q() const {
     const auto tables = read_hdf5(path_);
-    EXPECT_EQ(tables[0].header, (Names{"t", "q"}));
-    return tables[0].columns.back().values;
+    EXPECT_EQ(tables[0].header, (Names{"q", "t"}));
+    return tables[0].columns.front().values;
   }
   [[nodiscard]] std::string first_note() const {
     const auto tables = read_hdf5(path_);
@@ -126,7 +126,7 @@ TEST_F(Hdf5ChunksTest, AChunkThatUnpacksToLessIsRefused) {
     ASSERT_NE(at, std::string::npos);
     ASSERT_EQ(bytes.find(sides, at + 1), std::string::npos);
     bytes[at] = 5;
-    directory_.file("log.h5", bytes);
+    path_ = directory_.file("log.h5", bytes);
     EXPECT_TRUE(first_note().starts_with("'q' is not read: damaged")) << first_note();
   }
 }
@@ -143,7 +143,7 @@ TEST_F(Hdf5ChunksTest, MoreBytesThanTheFileHasAreRefused) {
     ++changed;
   }
   ASSERT_EQ(changed, 1U);
-  directory_.file("log.h5", bytes);
+  path_ = directory_.file("log.h5", bytes);
   const std::string note = read_hdf5(path_)[0].notes[0];
   EXPECT_EQ(note, fmt::format("'t' is not read: damaged: {} of the file's {} bytes are claimed",
                               0x0100'0050, bytes.size()));
