@@ -8,6 +8,9 @@
   if (!root || !source) return;
   const data = JSON.parse(source.textContent);
   const { loops, runs, candidates, quantities } = data;
+  // A text in the page's language, with the parts in its places {0}, {1}.
+  const says = data.says || {};
+  const t = (text, ...parts) => (says[text] || text).replace(/\{(\d)\}/g, (_, k) => parts[k]);
 
   // state
   const state = {
@@ -129,7 +132,7 @@
   const resetRanges = () => {
     for (const name in ranges) setRange(name, ...ranges[name].full);
     if (state.closeUp) showCloseUp();
-    say("All plots show everything.");
+    say(t("All plots show everything."));
   };
 
   // one plot: canvas for curves, SVG for what is sharp, moves or is written
@@ -142,7 +145,7 @@
   const addPlot = (x, y, isLoop, paint) => {
     const view = make("div", {
       class: "view", tabindex: "0", role: "application", "aria-describedby": "review-help",
-      "aria-label": `${quantities[y].words} over ${quantities[x].words}`,
+      "aria-label": t("{0} over {1}", quantities[y].words, quantities[x].words),
     });
     const canvas = make("canvas", { "aria-hidden": "true" });
     const svg = draw("svg", { "aria-hidden": "true", focusable: "false" });
@@ -528,16 +531,16 @@
   const phaseText = (loop, i) => {
     if (!loop.frequency_Hz) return "–";
     const turns = loop.t[i] * loop.frequency_Hz;
-    return `${Math.floor(360 * (turns % 1))}° of cycle ${Math.floor(turns) + 1}`;
+    return t("{0}° of cycle {1}", Math.floor(360 * (turns % 1)), Math.floor(turns) + 1);
   };
   const showInstant = () => {
     const loop = loops[state.loop];
     const i = state.sample;
     const degrees = loop.centre_deg + loop.q[i] * quantities.q.degrees;
-    const rows = [["t", timeText(loop, i)], ["Phase", phaseText(loop, i)],
+    const rows = [["t", timeText(loop, i)], [t("Phase"), phaseText(loop, i)],
                   ["q", isNumber(loop.q[i]) ? fixed(degrees, 4) + "°" : "–"],
                   ["q − q₀", valueText(loop.q[i], "q")], ["T", valueText(loop.T[i], "T")]];
-    if (loop.fit) rows.push(["T, LuGre fit", valueText(loop.fit[i], "T")]);
+    if (loop.fit) rows.push([t("T, LuGre fit"), valueText(loop.fit[i], "T")]);
     for (const name of ["z", "dz"]) {
       if (loop[name]) rows.push([quantities[name].symbol, valueText(loop[name][i], name)]);
     }
@@ -565,30 +568,31 @@
     const rows = [];
     if (isPair) {
       for (const point of marked) {
-        rows.push(...point.texts.filter(([name]) => name === "Torque T" || name === "t")
-          .map(([name, text]) => [`${point.name}, steady: ${name}`, text]));
+        rows.push(...point.texts.filter(([name]) => name === t("Torque T") || name === "t")
+          .map(([name, text]) => [t("{0}, steady: {1}", point.name, name), text]));
       }
     } else if (marked.length) {
       rows.push(...marked[0].texts);
       rows.splice(2, 0, ["q − q₀", valueText(marked[0].q, "q")]);
     } else if (state.reading === "midline" && data.midline) {
-      rows.push(["T at q_peak", data.midline.text]);
+      rows.push([t("T at q_peak"), data.midline.text]);
     } else if (candidate) {
-      rows.push(["Torque T", candidate.torque]);
+      rows.push([t("Torque T"), candidate.torque]);
     }
     if (candidate) {
-      rows.push(["Surrogate mass", candidate.mass]);
-      if (candidate.rms) rows.push(["Error, rms", candidate.rms + " % of T"]);
+      rows.push([t("Surrogate mass"), candidate.mass]);
+      if (candidate.rms) rows.push([t("Error, rms"), t("{0} % of T", candidate.rms)]);
     }
-    const words = candidate ? candidate.words : state.reading === "midline" ? "mid-line" : state.reading;
+    const words = candidate ? candidate.words
+      : state.reading === "midline" ? t("mid-line") : state.reading;
     const what = candidate ? candidate.what : marked.length ? marked[0].where : "";
-    readingTitle.textContent = marked.length === 1 ? "Point " + words : words;
-    const titles = candidate ? [candidate.recommended && "recommended",
-                                candidate.papers && "the paper's rule"] : [];
+    readingTitle.textContent = marked.length === 1 ? t("Point {0}", words) : words;
+    const titles = candidate ? [candidate.recommended && t("recommended"),
+                                candidate.papers && t("the paper's rule")] : [];
     readingWhat.textContent = [what !== "–" && what, ...titles].filter(Boolean).join("; ");
     fillList(readingList, rows);
     levelKey.replaceChildren(...(candidate && ranges.T && isWithin("T", candidate.T)
-      ? [swatch(levelStyle(candidate)), `T of ${candidate.words}`] : []));
+      ? [swatch(levelStyle(candidate)), t("T of {0}", candidate.words)] : []));
     root.dataset.reading = state.reading;
     return [words].concat(rows.map((row) => row.join(" "))).join(", ");
   };
@@ -616,14 +620,14 @@
     const candidate = chosen();
     const i = state.run;
     if (!hasRun(i)) {
-      runLine.textContent = "Click into a curve, or press Page Down in it, to read a run.";
+      runLine.textContent = t("Click into a curve, or press Page Down in it, to read a run.");
       return "";
     }
     const parts = [`${quantities.w.words} ${withUnit(significant(runs.w[i], 4), "w")}`,
                    `T ${runs.torque_texts[i]}`];
     if (candidate && candidate.f) parts.push(`Tf (${candidate.words}) ${valueText(candidate.f[i], "f")}`);
-    if (runs.f) parts.push(`reference ${valueText(runs.f[i], "f")}`);
-    if (candidate && candidate.e) parts.push(`error ${significant(candidate.e[i], 3)} %`);
+    if (runs.f) parts.push(t("reference {0}", valueText(runs.f[i], "f")));
+    if (candidate && candidate.e) parts.push(t("error {0} %", significant(candidate.e[i], 3)));
     if (runs.names[i]) parts.unshift(runs.names[i]);
     return (runLine.textContent = parts.join(" · "));
   };
@@ -804,19 +808,19 @@
   };
 
   const zoomControls = () => {
-    const box = toggle("Box zoom", false, (isOn) => {
+    const box = toggle(t("Box zoom"), false, (isOn) => {
       state.box = isOn;
       root.classList.toggle("boxing", isOn);
     });
     // What a drag does must be possible without one, too.
-    const moves = [["←", "Move left", -0.2, 0], ["→", "Move right", 0.2, 0],
-                   ["↑", "Move up", 0, 0.2], ["↓", "Move down", 0, -0.2]];
-    return make("div", { class: "controls", role: "group", "aria-label": "Zoom" },
-      button("+", () => zoom(current, 0.7), { "aria-label": "Zoom in" }),
-      button("−", () => zoom(current, 1 / 0.7), { "aria-label": "Zoom out" }),
+    const moves = [["←",  t("Move left"), -0.2, 0], ["→",  t("Move right"), 0.2, 0],
+                   ["↑",  t("Move up"), 0, 0.2], ["↓",  t("Move down"), 0, -0.2]];
+    return make("div", { class: "controls", role: "group", "aria-label": t("Zoom") },
+      button("+", () => zoom(current, 0.7), { "aria-label": t("Zoom in") }),
+      button("−", () => zoom(current, 1 / 0.7), { "aria-label": t("Zoom out") }),
       ...moves.map(([sign, name, x, y]) =>
         button(sign, () => pan(current, x, y), { "aria-label": name })),
-      box, button("Reset", resetRanges));
+      box, button(t("Reset"), resetRanges));
   };
 
   const readings = () => {
@@ -826,12 +830,12 @@
     for (const candidate of candidates) {
       add(candidate.name, candidate.name.length < 3 ? candidate.name : candidate.words);
     }
-    if (data.midline) add("midline", "mid-line");
+    if (data.midline) add("midline", t("mid-line"));
     return names;
   };
   const readingControls = () => {
     const set = make("fieldset", { class: "readings" },
-      make("legend", {}, "Reading, and candidate for the surrogate mass"));
+      make("legend", {},  t("Reading, and candidate for the surrogate mass")));
     for (const [name, words] of readings()) {
       const radio = make("input", { type: "radio", name: "review-reading", value: name,
                                     id: "review-reading-" + name });
@@ -844,35 +848,35 @@
   const loopControls = () => {
     const line = make("div", { class: "keys" });
     loops.forEach((loop, k) => {
-      const words = loops.length > 1 ? `${k + 1}: ${loop.name || "loop"}` +
-        (loop.amplitude ? `, ± ${loop.amplitude}` : "") : "measured";
+      const words = loops.length > 1 ? `${k + 1}: ${loop.name || t("loop")}` +
+        (loop.amplitude ? `, ± ${loop.amplitude}` : "") : t("measured");
       line.append(loops.length === 1 ? key(loop.style, words) : check(words, state.shown[k], (isOn) => {
         state.shown[k] = isOn;
         redraw((plot) => plot.isLoop);
       }, swatch(loop.style)));
     });
     if (loops.some((loop) => loop.fit)) {
-      line.append(check("LuGre fit", true, (isOn) => {
+      line.append(check(t("LuGre fit"), true, (isOn) => {
         state.fit = isOn;
         redraw((plot) => plot.isLoop);
       }, swatch(data.fit_style)));
     }
-    if (loops.some((loop) => loop.midline)) line.append(key(midlineStyle, "mid-line"));
-    if (loops.some((loop) => isWithin("q", loop.q_peak))) line.append(key(peakStyle, "gravity peak"));
+    if (loops.some((loop) => loop.midline)) line.append(key(midlineStyle, t("mid-line")));
+    if (loops.some((loop) => isWithin("q", loop.q_peak))) line.append(key(peakStyle, t("gravity peak")));
     if (candidates.length) line.append(levelKey);
     if (loops.length < 2) return line;
     const select = make("select", { id: "review-loop" });
     loops.forEach((loop, k) =>
-      select.append(make("option", { value: k }, `${k + 1}: ${loop.name || "loop"}`)));
+      select.append(make("option", { value: k }, `${k + 1}: ${loop.name || t("loop")}`)));
     select.addEventListener("change", () => {
       state.loop = Number(select.value);
       state.shown[state.loop] = true;
       line.querySelectorAll("input")[state.loop].checked = true;
       setSample(state.sample);
       redraw((plot) => plot.isLoop);
-      say(`Loop ${state.loop + 1} is read.`);
+      say(t("Loop {0} is read.", state.loop + 1));
     });
-    line.append(make("label", { class: "key", for: "review-loop" }, "Read and scrub"), select);
+    line.append(make("label", { class: "key", for: "review-loop" },  t("Read and scrub")), select);
     return line;
   };
 
@@ -882,7 +886,7 @@
     let last = 0;
     let time = 0;
     const show = () => {
-      element.textContent = isPlaying ? "Pause" : "Play";
+      element.textContent = isPlaying ? t("Pause") : t("Play");
       element.hidden = calm.matches;
     };
     const advance = (now) => {
@@ -897,7 +901,7 @@
       show();
       requestAnimationFrame(advance);
     };
-    const element = button("Play", () => {
+    const element = button(t("Play"), () => {
       isPlaying = !isPlaying;
       const { t } = loops[state.loop];
       time = state.sample === t.length - 1 ? 0 : t[state.sample];
@@ -927,11 +931,11 @@
     if (ranges.dz) left.append(addPlot("q", "dz", true, paintLoops));
     right.append(addPlot("t", "T", true, paintLoops), addPlot("t", "q", true, paintLoops));
     right.append(make("div", { class: "beside" }, make("div", { class: "numbers" },
-      make("div", {}, make("h4", {}, "At the instant"), instantOf, instant),
+      make("div", {}, make("h4", {},  t("At the instant")), instantOf, instant),
       make("div", {}, readingTitle, readingWhat, readingList))));
     slider.addEventListener("input", () => setSample(Number(slider.value)));
     root.append(loopControls(), make("div", { class: "columns" }, left, right),
-      make("div", { class: "scrub" }, make("label", { for: "review-slider" }, "Instant"), slider,
+      make("div", { class: "scrub" }, make("label", { for: "review-slider" }, t("Instant")), slider,
         playControl(), sliderText));
   };
   const buildCandidates = () => {
@@ -940,14 +944,14 @@
     const hasErrors = candidates.some((one) => one.e);
     if (hasErrors) addRange("e", candidates.map((one) => one.e), 0);
     const line = make("div", { class: "keys" });
-    if (runs.f) line.append(key(runs.style, "reference: " + (runs.reference || "")));
+    if (runs.f) line.append(key(runs.style, t("reference: {0}", runs.reference || "")));
     if (candidates.length > 1) {
-      line.append(check("other candidates", true, (isOn) => {
+      line.append(check(t("other candidates"), true, (isOn) => {
         state.others = isOn;
         redraw((plot) => !plot.isLoop);
       }, swatch({ colour: pale, line: "solid" })));
     }
-    line.append(toggle("Close-up of the chosen one", false, (isOn) => {
+    line.append(toggle(t("Close-up of the chosen one"), false, (isOn) => {
       state.closeUp = isOn;
       showCloseUp();
     }));
@@ -962,10 +966,12 @@
 
   const hasCurves = runs && candidates.some((one) => one.f);
   root.append(make("p", { id: "review-help", class: "help" },
-    "Drag to move, Shift and drag for a box, click to read. The wheel and two fingers zoom the plot " +
-    "that was clicked last. Keys in a plot: arrows move, + and − zoom, 0 shows all, Page Up and " +
-    "Page Down step, A to F and M choose a reading. Plots that share a quantity move together; a " +
-    "part of the time leaves the rest of the loops pale."));
+    t("Drag to move, Shift and drag for a box, click to read.") + " " +
+    t("The wheel and two fingers zoom the plot that was clicked last.") + " " +
+    t("Keys in a plot: arrows move, + and − zoom, 0 shows all, Page Up and Page Down step.") + " " +
+    t("A to F and M choose a reading.") + " " +
+    t("Plots that share a quantity move together.") + " " +
+    t("A part of the time leaves the rest of the loops pale.")));
   root.append(make("div", { class: "top" }, zoomControls(), readingControls()));
   if (loops.length) buildLoops();
   if (hasCurves) buildCandidates();

@@ -8,6 +8,7 @@
 #include "cli/archive/archive_commands.h"
 #include "cli/commands.h"
 #include "cli/figures_options.h"
+#include "cli/language_option.h"
 
 namespace tribolog {
 namespace {
@@ -298,6 +299,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_figures(*figures_command, figures);
   add_truth_runs(*figures_command, figures.truth_runs);
   add_processes(*figures_command, figures.processes);
+  add_language(*figures_command, figures.language);
 
   ReportOptions report;
   CLI::App* report_command =
@@ -313,6 +315,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   add_intervals(*report_command, report.intervals);
   add_archiving(*report_command, report.archiving);
   add_processes(*report_command, report.processes);
+  add_language(*report_command, report.language);
   report_command->footer(
       std::string("\nThe numbers are written first, then the figures are drawn, then the report\n"
                   "replaces an older one in one step.\n") +

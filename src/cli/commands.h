@@ -11,6 +11,7 @@
 #include "cli/archiving.h"
 #include "cli/console.h"
 #include "error.h"
+#include "language/language.h"
 
 namespace tribolog {
 
@@ -42,6 +43,7 @@ struct FiguresOptions {
   std::string directory;
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureStyleChoice style{FigureStyleChoice::report};
+  Language language{Language::english};
   std::size_t truth_runs{20};
   int processes{2};
 };
@@ -55,6 +57,7 @@ struct ReportOptions {
   IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};
+  Language language{Language::english};
   ArchivingOptions archiving;
 };
 

@@ -10,11 +10,11 @@
 namespace tribolog {
 std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
                         const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
-                        const std::optional<history::Comparison>& since_last) {
+                        const std::optional<history::Comparison>& since_last, Language language) {
   using namespace report;
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
   TemplateValues values;
-  const std::string loops = review_json(calibration);
+  const std::string loops = review_json(calibration, language);
   fill_report(view, !loops.empty(), values);
   if (loops.empty()) {
     fill_style(values);
@@ -23,7 +23,7 @@ std::string html_report(const Calibration& calibration, const std::vector<Report
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
   }
   values.set_checked_by_modifier("RESULT_JSON", calibration_json(calibration, provenance));
-  return expand_template("report.tpl", values);
+  return expand_template("report.tpl", values, language);
 }
 
 DrawingSoftware drawing_software(const render::RendererInfo& info) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "archive/history/comparison.h"
+#include "language/language.h"
 #include "provenance.h"
 
 #include "calibration.h"
@@ -24,9 +25,11 @@ namespace tribolog {
 /// Figures and drawn pictures pair up by id. A figure that could not be drawn gets a placeholder
 /// with the reason, and the banner says how many are missing.
 /// @param since_last from the joint's calibration before to this one.
+/// @param language of the page and the viewer; the embedded result is the same in every language.
 std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
                         const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
-                        const std::optional<history::Comparison>& since_last = std::nullopt);
+                        const std::optional<history::Comparison>& since_last = std::nullopt,
+                        Language language = Language::english);
 
 /// The graphics stack as the provenance keeps it.
 DrawingSoftware drawing_software(const render::RendererInfo& info);

@@ -1,6 +1,8 @@
 #include "report/page_texts.h"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 #include <string_view>
 
 #include "report/embedded_files.h"
@@ -40,6 +42,20 @@ const std::string& own_style(PageKind kind) {
 const std::string& own_script() {
   static const std::string script = without_indentation(embedded_file("review.js"));
   return script;
+}
+
+std::vector<std::string> script_messages() {
+  constexpr std::string_view call = "t(\"";
+  const std::string_view script = own_script();
+  std::set<std::string> messages;
+  for (std::size_t at = script.find(call); at != std::string_view::npos;
+       at = script.find(call, at + call.size())) {
+    const char before = at == 0 ? ' ' : script[at - 1];
+    if (std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '.') continue;
+    const std::string_view text = script.substr(at + call.size());
+    messages.emplace(text.substr(0, text.find('"')));
+  }
+  return {messages.begin(), messages.end()};
 }
 
 }  // namespace tribolog::report

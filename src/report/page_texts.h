@@ -2,6 +2,7 @@
 // Style and script as they stand in a page.
 
 #include <string>
+#include <vector>
 
 namespace tribolog::report {
 
@@ -13,5 +14,8 @@ const std::string& own_style(PageKind kind);
 
 /// The script of the loop viewer without its indentation and its lines of comment.
 const std::string& own_script();
+
+/// What the script says by itself: the texts of its calls t("...").
+std::vector<std::string> script_messages();
 
 }  // namespace tribolog::report

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "error.h"
 #include "report/element_values.h"
 #include "report/template_engine.h"
@@ -27,9 +29,19 @@ std::string readable(const std::string& utc) {
 
 void fill(const SignOff& decision, TemplateValues& values) {
   values.set("DECISION", decision.is_approved ? "Approved" : "Rejected");
-  values.set("REVIEWER", report::or_dash(decision.reviewer));
+  values.set_name("REVIEWER", report::or_dash(decision.reviewer));
   values.set("AT", readable(decision.at_utc));
   report::fill_lines(decision.note, "NOTE", "LINE", values);
+}
+
+/// As the page states it.
+Language language_of(const std::string& page) {
+  for (const Language language : languages()) {
+    if (page.find(fmt::format("<html lang=\"{}\">", code_of(language))) != std::string::npos) {
+      return language;
+    }
+  }
+  return Language::english;
 }
 
 }  // namespace
@@ -57,7 +69,7 @@ std::string with_sign_off(const std::string& report, const std::string& id,
     }
   }
   std::string block(opening);
-  block += report::expand_template("sign_off.tpl", values);
+  block += report::expand_template("sign_off.tpl", values, language_of(page));
   block += closing;
   return page.insert(at + content.size(), block);
 }

@@ -1,6 +1,9 @@
 #include "report/template_engine.h"
 
 #include <cstddef>
+#include <deque>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +13,7 @@
 #include <ctemplate/template_dictionary.h>
 
 #include "report/embedded_files.h"
+#include "report/template_language.h"
 #include "report/template_modifiers.h"
 #include "report/visible_text.h"
 
@@ -22,27 +26,44 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-std::unique_ptr<ctemplate::TemplateCache> make_cache() {
+/// The templates in one language.
+struct Templates {
+  ctemplate::TemplateCache cache;
+  /// By file, the variables that stand inside a tag and are not read there: classes, anchors.
+  std::map<std::string, std::set<std::string, std::less<>>, std::less<>> words_for_machines;
+};
+
+std::unique_ptr<Templates> load_templates(Language language) {
   register_template_modifiers();
-  auto cache = std::make_unique<ctemplate::TemplateCache>();
+  auto templates = std::make_unique<Templates>();
+  const Catalogue* const catalogue = catalogue_of(language);
+  const TranslateMessage translate = [catalogue](const std::string& message) {
+    return catalogue == nullptr ? std::string() : catalogue->find_in_templates(message);
+  };
   for (const EmbeddedFile& file : embedded_files()) {
     if (!ends_with(file.name, ".tpl")) continue;
     const std::string name(file.name);
     if (file.text.rfind(pragma, 0) != 0) {
       throw std::logic_error("template " + name + " does not begin with the AUTOESCAPE pragma");
     }
-    if (!cache->StringToTemplateCache(name, file.text.data(), file.text.size(),
-                                      ctemplate::STRIP_BLANK_LINES)) {
+    templates->words_for_machines[name] = variables_inside_tags(file.text);
+    const std::string text = template_in_language(file.text, translate);
+    if (!templates->cache.StringToTemplateCache(name, text.data(), text.size(),
+                                                ctemplate::STRIP_BLANK_LINES)) {
       throw std::logic_error("template " + name + " cannot be parsed");
     }
   }
-  cache->Freeze();
-  return cache;
+  templates->cache.Freeze();
+  return templates;
 }
 
-const ctemplate::TemplateCache& template_cache() {
-  static const std::unique_ptr<ctemplate::TemplateCache> cache = make_cache();
-  return *cache;
+const Templates& templates_in(Language language) {
+  static std::map<Language, std::unique_ptr<Templates>> loaded;
+  static std::mutex loading;
+  const std::lock_guard<std::mutex> lock(loading);
+  std::unique_ptr<Templates>& templates = loaded[language];
+  if (!templates) templates = load_templates(language);
+  return *templates;
 }
 
 /// Prints nothing; notes the variables that print nothing, and files that are not there.
@@ -78,8 +99,16 @@ class UnsetVariables : public ctemplate::TemplateAnnotator {
 
 class DictionaryFiller {
  public:
-  static void fill(const TemplateValues& values, ctemplate::TemplateDictionary& dictionary) {
-    for (const auto& [variable, text] : values.texts_) {
+  DictionaryFiller(const Templates& templates, Language language)
+      : templates_(templates), catalogue_(catalogue_of(language)) {}
+
+  /// @param file whose values these are.
+  void fill(const TemplateValues& values, const std::string& file,
+            ctemplate::TemplateDictionary& dictionary) {
+    const auto& for_machines = templates_.words_for_machines.at(file);
+    for (const auto& [variable, value] : values.texts_) {
+      const bool is_translated = value.is_translated && !for_machines.contains(variable);
+      const std::string& text = is_translated ? translated(value.text) : value.text;
       dictionary.SetValueWithoutCopy(variable, ctemplate::TemplateString(text.data(), text.size()));
     }
     for (const TemplateValues::Child& child : values.children_) {
@@ -90,18 +119,32 @@ class DictionaryFiller {
         inner = dictionary.AddIncludeDictionary(child.name);
         inner->SetFilename(child.file);
       }
-      fill(*child.values, *inner);
+      fill(*child.values, child.file.empty() ? file : child.file, *inner);
     }
   }
+
+ private:
+  const std::string& translated(const std::string& text) {
+    return catalogue_ == nullptr ? text : kept_.emplace_back(catalogue_->translate(text));
+  }
+
+  const Templates& templates_;
+  const Catalogue* catalogue_;
+  std::deque<std::string> kept_;  ///< The dictionary holds no copies.
 };
 
 void TemplateValues::set(const std::string& variable, const std::string& text) {
   if (text.empty()) throw std::logic_error("template variable " + variable + " is empty");
-  texts_[variable] = visible_text(text);
+  texts_[variable] = {visible_text(text), true};
+}
+
+void TemplateValues::set_name(const std::string& variable, const std::string& text) {
+  set(variable, text);
+  texts_[variable].is_translated = false;
 }
 
 void TemplateValues::set_checked_by_modifier(const std::string& variable, std::string text) {
-  texts_[variable] = std::move(text);
+  texts_[variable] = {std::move(text), false};
 }
 
 void TemplateValues::set_optional(const std::string& variable, const std::string& text) {
@@ -118,16 +161,20 @@ TemplateValues& TemplateValues::add_include(const std::string& marker, const std
   return *children_.back().values;
 }
 
-std::string expand_template(const std::string& file, const TemplateValues& values) {
+std::string expand_template(const std::string& file, const TemplateValues& values,
+                            Language language) {
+  const Templates& templates = templates_in(language);
   ctemplate::TemplateDictionary dictionary("report");
-  DictionaryFiller::fill(values, dictionary);
+  dictionary.SetGlobalValue("LANGUAGE", code_of(language));
+  DictionaryFiller filler(templates, language);
+  filler.fill(values, file, dictionary);
   std::string output;
   UnsetVariables unset(output);
   ctemplate::PerExpandData data;
   data.SetAnnotateOutput("");
   data.SetAnnotator(&unset);
-  if (!template_cache().ExpandNoLoad(file, ctemplate::STRIP_BLANK_LINES, &dictionary, &data,
-                                     &output)) {
+  if (!templates.cache.ExpandNoLoad(file, ctemplate::STRIP_BLANK_LINES, &dictionary, &data,
+                                    &output)) {
     throw std::logic_error("template " + file + " cannot be expanded;" + unset.found);
   }
   if (!unset.found.empty()) throw std::logic_error("template variables not set:" + unset.found);

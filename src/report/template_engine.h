@@ -10,14 +10,19 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
+
 namespace tribolog::report {
 
 /// Values for one template or one section of it. What is not shown is not printed.
 class TemplateValues {
  public:
   /// A text that may come from anywhere. Must not be empty: what may be absent stands in a
-  /// section. @throw std::logic_error naming the variable if it is.
+  /// section. Translated on expansion where it is shown, not where it stands inside a tag.
+  /// @throw std::logic_error naming the variable if it is empty.
   void set(const std::string& variable, const std::string& text);
+  /// A name that somebody gave: the same in every language. @throw as set()
+  void set_name(const std::string& variable, const std::string& text);
   /// A text that the template prints through a modifier of ours (PNG, JSON, CSS): it is kept
   /// byte by byte, and the modifier checks it.
   void set_checked_by_modifier(const std::string& variable, std::string text);
@@ -29,19 +34,23 @@ class TemplateValues {
   void set_optional(const std::string& variable, const std::string& text);
 
  private:
-  friend std::string expand_template(const std::string& file, const TemplateValues& values);
   friend class DictionaryFiller;
   struct Child {
     std::string name;
     std::string file;  ///< Empty: a section.
     std::unique_ptr<TemplateValues> values;
   };
-  std::map<std::string, std::string> texts_;
+  struct Text {
+    std::string text;
+    bool is_translated{};
+  };
+  std::map<std::string, Text> texts_;
   std::vector<Child> children_;
 };
 
-/// Expands an embedded template.
+/// Expands an embedded template in a language.
 /// @throw std::logic_error if a template cannot be loaded, or a variable was left unset.
-std::string expand_template(const std::string& file, const TemplateValues& values);
+std::string expand_template(const std::string& file, const TemplateValues& values,
+                            Language language = Language::english);
 
 }  // namespace tribolog::report

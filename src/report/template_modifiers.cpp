@@ -137,11 +137,14 @@ void append_escaped(std::string& html, char c) {
 }  // namespace
 
 std::string html_with_symbols(std::string_view text) {
-  constexpr std::string_view quote = "“";  // behind it stands a name, as of a log's column
+  // Behind the quotes of English and of Polish stands a name, as of a log's column.
+  const auto stands_quoted = [text](std::size_t at) {
+    const std::string_view before = text.substr(0, at);
+    return before.ends_with("“") || before.ends_with("„");
+  };
   std::string html;
   for (std::size_t i = 0; i < text.size();) {
-    const bool word_starts =
-        i == 0 || (!joins_words(text[i - 1]) && !text.substr(0, i).ends_with(quote));
+    const bool word_starts = i == 0 || (!joins_words(text[i - 1]) && !stands_quoted(i));
     const std::size_t symbol = word_starts ? symbol_bytes(text.substr(i)) : 0;
     const std::size_t index = symbol > 0 ? index_bytes(text.substr(i + symbol)) : 0;
     if (index == 0) {

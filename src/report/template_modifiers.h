@@ -23,8 +23,8 @@ void register_template_modifiers();
 /// JSON as it may stand inside a script element.
 std::string json_for_script(const std::string& json);
 
-/// Escaped for HTML, with symbols of one letter and an index set as such. Directly behind “ stands
-/// a name, which stays as it is.
+/// Escaped for HTML, with symbols of one letter and an index set as such. Directly behind “ or „
+/// stands a name, which stays as it is.
 std::string html_with_symbols(std::string_view text);
 
 }  // namespace tribolog::report

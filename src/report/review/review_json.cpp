@@ -3,11 +3,44 @@
 #include <algorithm>
 
 #include "figures/estimator_style.h"
+#include "report/page_texts.h"
 #include "report/review/review_parts.h"
 
 namespace tribolog::report {
 
-std::string review_json(const Calibration& c) {
+namespace {
+
+/// What the script looks things up by, and names that the user gave.
+bool is_read_aloud(const std::string& key) {
+  return key != "name" && key != "names" && key != "schema" && key != "style" && key != "fit_style";
+}
+
+void translate_texts(review::Json& value, const Catalogue& catalogue) {
+  if (value.is_string()) {
+    value = catalogue.translate(value.get<std::string>());
+  } else if (value.is_object()) {
+    for (auto& [key, part] : value.items()) {
+      if (is_read_aloud(key)) translate_texts(part, catalogue);
+    }
+  } else if (value.is_array()) {
+    for (review::Json& part : value) translate_texts(part, catalogue);
+  }
+}
+
+/// What the script says by itself.
+review::Json script_texts(const Catalogue& catalogue) {
+  review::Json says = review::Json::object();
+  for (const std::string& message : script_messages()) {
+    std::string text = catalogue.find_in_templates(message);
+    if (text.empty()) text = catalogue.find(message);
+    if (!text.empty()) says[message] = text;
+  }
+  return says;
+}
+
+}  // namespace
+
+std::string review_json(const Calibration& c, Language language) {
   using namespace review;
   const HysteresisResult& h = c.hysteresis;
   const LoopScales scales = loop_scales(h);
@@ -31,6 +64,10 @@ std::string review_json(const Calibration& c) {
   all["loops"] = std::move(drawn);
   all["runs"] = has_curves ? runs(c) : Json(nullptr);
   all["candidates"] = candidates(c, scales.torque);
+  if (const Catalogue* const catalogue = catalogue_of(language); catalogue != nullptr) {
+    translate_texts(all, *catalogue);
+    all["says"] = script_texts(*catalogue);
+  }
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -21,6 +21,7 @@
 #include <string>
 
 #include "calibration.h"
+#include "language/language.h"
 
 namespace tribolog::report {
 
@@ -28,6 +29,7 @@ namespace tribolog::report {
 inline constexpr std::size_t most_loop_samples = 2000;
 
 /// Empty if there is neither a loop nor a candidate's curve.
-std::string review_json(const Calibration& calibration);
+/// @param language of every text in it, and of what the viewer says itself (`says`).
+std::string review_json(const Calibration& calibration, Language language = Language::english);
 
 }  // namespace tribolog::report

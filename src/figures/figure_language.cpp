@@ -1,0 +1,72 @@
+#include "figures/figure_language.h"
+
+namespace tribolog {
+namespace {
+
+class DrawnTexts {
+ public:
+  explicit DrawnTexts(const Catalogue& catalogue) : catalogue_(catalogue) {}
+
+  void translate(render::Figure& figure) const {
+    change(figure.title);
+    for (render::Panel& panel : figure.panels) translate(panel);
+    if (figure.diagram) translate(*figure.diagram);
+    if (figure.scene) translate(*figure.scene);
+  }
+
+ private:
+  void change(std::string& text) const {
+    if (!text.empty()) text = catalogue_.translate(text);
+  }
+
+  void translate(render::Panel& panel) const {
+    change(panel.title);
+    change(panel.x.title);
+    change(panel.y.title);
+    for (render::Band& band : panel.bands) change(band.label);
+    for (render::Series& series : panel.series) change(series.label);
+    for (render::PointLabel& label : panel.point_labels) change(label.text);
+    for (render::ReferenceLine& line : panel.reference_lines) change(line.text);
+  }
+
+  void translate(render::Diagram& diagram) const {
+    for (render::Block& block : diagram.blocks) {
+      for (std::string& line : block.lines) change(line);
+    }
+    for (render::Wire& wire : diagram.wires) {
+      if (wire.label) change(wire.label->text);
+    }
+    for (render::Dimension& dimension : diagram.dimensions) change(dimension.text);
+    for (render::DiagramText& text : diagram.texts) change(text.text);
+  }
+
+  template <typename Parts>
+  void change_labels(Parts& parts) const {
+    for (auto& part : parts) change(part.label);
+  }
+
+  void translate(render::Scene& scene) const {
+    change_labels(scene.bodies);
+    change_labels(scene.drums);
+    change_labels(scene.arrows);
+    change_labels(scene.balls);
+    change_labels(scene.sectors);
+    change_labels(scene.dimensions);
+    change_labels(scene.lines);
+    for (render::SceneText& text : scene.texts) change(text.text);
+  }
+
+  const Catalogue& catalogue_;
+};
+
+}  // namespace
+
+std::vector<ReportFigure> drawn_in_language(std::vector<ReportFigure> figures, Language language) {
+  const Catalogue* const catalogue = catalogue_of(language);
+  if (catalogue == nullptr) return figures;
+  const DrawnTexts texts(*catalogue);
+  for (ReportFigure& figure : figures) texts.translate(figure.figure);
+  return figures;
+}
+
+}  // namespace tribolog
