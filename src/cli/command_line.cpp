@@ -202,6 +202,7 @@ void add_study(CLI::App& command, StudyCommandOptions& study) {
       ->check(CLI::Range(std::size_t{0}, most))
       ->capture_default_str();
   add_processes(command, study.processes);
+  add_language(command, study.language);
   command.footer(
       "\nSimulates the scenario again and again with noise of its own in each run, identifies "
       "each,\n"
@@ -229,6 +230,7 @@ void add_plan(CLI::App& command, PlanCommandOptions& plan) {
       ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
       ->capture_default_str();
   add_processes(command, plan.processes);
+  add_language(command, plan.language);
   command.footer(
       "\nFrom the joint's limits of angle, speed, acceleration and torque, and what is known of\n"
       "gravity, friction, encoder and ripple: the sweeps, oscillations, runs and ramps to carry\n"
@@ -337,12 +339,14 @@ ExitStatus run_command_line(int argc, char** argv) {
   models_command->add_flag("--compare", compare, "draw all of them side by side");
   models_command->add_option("-o,--output", models.output, "page (HTML) to write, with --compare");
   add_processes(*models_command, models.processes);
+  add_language(*models_command, models.language);
 
   CLI::App* paper_command =
       app.add_subcommand("paper", "regenerate the paper, and check it against its print");
   PaperOptions paper;
   paper_command->add_option("-o,--output", paper.output, "page (HTML) to write")->required();
   add_processes(*paper_command, paper.processes);
+  add_language(*paper_command, paper.language);
   paper_command->footer(
       "\nSimulates the paper's joint, identifies it, draws all figures, and holds every figure,\n"
       "table and equation against what is printed. Status 1 if a check does not hold.");

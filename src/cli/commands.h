@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "inspect/manifest_proposal.h"
+#include "language/language.h"
 
 #include "calibration.h"
 #include "cli/archiving.h"
 #include "cli/console.h"
 #include "error.h"
-#include "language/language.h"
 
 namespace tribolog {
 
@@ -69,6 +69,7 @@ struct ShowOptions {
 struct ModelsOptions {
   std::string output;  ///< The comparison (HTML); empty: only the list on the console.
   int processes{2};
+  Language language{Language::english};
 };
 
 struct PlanCommandOptions {
@@ -79,11 +80,13 @@ struct PlanCommandOptions {
   unsigned long long seed{1};
   std::size_t threads{0};  ///< 0: all cores.
   int processes{2};
+  Language language{Language::english};
 };
 
 struct PaperOptions {
   std::string output;  ///< The page (HTML).
   int processes{2};
+  Language language{Language::english};
 };
 
 struct StudyCommandOptions {
@@ -96,6 +99,7 @@ struct StudyCommandOptions {
   std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   int processes{2};
+  Language language{Language::english};
 };
 
 /// What inspect and init are told of the logs.

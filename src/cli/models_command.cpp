@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/drawing.h"
+#include "figures/figure_language.h"
 #include "figures/model_figures.h"
 #include "files/atomic_file.h"
 #include "friction/catalogue.h"
@@ -92,9 +93,11 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   for (const ModelExperiment& one : experiments) {
     figures.insert(figures.end(), one.figures.begin(), one.figures.end());
   }
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
+  const std::vector<render::DrawnFigure> drawn =
+      draw(renderer, drawn_in_language(figures, options.language), console);
   provenance.drawing = software_that_drew(drawn);
-  write_file_atomically(options.output, models_page(contact, experiments, drawn, provenance));
+  write_file_atomically(options.output,
+                        models_page(contact, experiments, drawn, provenance, options.language));
   console.say("comparison: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }

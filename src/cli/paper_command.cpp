@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
+#include "figures/figure_language.h"
 #include "files/atomic_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
@@ -48,7 +49,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   console.progress("simulating and identifying the paper's joint", 0, 1);
   const paper::PapersJoint joint(parse_scenario(paper.sources[0].text, paper.sources[0].name),
                                  parse_robot(paper.sources[1].text, paper.sources[1].name));
-  paper.figures = paper::paper_figures(joint);
+  paper.figures = drawn_in_language(paper::paper_figures(joint), options.language);
   console.progress("checking it", 0, 1);
   paper.sections = paper::paper_items(joint, paper.figures);
   paper.golden_numbers = paper::golden_numbers(joint);
@@ -56,7 +57,8 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   const std::vector<render::DrawnFigure> drawn = draw(renderer, paper.figures, console);
   paper.provenance.drawing = software_that_drew(drawn);
   const std::vector<PaperTally> tallies = tally_of(paper, drawn);
-  write_file_atomically(options.output, paper_page(paper, joint.calibration, drawn));
+  write_file_atomically(options.output,
+                        paper_page(paper, joint.calibration, drawn, options.language));
   tell_outcome(paper, tallies, console);
   console.say("paper: " + options.output);
   if (tell_failures(drawn, console) > 0) return ExitStatus::figure_failed;

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
+#include "figures/figure_language.h"
 #include "figures/study_figures.h"
 #include "files/atomic_file.h"
 #include "files/file_contents.h"
@@ -67,10 +68,11 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   }
   // The numbers first: a figure that fails must not lose them.
   if (!options.json.empty()) write_file_atomically(options.json, study_json(report));
-  const std::vector<ReportFigure> figures = study_figures(report.study);
+  const std::vector<ReportFigure> figures =
+      drawn_in_language(study_figures(report.study), options.language);
   const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
   report.provenance.drawing = software_that_drew(drawn);
-  write_file_atomically(options.output, study_page(report, figures, drawn));
+  write_file_atomically(options.output, study_page(report, figures, drawn, options.language));
   console.say(study_sentence(report.study));
   if (!options.json.empty()) console.say("numbers: " + options.json);
   console.say("study: " + options.output);

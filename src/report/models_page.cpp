@@ -49,8 +49,8 @@ std::vector<Fact> contact_facts(const ContactParameters& c) {
 
 std::string models_page(const ContactParameters& contact,
                         const std::vector<ModelExperiment>& experiments,
-                        const std::vector<render::DrawnFigure>& drawn,
-                        const Provenance& provenance) {
+                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
+                        Language language) {
   TemplateValues values;
   fill_head(provenance, values);
   fill_facts(contact_facts(contact), values);
@@ -67,7 +67,7 @@ std::string models_page(const ContactParameters& contact,
       fill_figure(card, section);
     }
   }
-  return expand_template("models.tpl", values);
+  return expand_template("models.tpl", values, language);
 }
 
 }  // namespace tribolog

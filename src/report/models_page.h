@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
 #include "provenance.h"
 
 #include "figures/model_figures.h"
@@ -15,7 +16,7 @@ namespace tribolog {
 /// pictures pair up by id; one that is missing or failed leaves a placeholder with the reason.
 std::string models_page(const ContactParameters& contact,
                         const std::vector<ModelExperiment>& experiments,
-                        const std::vector<render::DrawnFigure>& drawn,
-                        const Provenance& provenance);
+                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
+                        Language language = Language::english);
 
 }  // namespace tribolog

@@ -78,7 +78,7 @@ void fill_selection(const Calibration& calibration, TemplateValues& section) {
 }  // namespace
 
 std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
-                       const std::vector<render::DrawnFigure>& drawn) {
+                       const std::vector<render::DrawnFigure>& drawn, Language language) {
   TemplateValues values;
   fill_head(paper.provenance, values);
   fill_outcome_of(paper, drawn, values);
@@ -108,7 +108,7 @@ std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibra
   fill_provenance(paper.provenance.command_line, or_dash(paper.provenance.created_utc), {},
                   provenance_tables(calibration, paper.provenance), values);
   values.set_checked_by_modifier("RESULT_JSON", paper_json(paper));
-  return expand_template("paper.tpl", values);
+  return expand_template("paper.tpl", values, language);
 }
 
 }  // namespace tribolog

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
 #include "provenance.h"
 
 #include "calibration.h"
@@ -44,6 +45,7 @@ std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 /// @param calibration of the paper's joint: the tables of section 3.4.
 std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
-                       const std::vector<render::DrawnFigure>& drawn);
+                       const std::vector<render::DrawnFigure>& drawn,
+                       Language language = Language::english);
 
 }  // namespace tribolog

@@ -175,7 +175,7 @@ void fill_verdict(const ExperimentPlan& plan, TemplateValues& values) {
 }  // namespace
 
 std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>& figures,
-                      const std::vector<render::DrawnFigure>& drawn) {
+                      const std::vector<render::DrawnFigure>& drawn, Language language) {
   const ExperimentPlan& plan = report.plan;
   TemplateValues values;
   fill_head(report.provenance, values);
@@ -201,7 +201,7 @@ std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>&
   fill_table(assumptions_table(plan.joint), "ASSUMPTIONS", values);
   values.set_checked_by_modifier("RESULT_JSON",
                                  plan_json(plan, report.expected, report.provenance));
-  return expand_template("plan.tpl", values);
+  return expand_template("plan.tpl", values, language);
 }
 
 }  // namespace tribolog

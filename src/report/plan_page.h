@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
 #include "plan/expected_intervals.h"
 #include "plan/experiment_plan.h"
 #include "provenance.h"
@@ -24,6 +25,7 @@ struct PlanReport {
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>& figures,
-                      const std::vector<render::DrawnFigure>& drawn);
+                      const std::vector<render::DrawnFigure>& drawn,
+                      Language language = Language::english);
 
 }  // namespace tribolog

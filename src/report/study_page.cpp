@@ -211,7 +211,7 @@ std::vector<Fact> base_facts(const StudyReport& report) {
 }  // namespace
 
 std::string study_page(const StudyReport& report, const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn) {
+                       const std::vector<render::DrawnFigure>& drawn, Language language) {
   const StudyResult& study = report.study;
   TemplateValues values;
   fill_head(report.provenance, values);
@@ -237,7 +237,7 @@ std::string study_page(const StudyReport& report, const std::vector<ReportFigure
     for (const Table& table : tables_of(study, factor)) fill_table(table, "TABLE", section);
   }
   values.set_checked_by_modifier("RESULT_JSON", study_json(report));
-  return expand_template("study.tpl", values);
+  return expand_template("study.tpl", values, language);
 }
 
 }  // namespace tribolog

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
 #include "provenance.h"
 
 #include "figures/report_figure.h"
@@ -23,7 +24,8 @@ struct StudyReport {
 /// UTF-8 HTML without script or link to the outside, in the style of the report. Figures and drawn
 /// pictures pair up by id.
 std::string study_page(const StudyReport& report, const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn);
+                       const std::vector<render::DrawnFigure>& drawn,
+                       Language language = Language::english);
 
 /// All numbers of the study, schema "tribolog-study-1". The same study gives the same bytes.
 std::string study_json(const StudyReport& report);

@@ -65,13 +65,17 @@ LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
   out.relative_error = climb.around.standard_error_along(r.gradient) / size;
   out.effect_Nm = reader.effect_Nm(r);
   const double smallest = smallest_effect * climb.height_Nm;
-  if (relative<widest_shown&& * out.effect_Nm> smallest) {
-    out.estimate = estimate_of(r, half);
-  } else if (!(*out.effect_Nm > smallest)) {
+  const bool is_bounded = std::isfinite(half) && std::isfinite(*out.effect_Nm);
+  const bool has_effect = *out.effect_Nm > smallest;
+  if (!is_bounded) {
+    out.why_not = "these loops would look the same with any value of it";
+  } else if (!has_effect) {
     out.why_not = fmt::format(
         "what it alone can explain is {:.2g} N·m (rms), below {:.2g} N·m, {:g} of the loop's "
         "height",
         *out.effect_Nm, smallest, smallest_effect);
+  } else if (relative < widest_shown) {
+    out.estimate = estimate_of(r, half);
   } else {
     const Estimate wide = estimate_of(r, half);
     out.why_not = fmt::format("its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value",

@@ -137,7 +137,7 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
 }
 
 std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
-                       const Provenance& provenance) {
+                       const Provenance& provenance, Language language) {
   TemplateValues values;
   report::fill_head(provenance, values, report::PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);
@@ -151,7 +151,7 @@ std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::s
   for (const FleetRobot& robot : fleet.robots) {
     fill_robot(robot, fleet, links, values.add_section("ROBOT_SECTION"));
   }
-  return report::expand_template("fleet.tpl", values);
+  return report::expand_template("fleet.tpl", values, language);
 }
 
 }  // namespace tribolog::archive

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "archive/fleet/fleet.h"
+#include "language/language.h"
 #include "provenance.h"
 
 namespace tribolog::archive {
@@ -23,6 +24,6 @@ inline constexpr std::size_t most_cards = 120;
 
 /// @param archive its name, to show.
 std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
-                       const Provenance& provenance);
+                       const Provenance& provenance, Language language = Language::english);
 
 }  // namespace tribolog::archive

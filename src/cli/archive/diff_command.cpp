@@ -5,6 +5,8 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/history_page.h"
+#include "cli/language_option.h"
+#include "figures/figure_language.h"
 #include "figures/history/comparison_figures.h"
 #include "report/history/comparison_page.h"
 #include "report/history/comparison_view.h"
@@ -19,6 +21,7 @@ struct Options {
   bool different_joints{false};
   bool json{false};
   int processes{2};
+  Language language{Language::english};
 };
 
 history::RecordedCurves curves_of(archive::CalibrationArchive& kept, const archive::Entry& entry) {
@@ -44,12 +47,13 @@ std::string missing_curves(const history::RecordedCurves& a, const history::Reco
 ExitStatus write_page(const Options& options, const history::Comparison& comparison,
                       const history::RecordedCurves& first, const history::RecordedCurves& second,
                       const Invocation& call) {
-  const auto figures = comparison_figures(comparison, first, second);
+  const auto figures =
+      drawn_in_language(comparison_figures(comparison, first, second), options.language);
   return write_history_page(
       {options.output, options.processes}, figures, call,
       [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
         return comparison_page(comparison, provenance, missing_curves(first, second), figures,
-                               drawn);
+                               drawn, options.language);
       });
 }
 
@@ -78,6 +82,7 @@ Run add_diff(CLI::App& archive) {
   command.add_flag("--different-joints", options->different_joints,
                    "compare two that are not of one joint");
   add_drawing_processes(command, options->processes);
+  add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(
       "\nEach quantity's change has a 95 % interval, made of both intervals. \"changed\" takes "

@@ -8,6 +8,7 @@
 #include "provenance.h"
 
 #include "cli/archive/archive_commands.h"
+#include "cli/language_option.h"
 #include "files/atomic_file.h"
 
 namespace tribolog::cli {
@@ -18,6 +19,7 @@ struct Options {
   std::string output;
   std::string reports;
   bool json{false};
+  Language language{Language::english};
 };
 
 void check(const Options& options) {
@@ -72,6 +74,7 @@ Run add_fleet(CLI::App& archive) {
                      "directory for the report of each joint's latest calibration; the page links "
                      "to them");
   add_filter(command, options->filter);
+  add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   command.footer(
@@ -89,8 +92,9 @@ Run add_fleet(CLI::App& archive) {
     if (options->output.empty()) return ExitStatus::done;
     archive::FleetLinks links;
     if (!options->reports.empty()) links = write_reports(fleet, *options, kept, call.console);
-    write_file_atomically(options->output, fleet_page(fleet, links, shown_name(kept.name()),
-                                                      make_provenance(call.arguments)));
+    write_file_atomically(options->output,
+                          fleet_page(fleet, links, shown_name(kept.name()),
+                                     make_provenance(call.arguments), options->language));
     if (!options->json) {
       call.console.say(fmt::format("fleet sheet: {} ({} robots, {} joints)",
                                    printable(options->output, longest_path), fleet.robots.size(),

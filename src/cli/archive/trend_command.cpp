@@ -8,6 +8,8 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/history_page.h"
+#include "cli/language_option.h"
+#include "figures/figure_language.h"
 #include "figures/history/trend_figures.h"
 #include "report/history/trend_page.h"
 #include "report/history/trend_view.h"
@@ -28,6 +30,7 @@ struct Options {
   bool json{false};
   bool fails_on_warning{false};
   int processes{2};
+  Language language{Language::english};
 };
 
 void tell(const JointTrend& trend, Console& console) {
@@ -51,11 +54,11 @@ ExitStatus write_page(const Options& options, const std::vector<JointTrend>& tre
         "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
         trends.size(), most_joints_of_a_page));
   }
-  const auto figures = trend_figures(trends);
+  const auto figures = drawn_in_language(trend_figures(trends), options.language);
   return write_history_page(
       {options.output, options.processes}, figures, call,
       [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
-        return trend_page(trends, provenance, figures, drawn);
+        return trend_page(trends, provenance, figures, drawn, options.language);
       });
 }
 
@@ -82,6 +85,7 @@ Run add_trend(CLI::App& archive) {
   command.add_flag("--fail-on-warning", options->fails_on_warning,
                    "status 1 where a change stands");
   add_drawing_processes(command, options->processes);
+  add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(
       "\nEach quantity has a control chart (CUSUM), and a straight line over time for slow drifts. "

@@ -38,7 +38,7 @@ void fill_verdict(const Comparison& c, TemplateValues& values) {
 std::string comparison_page(const Comparison& comparison, const Provenance& provenance,
                             const std::string& curves_missing,
                             const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn) {
+                            const std::vector<render::DrawnFigure>& drawn, Language language) {
   TemplateValues values;
   fill_head(provenance, values);
   const archive::JointName& of = comparison.first.facts.of;
@@ -49,7 +49,7 @@ std::string comparison_page(const Comparison& comparison, const Provenance& prov
   for (const FigureCard& card : figure_cards(figures, drawn)) fill_figure(card, values);
   values.set_optional("CURVES_MISSING", curves_missing);
   values.set_checked_by_modifier("RESULT_JSON", history::comparison_json(comparison));
-  return expand_template("diff.tpl", values);
+  return expand_template("diff.tpl", values, language);
 }
 
 }  // namespace tribolog

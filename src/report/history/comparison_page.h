@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "archive/history/comparison.h"
+#include "language/language.h"
 #include "provenance.h"
 
 #include "figures/report_figure.h"
@@ -17,6 +18,7 @@ namespace tribolog {
 std::string comparison_page(const history::Comparison& comparison, const Provenance& provenance,
                             const std::string& curves_missing,
                             const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn);
+                            const std::vector<render::DrawnFigure>& drawn,
+                            Language language = Language::english);
 
 }  // namespace tribolog

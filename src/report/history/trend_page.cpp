@@ -95,7 +95,7 @@ void fill_joint(const JointTrend& t, std::size_t k, const std::vector<FigureCard
 
 std::string trend_page(const std::vector<JointTrend>& trends, const Provenance& provenance,
                        const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn) {
+                       const std::vector<render::DrawnFigure>& drawn, Language language) {
   TemplateValues values;
   fill_head(provenance, values);
   values.set("TITLE", trends.size() == 1 ? title_of(trends.front())
@@ -109,7 +109,7 @@ std::string trend_page(const std::vector<JointTrend>& trends, const Provenance& 
     fill_joint(trends[k], k, cards, values);
   }
   values.set_checked_by_modifier("RESULT_JSON", history::trend_json(trends));
-  return expand_template("trend.tpl", values);
+  return expand_template("trend.tpl", values, language);
 }
 
 }  // namespace tribolog

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "archive/history/joint_trend.h"
+#include "language/language.h"
 #include "provenance.h"
 
 #include "figures/report_figure.h"
@@ -16,6 +17,7 @@ namespace tribolog {
 /// each joint. Figures belong to joints by their ids, as trend_figures() makes them.
 std::string trend_page(const std::vector<history::JointTrend>& trends, const Provenance& provenance,
                        const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn);
+                       const std::vector<render::DrawnFigure>& drawn,
+                       Language language = Language::english);
 
 }  // namespace tribolog
