@@ -1,6 +1,6 @@
 #!/bin/sh
-# The reports that the browser tests open: the paper's joint without and with noise, and the noisy
-# one with markup of strangers in every text of its manifest and its logs.
+# The reports that the browser tests open: the paper's joint without and with noise, the noisy one in
+# Polish, and with markup of strangers in every text of its manifest and its logs.
 #   make_reports.sh TRIBOLOG DIRECTORY
 set -e
 tribolog=$1
@@ -14,6 +14,7 @@ for name in scenario scenario_noise; do
 done
 "$tribolog" --quiet report scenario/dataset.toml $quick -o paper.html
 "$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures -o noisy.html
+"$tribolog" --quiet report scenario_noise/dataset.toml $quick --no-figures --language pl -o polish.html
 
 # Recorded names of columns and files become markup too.
 python3 "$sources/plant_markup.py" scenario_noise harmless x

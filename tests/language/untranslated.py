@@ -13,7 +13,7 @@ import re
 import sys
 
 SPOKEN = {"alt", "aria-label", "title", "aria-valuetext"}
-SILENT = {"script", "style", "code", "math", "svg"}
+SILENT = {"script", "style", "code", "pre", "math", "svg"}
 
 
 class Texts(html.parser.HTMLParser):

@@ -1,0 +1,46 @@
+#!/bin/sh
+# Every page and every figure in every language: no text that a reader sees is left in English, and
+# the numbers are the same.
+#   pages_test.sh TRIBOLOG DIRECTORY
+set -e
+tribolog="$1 --quiet"
+here=$(cd "$(dirname "$0")" && pwd)
+examples=$here/../../examples
+mkdir -p "$2" && cd "$2"
+rm -rf ./*
+
+quick='--resamples 100 --truth-runs 2 --no-figures'
+$tribolog simulate "$examples/paper/scenario_noise.toml" -o noise
+python3 "$here/vary_dataset.py" noise
+for manifest in noise/*_variant.toml noise/dataset.toml; do
+  name=$(basename "$manifest" .toml)
+  for language in en pl; do
+    $tribolog report "$manifest" $quick --language $language -o $name.$language.html \
+      --archive $language.tribolog --archive-again
+  done
+done
+for language in en pl; do
+  # The same joint again, so that there is a change to tell, and a history.
+  $tribolog report noise/dataset.toml --resamples 100 --truth-runs 2 --no-figures --seed 2 \
+    --language $language -o again.$language.html --archive $language.tribolog --archive-again
+  $tribolog figures noise/dataset.toml --truth-runs 2 --format svg --language $language -o svg.$language
+  $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
+  cp plan.$language/plan.html plan.$language.html
+  $tribolog models --compare --language $language -o models.$language.html
+  $tribolog archive trend --archive $language.tribolog --language $language -o trend.$language.html \
+    >/dev/null
+  $tribolog archive fleet --archive $language.tribolog --language $language -o fleet.$language.html
+  set -- $($tribolog archive list --archive $language.tribolog --json |
+    python3 -c 'import json, sys; print(*[one["id"] for one in json.load(sys.stdin)["calibrations"]][:2])')
+  $tribolog archive diff "$1" "$2" --archive $language.tribolog --language $language \
+    -o diff.$language.html >/dev/null
+done
+
+status=0
+for page in *.en.html; do
+  other=$(basename "$page" .en.html).pl.html
+  grep -q '<html lang="pl">' "$other" || { echo "$other: not in Polish"; status=1; }
+  python3 "$here/untranslated.py" "$page" "$other" >left || { echo "## $other"; cat left; status=1; }
+done
+python3 "$here/untranslated.py" svg.en svg.pl >left || { echo "## figures"; cat left; status=1; }
+exit $status
