@@ -13,34 +13,38 @@ function hasPoppler() {
   }
 }
 
-test("each figure stands whole on one page, under its heading; the viewer is not printed",
-  { skip: hasPoppler() ? false : "poppler-utils is not installed" },
-  () => withReport("paper.html", {}, async (page) => {
-    const file = reportPath("paper.pdf");
-    const headings = await page.locator("figure:has(img) h3").evaluateAll(
-      (list) => list.map((heading) => heading.firstChild.textContent.trim()));
-    await page.pdf({ path: file, preferCSSPageSize: true });
+for (const [format, width, height] of [["A4", 595, 842], ["Letter", 612, 792]]) {
+  test(`${format}: each figure stands whole on one page, under its heading; the viewer is not printed`,
+    { skip: hasPoppler() ? false : "poppler-utils is not installed" },
+    () => withReport("paper.html", {}, async (page) => {
+      const file = reportPath(`paper-${format}.pdf`);
+      const headings = await page.locator("figure:has(img) h3").evaluateAll(
+        (list) => list.map((heading) => heading.firstChild.textContent.trim()));
+      await page.pdf({ path: file, format, preferCSSPageSize: true });
+      const paper = execFileSync("pdfinfo", [file], { encoding: "utf8" }).match(/Page size: +([\d.]+) x ([\d.]+)/);
+      assert.deepEqual(paper.slice(1).map(Number).map(Math.round), [width, height]);
 
-    // A picture that a page's end cuts is drawn, and listed, on both pages.
-    const images = execFileSync("pdfimages", ["-list", file], { encoding: "utf8" }).split("\n").slice(2)
-      .map((line) => line.trim().split(/\s+/)).filter((words) => words[2] === "image");
-    const pagesOf = new Map();
-    for (const [at, , , width, height, , , , , , object] of images) {
-      assert.ok(Number(width) >= 1000 && Number(height) >= 400, `${width} x ${height}`);
-      pagesOf.set(object, [...(pagesOf.get(object) || []), Number(at)]);
-    }
-    assert.equal(pagesOf.size, headings.length);
-    for (const [object, pages] of pagesOf) assert.equal(pages.length, 1, `object ${object} on pages ${pages}`);
+      // A picture that a page's end cuts is drawn, and listed, on both pages.
+      const images = execFileSync("pdfimages", ["-list", file], { encoding: "utf8" }).split("\n").slice(2)
+        .map((line) => line.trim().split(/\s+/)).filter((words) => words[2] === "image");
+      const pagesOf = new Map();
+      for (const [at, , , width, height, , , , , , object] of images) {
+        assert.ok(Number(width) >= 1000 && Number(height) >= 400, `${width} x ${height}`);
+        pagesOf.set(object, [...(pagesOf.get(object) || []), Number(at)]);
+      }
+      assert.equal(pagesOf.size, headings.length);
+      for (const [object, pages] of pagesOf) assert.equal(pages.length, 1, `object ${object} on pages ${pages}`);
 
-    const text = execFileSync("pdftotext", ["-layout", file, "-"], { encoding: "utf8" }).split("\f");
-    const lines = text.map((one) => one.split("\n").map((line) => line.trim().replace(/\s+/g, " ")));
-    const found = headings.map((heading) => lines.findIndex((one) => one.includes(heading)) + 1);
-    const drawn = [...pagesOf.values()].map(([at]) => at);
-    assert.deepEqual(found.slice().sort((a, b) => a - b), drawn.sort((a, b) => a - b));
-    for (const word of ["Review the loops", "Box zoom", "At the instant"]) {
-      assert.ok(text.every((one) => !one.includes(word)), word);
-    }
-  }));
+      const text = execFileSync("pdftotext", ["-layout", file, "-"], { encoding: "utf8" }).split("\f");
+      const lines = text.map((one) => one.split("\n").map((line) => line.trim().replace(/\s+/g, " ")));
+      const found = headings.map((heading) => lines.findIndex((one) => one.includes(heading)) + 1);
+      const drawn = [...pagesOf.values()].map(([at]) => at);
+      assert.deepEqual(found.slice().sort((a, b) => a - b), drawn.sort((a, b) => a - b));
+      for (const word of ["Review the loops", "Box zoom", "At the instant"]) {
+        assert.ok(text.every((one) => !one.includes(word)), word);
+      }
+    }));
+}
 
 test("a picture cut by a page's end would be found", { skip: !hasPoppler() && "poppler-utils is not installed" },
   () => withReport("paper.html", {}, async (page) => {

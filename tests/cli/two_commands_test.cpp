@@ -43,7 +43,7 @@ TEST(MainJob, FromScenarioToReport) {
                          "fig-12-range-of-motion", "fig-13-rough-torque"}) {
     EXPECT_LT(html.find(std::string("id=\"") + id + "\""), precise) << id;
   }
-  EXPECT_LT(html.size(), 10'000'000U);
+  EXPECT_LT(html.size(), 3'000'000U);
 
   const ProgramRun figures =
       run_shell(program + "figures '" + out + "/dataset.toml' -o '" + out + "/figures'");

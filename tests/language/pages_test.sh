@@ -27,6 +27,8 @@ for language in en pl; do
   $tribolog plan "$examples/plan/joint.toml" --runs 2 --language $language -o plan.$language
   cp plan.$language/plan.html plan.$language.html
   $tribolog models --compare --language $language -o models.$language.html
+  $tribolog paper --language $language -o paper.$language.html
+  $tribolog study --runs 2 --factor torque_noise --language $language -o study.$language.html
   $tribolog archive trend --archive $language.tribolog --language $language -o trend.$language.html \
     >/dev/null
   $tribolog archive fleet --archive $language.tribolog --language $language -o fleet.$language.html
