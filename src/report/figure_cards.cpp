@@ -9,7 +9,7 @@ namespace tribolog::report {
 namespace {
 
 constexpr std::size_t eager_figures = 3;
-constexpr std::size_t most_csv_rows = 700;  ///< About 16 kB; a report has some twenty figures.
+constexpr std::size_t most_csv_rows = 420;  ///< About 10 kB; a report has some twenty figures.
 
 FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
   FigureCard made;
