@@ -48,7 +48,7 @@
 <p>The report of a calibration: <code>tribolog archive report ID -o report.html</code>, with the ID that stands below the joint's name.</p>
 {{#ROBOT_SECTION}}<section class="robot"><h3><bdi>{{ROBOT}}</bdi></h3>
 <table class="fleet"><thead><tr><th scope="col">Joint</th>{{#HEAD}}<th scope="col">{{WORDS}} <span class="unit">[{{UNIT}}]</span></th>{{/HEAD}}</tr></thead><tbody>
-{{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>
+{{#JOINT}}<tr><th scope="row">{{#LINK}}<a href="{{HREF}}"><bdi>{{TEXT}}</bdi></a>{{/LINK}}{{#NO_LINK}}<bdi>{{TEXT}}</bdi>{{/NO_LINK}}<small>{{ID}} <br>{{DAY}}{{#DECISION_IF}} <br>{{DECISION}}{{/DECISION_IF}}</small></th>{{#CELL}}{{#EMPTY}}<td></td>{{/EMPTY}}{{#FULL}}<td{{#KIND_IF}} class="{{KIND}}"{{/KIND_IF}} data-name="{{NAME}}"><svg><path d="{{BAND}}"/><path d="{{OTHERS}}"/><path d="{{HISTORY}}"/><path d="{{LATEST}}"/></svg>{{VALUE}}</td>{{/FULL}}{{/CELL}}</tr>
 {{/JOINT}}</tbody></table></section>
 {{/ROBOT_SECTION}}</section>
 <section id="made" aria-labelledby="made-title">

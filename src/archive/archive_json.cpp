@@ -44,9 +44,13 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string entries_json(const std::vector<Entry>& entries) {
+std::string entries_json(const std::vector<Entry>& entries, const Decisions& decisions) {
   Json list = Json::array();
-  for (const Entry& entry : entries) list.push_back(json_of(entry));
+  for (const Entry& entry : entries) {
+    Json& one = list.emplace_back(json_of(entry));
+    const auto decision = decisions.find(entry.id);
+    one["decision"] = decision == decisions.end() ? Json() : Json(to_string(decision->second));
+  }
   return text_of({{"schema", "tribolog-archive-1"}, {"calibrations", std::move(list)}});
 }
 

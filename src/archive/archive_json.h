@@ -8,8 +8,8 @@
 
 namespace tribolog::archive {
 
-/// {"schema": "tribolog-archive-1", "calibrations": [...]}
-std::string entries_json(const std::vector<Entry>& entries);
+/// {"schema": "tribolog-archive-1", "calibrations": [...]}, each with its last decision or null.
+std::string entries_json(const std::vector<Entry>& entries, const Decisions& decisions);
 
 /// One with its quantities, inputs, documents and reviews.
 std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantities,

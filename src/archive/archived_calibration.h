@@ -2,6 +2,7 @@
 // A calibration as an archive holds it.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -101,6 +102,12 @@ struct Review {
 
 /// "approved", "rejected"
 const char* to_string(Review::Decision decision);
+
+/// Of the two words.
+Review::Decision decision_of(const std::string& word);
+
+/// The last decision on each entry that was reviewed, by its id.
+using Decisions = std::map<std::string, Review::Decision>;
 
 /// Hex digits of an id that are shown; a command takes any that are enough.
 inline constexpr std::size_t shown_digits = 10;

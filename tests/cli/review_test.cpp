@@ -48,6 +48,14 @@ TEST_F(ReviewCommands, AReportIsSignedAndItsOriginalStays) {
   ASSERT_EQ(reviews().size(), 2U);
   EXPECT_EQ(reviews()[0]["note"], "gearbox was cold");
   EXPECT_EQ(reviews()[1]["decision"], "approved");
+  const auto listed = [this](const std::string& how) {
+    return run("archive list --archive a.tribolog" + how).out;
+  };
+  EXPECT_EQ(json::parse(listed(" --json"))["calibrations"][0]["decision"], "approved");
+  EXPECT_NE(listed("").find("approved"), std::string::npos);
+  const json fleet = json::parse(run("archive fleet --json --archive a.tribolog -o f.html").out);
+  EXPECT_EQ(fleet["robots"][0]["joints"][0]["decision"], "approved");
+  EXPECT_NE(read_text(dataset_.file("f.html")).find("approved"), std::string::npos);
   const std::string twice = read_text(dataset_.file("r.html"));
   EXPECT_NE(twice.find("Earlier decisions: 1"), std::string::npos);
 

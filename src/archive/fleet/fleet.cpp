@@ -87,7 +87,7 @@ double FleetCell::furthest() const {
   return std::max(to_others ? std::abs(to_others->z) : 0, to_history ? std::abs(to_history->z) : 0);
 }
 
-Fleet fleet_of(const std::vector<Measured>& measured) {
+Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions) {
   Fleet fleet;
   Columns columns;
   for (auto first = measured.begin(); first != measured.end();) {
@@ -97,7 +97,9 @@ Fleet fleet_of(const std::vector<Measured>& measured) {
     const bool is_same_robot = !fleet.robots.empty() && fleet.robots.back().robot == of.robot &&
                                fleet.robots.back().serial == of.serial;
     if (!is_same_robot) fleet.robots.push_back({of.robot, of.serial, {}, 0});
-    fleet.robots.back().joints.push_back(joint_of(first, end, columns));
+    FleetJoint& joint = fleet.robots.back().joints.emplace_back(joint_of(first, end, columns));
+    const auto decision = decisions.find(joint.latest.id);
+    if (decision != decisions.end()) joint.decision = decision->second;
     for (auto at = first; at != end; ++at) {
       const double time_s = seconds_of_utc(at->entry.facts.measured_at);
       fleet.first_s = fleet.calibrations == 0 ? time_s : std::min(fleet.first_s, time_s);

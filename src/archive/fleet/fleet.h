@@ -47,6 +47,7 @@ struct FleetCell {
 
 struct FleetJoint {
   Entry latest;
+  std::optional<Review::Decision> decision;  ///< The last one on it.
   std::size_t calibrations{};
   std::vector<FleetCell> cells;  ///< By column; what the latest does not show is left out.
   double furthest{};
@@ -83,6 +84,7 @@ inline constexpr std::size_t fewest_others = 5;
 inline constexpr std::size_t fewest_earlier = 4;
 
 /// @param measured as CalibrationArchive::measured() gives them: by joint and time.
-Fleet fleet_of(const std::vector<Measured>& measured);
+/// @param decisions of reviewers on the entries.
+Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions = {});
 
 }  // namespace tribolog::archive

@@ -43,6 +43,7 @@ std::string fleet_json(const Fleet& fleet) {
       joints.push_back({{"joint", joint.latest.facts.of.joint},
                         {"id", joint.latest.id},
                         {"measured_at", joint.latest.facts.measured_at},
+                        {"decision", joint.decision ? Json(to_string(*joint.decision)) : Json()},
                         {"gear_ratio", joint.latest.facts.gear_ratio},
                         {"calibrations", joint.calibrations},
                         {"furthest_z", joint.furthest},

@@ -39,6 +39,7 @@ void fill_joint(const FleetJoint& joint, const Fleet& fleet, const FleetLinks& l
   fill_link(links, joint.latest.id, report::or_dash(joint.latest.facts.of.joint), values);
   values.set("ID", joint.latest.id.substr(0, shown_digits));
   values.set("DAY", report::or_dash(joint.latest.facts.measured_at.substr(0, 10)));
+  if (joint.decision) values.set_optional("DECISION", to_string(*joint.decision));
   std::size_t column = 0;
   const auto leave_out_before = [&](std::size_t next) {
     for (; column < next; ++column) values.add_section("CELL").add_section("EMPTY");

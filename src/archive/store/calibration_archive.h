@@ -92,6 +92,9 @@ class CalibrationArchive {
   /// In the order in which they were given.
   std::vector<Review> reviews(const Entry& entry);
 
+  /// On the filtered entries, in one query.
+  Decisions decisions(const Filter& filter);
+
   /// The entry whose report, as it was archived, has this fingerprint.
   std::optional<Entry> find_report(const std::string& sha256);
 

@@ -10,6 +10,7 @@
 #include "archive/store/compressed.h"
 #include "archive/store/entry_rows.h"
 #include "archive/store/kept_texts.h"
+#include "archive/store/schema.h"
 
 #include "error.h"
 #include "files/sha256.h"
@@ -69,6 +70,20 @@ std::vector<Entry> CalibrationArchive::list(const Filter& filter) {
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return place_of(a) < place_of(b); });
   return entries;
+}
+
+Decisions CalibrationArchive::decisions(const Filter& filter) {
+  Decisions last;
+  if (version_of(*connection_) < first_schema_with_reviews) return last;
+  const auto [where, values] = conditions(filter);
+  for (const Row& row :
+       connection_->run("SELECT calibration.id, review.decision FROM review JOIN calibration ON "
+                        "calibration.number = review.calibration" +
+                            where + " ORDER BY review.calibration, review.place",
+                        values)) {
+    last[row[0].text()] = decision_of(row[1].text());
+  }
+  return last;
 }
 
 Entry CalibrationArchive::find(const std::string& digits) {

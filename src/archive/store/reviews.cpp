@@ -12,15 +12,18 @@ namespace tribolog::archive {
 namespace {
 
 Review review_of(const sql::Row& row) {
-  const bool is_approved = row[2].text() == to_string(Review::Decision::approved);
-  return {row[0].text(), row[1].text(),
-          is_approved ? Review::Decision::approved : Review::Decision::rejected, row[3].text()};
+  return {row[0].text(), row[1].text(), decision_of(row[2].text()), row[3].text()};
 }
 
 }  // namespace
 
 const char* to_string(Review::Decision decision) {
   return decision == Review::Decision::approved ? "approved" : "rejected";
+}
+
+Review::Decision decision_of(const std::string& word) {
+  return word == to_string(Review::Decision::approved) ? Review::Decision::approved
+                                                       : Review::Decision::rejected;
 }
 
 void CalibrationArchive::add_review(const Entry& entry, const Review& review) {

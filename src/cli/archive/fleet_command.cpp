@@ -87,7 +87,7 @@ Run add_fleet(CLI::App& archive) {
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     archive::Filter filter = options->filter;
     filter.latest_revisions = true;
-    const archive::Fleet fleet = archive::fleet_of(kept.measured(filter));
+    const archive::Fleet fleet = archive::fleet_of(kept.measured(filter), kept.decisions(filter));
     if (options->json) print_json(fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
     archive::FleetLinks links;

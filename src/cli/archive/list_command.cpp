@@ -9,14 +9,17 @@
 namespace tribolog::cli {
 namespace {
 
-std::string table_of(const std::vector<archive::Entry>& entries) {
+std::string table_of(const std::vector<archive::Entry>& entries,
+                     const archive::Decisions& decisions) {
   TextTable table(0);
-  table.add({"id", "robot", "serial", "joint", "measured", "verdict"});
+  table.add({"id", "robot", "serial", "joint", "measured", "verdict", "decision"});
   for (const archive::Entry& e : entries) {
     const archive::Facts& f = e.facts;
+    const auto decision = decisions.find(e.id);
     table.add({e.id.substr(0, archive::shown_digits), printable(f.of.robot, longest_name),
                printable(f.of.serial, longest_name), printable(f.of.joint, longest_name),
-               f.measured_at + (f.time_is_stated ? "" : " (made)"), to_string(f.verdict)});
+               f.measured_at + (f.time_is_stated ? "" : " (made)"), to_string(f.verdict),
+               decision == decisions.end() ? "-" : to_string(decision->second)});
   }
   return table.text();
 }
@@ -34,11 +37,13 @@ Run add_list(CLI::App& archive) {
   add_filter(command, options->filter);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   return [where, options](const Invocation& call) {
-    const auto entries = where->open(sql::Access::read).list(options->filter);
+    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    const auto entries = kept.list(options->filter);
+    const archive::Decisions decisions = kept.decisions(options->filter);
     if (options->json) {
-      print_json(archive::entries_json(entries));
+      print_json(archive::entries_json(entries, decisions));
     } else {
-      call.console.say(entries.empty() ? "no calibrations" : table_of(entries));
+      call.console.say(entries.empty() ? "no calibrations" : table_of(entries, decisions));
     }
     return ExitStatus::done;
   };
