@@ -20,8 +20,9 @@
 #include <cstddef>
 #include <string>
 
-#include "calibration.h"
 #include "language/language.h"
+
+#include "calibration.h"
 
 namespace tribolog::report {
 
