@@ -65,12 +65,19 @@ struct ReferenceLine {
   LineStyle style{LineStyle::dash};
 };
 
+/// What stands at a value of an axis instead of a number.
+struct AxisName {
+  double at{};
+  std::string text;
+};
+
 struct Axis {
   std::string title;              ///< With the unit in brackets: "T [N·m]".
   std::optional<double> minimum;  ///< Fixed end; absent: from the data with a margin.
   std::optional<double> maximum;
-  bool logarithmic{false};  ///< Decades; all data must be positive.
-  bool dates{false};        ///< Values are days since 1970-01-01 UTC; ticks are calendar dates.
+  bool logarithmic{false};      ///< Decades; all data must be positive.
+  bool dates{false};            ///< Values are days since 1970-01-01 UTC; ticks are calendar dates.
+  std::vector<AxisName> names;  ///< If any, they are the ticks; no numbers are shown.
 };
 
 /// One plot area. Panels of a figure are stacked from top to bottom.

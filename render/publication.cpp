@@ -26,7 +26,13 @@ int pixels(double mm) { return static_cast<int>(std::lround(mm * px_per_mm)); }
 double chart_height_mm(const Figure& figure, bool two_columns) {
   const PanelHeights& heights = two_columns ? in_two_columns : in_one_column;
   const auto panels = static_cast<double>(figure.panels.size());
-  if (figure.panels.size() < 2) return heights.lone_mm;
+  if (figure.panels.size() < 2) {
+    constexpr double name_mm = 4.0;  // from one name on an axis to the next
+    double names = 0;
+    for (const Panel& panel : figure.panels) names += static_cast<double>(panel.y.names.size());
+    return std::clamp(heights.head_mm + heights.axis_mm + name_mm * names, heights.lone_mm,
+                      highest_mm);
+  }
   const double axes = figure.panels_share_x ? 1.0 : panels;
   return std::min(highest_mm,
                   panels * (heights.plot_mm + heights.head_mm) + axes * heights.axis_mm);

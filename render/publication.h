@@ -17,9 +17,10 @@ inline constexpr double px_per_mm = 20.0;    ///< 508 dots to the inch.
 /// thin lines; as wide as one column, or as two where it does not fit into one: a text would be
 /// cut, a label stand on a curve, or the legend leave too little room for the curves.
 ///
-/// Heights: a chart of one panel is 84 x 60 mm, or 174 x 74 mm; of several, each has a plot of 36
-/// mm in one column and of 52 mm in two, less what its legend takes. Drawings keep their
-/// proportions, and their letters the size of a chart's; scenes keep their proportions.
+/// Heights: a chart of one panel is 84 x 60 mm, or 174 x 74 mm, and higher where many names stand
+/// on its vertical axis; of several, each has a plot of 36 mm in one column and of 52 mm in two,
+/// less what its legend takes. Drawings keep their proportions, and their letters the size of a
+/// chart's; scenes keep their proportions.
 /// @throw tribolog::FigureError as lay_out().
 Figure for_publication(const Figure& figure, const Font& font);
 

@@ -5,6 +5,7 @@
 #include "error.h"
 #include "render/layout/data_drawing.h"
 #include "render/layout/diagram_layout.h"
+#include "render/layout/discrete_marks.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/legend.h"
@@ -90,24 +91,29 @@ class Attempt {
     const std::size_t first_data = list_.primitives.size();
     draw_data(frame, panel, index);
     Occupancy taken(frame.plot);
+    DiscreteMarks marks;
     for (std::size_t k = first_data; k < list_.primitives.size(); ++k) {
       taken.mark(list_.primitives[k]);
+      marks.add(list_.primitives[k]);
     }
-    for (const PointLabel& point : panel.point_labels) reserve(frame, point, taken);
+    for (const PointLabel& point : panel.point_labels) reserve(frame, point, taken, marks);
     draw_axes(list_, frame, font_, style_, index);
     if (!has_drawable_data(panel)) draw_notice(frame, index);
-    draw_reference_texts(list_, frame, panel, font_, style_, index, taken, faults_);
-    draw_point_labels(list_, frame, panel, font_, style_, index, taken, faults_);
+    draw_reference_texts(list_, frame, panel, font_, style_, index, taken, marks, faults_);
+    draw_point_labels(list_, frame, panel, font_, style_, index, taken, marks, faults_);
     return draw_legend(frame, panel, i, taken);
   }
 
   /// Markers of point labels are drawn last, on top of everything; texts keep off them.
-  void reserve(const PanelFrame& frame, const PointLabel& point, Occupancy& taken) const {
+  void reserve(const PanelFrame& frame, const PointLabel& point, Occupancy& taken,
+               DiscreteMarks& marks) const {
     if (!drawable(point.x, frame.x.logarithmic()) || !drawable(point.y, frame.y.logarithmic())) {
       return;
     }
     const PixelPoint at{frame.x.pixel(point.x), frame.y.pixel(point.y)};
-    taken.mark(PixelBox{at.x, at.y, at.x, at.y}.grown(7.0 * style_.unit));
+    const PixelBox box = PixelBox{at.x, at.y, at.x, at.y}.grown(7.0 * style_.unit);
+    taken.mark(box);
+    if (point.marker != Marker::none) marks.add(box);
   }
 
   void draw_data(const PanelFrame& frame, const Panel& panel, int index) {

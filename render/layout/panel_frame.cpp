@@ -14,7 +14,16 @@ constexpr double x_margin_share = 0.02;
 constexpr double y_margin_share = 0.06;
 constexpr double least_plot_height = 40.0;
 
+TickSet named_ticks(const Axis& axis, const AxisRange& range) {
+  TickSet ticks;
+  for (const AxisName& name : axis.names) {
+    if (name.at >= range.low && name.at <= range.high) ticks.major.push_back({name.at, name.text});
+  }
+  return ticks;
+}
+
 TickSet ticks_of(const Axis& axis, const AxisRange& range, int most) {
+  if (!axis.names.empty()) return named_ticks(axis, range);
   if (axis.dates) return date_ticks(range, most);
   return axis.logarithmic ? logarithmic_ticks(range, most) : linear_ticks(range, most);
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/contrast_ratio.h"
 #include "render/layout/beside_point.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/text_backing.h"
@@ -32,8 +33,12 @@ PixelPoint nearest_in(const PixelBox& box, PixelPoint p) {
 class Placer {
  public:
   Placer(std::vector<Label>& labels, const PixelBox& plot, const Occupancy& taken,
-         const FigureStyle& style)
-      : labels_(labels), room_(plot.grown(-0.4 * style.gap)), taken_(taken), unit_(style.unit) {}
+         const DiscreteMarks& marks, const FigureStyle& style)
+      : labels_(labels),
+        room_(plot.grown(-0.4 * style.gap)),
+        taken_(taken),
+        marks_(marks),
+        unit_(style.unit) {}
 
   void run() {
     for (int round = 0; round < rounds; ++round) {
@@ -69,6 +74,7 @@ class Placer {
     const double away = distance_to(box, label.point) / unit_;
     double sum = far_cost * away + data_cost * taken_.share_taken(box.grown(2 * unit_));
     if (away < 5) sum += clash_cost / 2;  // on its own point
+    if (marks_.touched_by(box.grown(unit_))) sum += clash_cost / 2;
     for (std::size_t j = 0; j < labels_.size(); ++j) {
       if (j == i) continue;
       const Label& other = labels_[j];
@@ -85,6 +91,7 @@ class Placer {
   std::vector<Label>& labels_;
   PixelBox room_;
   const Occupancy& taken_;
+  const DiscreteMarks& marks_;
   double unit_;
 };
 
@@ -92,7 +99,7 @@ class Placer {
 
 void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& panel,
                        const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                       TextFaults& faults) {
+                       const DiscreteMarks& marks, TextFaults& faults) {
   std::vector<Label> labels;
   for (std::size_t i = 0; i < panel.point_labels.size(); ++i) {
     const PointLabel& point = panel.point_labels[i];
@@ -108,10 +115,10 @@ void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& pan
     bool cut = false;
     label.line =
         wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults, cut).front();
-    label.line.style.colour = point.colour;
+    label.line.style.colour = readable_on_paper(point.colour);
     labels.push_back(std::move(label));
   }
-  Placer(labels, frame.plot, taken, style).run();
+  Placer(labels, frame.plot, taken, marks, style).run();
 
   const double marker_size = 15 * style.marker;
   for (const Label& label : labels) {

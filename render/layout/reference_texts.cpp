@@ -9,6 +9,8 @@ namespace tribolog::render {
 namespace {
 
 constexpr int places_along = 12;
+constexpr double mark_cost = 40.0;
+constexpr double text_cost = 50.0;
 
 struct Candidate {
   PixelPoint start;
@@ -25,7 +27,7 @@ PixelPoint start_for(const TextLine& line, double left, double top) {
 
 void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& panel,
                           const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                          TextFaults& faults) {
+                          DiscreteMarks& marks, TextFaults& faults) {
   std::vector<PixelBox> placed;
   const PixelBox room = frame.plot.grown(-0.6 * style.gap);
   for (std::size_t i = 0; i < panel.reference_lines.size(); ++i) {
@@ -49,7 +51,9 @@ void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& 
       Candidate one{start_for(line, left, top), {}, handicap};
       one.box = box_of_line(line, one.start, true);
       one.cost += 10.0 * taken.share_taken(one.box.grown(3));
-      for (const PixelBox& other : placed) one.cost += overlap_area(one.box, other) > 0 ? 50.0 : 0;
+      for (const PixelBox& other : placed)
+        one.cost += overlap_area(one.box, other) > 0 ? text_cost : 0;
+      if (marks.touched_by(one.box.grown(3 * style.unit))) one.cost += mark_cost;
       if (one.cost < best.cost) best = one;
     };
     for (int k = 0; k <= places_along; ++k) {
@@ -72,6 +76,7 @@ void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& 
                {Role::reference_text, index, static_cast<int>(i)});
     placed.push_back(best.box);
     taken.mark(best.box);
+    marks.add(best.box.grown(3 * style.unit));
   }
 }
 

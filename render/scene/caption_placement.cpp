@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/contrast_ratio.h"
 #include "render/layout/beside_point.h"
 
 namespace tribolog::render {
@@ -179,7 +180,7 @@ void draw_captions(DrawList& list, const std::vector<Caption>& captions, const P
     one.index = i;
     one.anchor = caption.anchor;
     one.line = lines.front();
-    one.line.style.colour = caption.colour;
+    one.line.style.colour = readable_on_paper(caption.colour);
     all.push_back(std::move(one));
   }
   Placer placer(all, room, obstacles, style.unit);

@@ -47,8 +47,13 @@ void visit_fields(Visitor& visit, Is<ReferenceLine> auto& item) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, Is<AxisName> auto& item) {
+  visit(item.at, item.text);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, Is<Axis> auto& item) {
-  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates);
+  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates, item.names);
 }
 
 template <class Visitor>

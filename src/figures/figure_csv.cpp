@@ -101,6 +101,8 @@ class Writer {
     for (const render::Band& band : panel.bands) add(band);
     for (const render::ErrorBar& bar : panel.error_bars)
       row("interval", "", bar.x, not_there, bar.low, bar.high);
+    for (const render::AxisName& name : panel.x.names) row("name", name.text, name.at, not_there);
+    for (const render::AxisName& name : panel.y.names) row("name", name.text, not_there, name.at);
     for (const render::PointLabel& point : panel.point_labels)
       row("point", point.text, point.x, point.y);
     for (const render::ReferenceLine& line : panel.reference_lines) {

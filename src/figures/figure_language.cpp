@@ -21,8 +21,10 @@ class DrawnTexts {
 
   void translate(render::Panel& panel) const {
     change(panel.title);
-    change(panel.x.title);
-    change(panel.y.title);
+    for (render::Axis* axis : {&panel.x, &panel.y}) {
+      change(axis->title);
+      for (render::AxisName& name : axis->names) change(name.text);
+    }
     for (render::Band& band : panel.bands) change(band.label);
     for (render::Series& series : panel.series) change(series.label);
     for (render::PointLabel& label : panel.point_labels) change(label.text);

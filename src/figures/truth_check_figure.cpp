@@ -71,8 +71,7 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
       series.x.push_back(std::clamp(off, -farthest_shown, farthest_shown));
       series.y.push_back(row);
     }
-    panel.point_labels.push_back({-farthest_shown - 0.4, level, reading_label(shown[i]->name),
-                                  render::palette::black, render::Marker::none});
+    panel.y.names.push_back({level, reading_label(shown[i]->name)});
   }
   inside.label = "held by its interval";
   outside.label = "not held";

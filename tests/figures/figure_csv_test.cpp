@@ -37,6 +37,7 @@ TEST(FigureCsv, SaysEverythingThatIsDrawn) {
   panel.bands.push_back({"95 %", {1}, {0.5}, {1.5}, {}});
   panel.error_bars.push_back({4, 1, 2, {}});
   panel.point_labels.push_back({1, 0.1, "A", {}, {}});
+  panel.y.names = {{1, "T_{s}"}};
   panel.reference_lines.push_back(
       {render::ReferenceLine::Direction::horizontal, 7, "limit", {}, {}});
   EXPECT_EQ(figure_csv(figure_of({panel, panel_of({5}, {6}, "")}), all_rows),
@@ -49,6 +50,7 @@ TEST(FigureCsv, SaysEverythingThatIsDrawn) {
             "1,curve,\"T_ARM, measured\",,3,,\n"
             "1,interval,95 %,1,,0.5,1.5\n"
             "1,interval,,4,,1,2\n"
+            "1,name,T_s,,1,,\n"
             "1,point,A,1,0.1,,\n"
             "1,line,limit,,7,,\n"
             "2,curve,,5,6,,\n");

@@ -90,6 +90,9 @@ TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
   // The first row is the upper one; far points stand at the edge.
   EXPECT_EQ(panel.series[1].x, (std::vector<double>{2, -5}));
   EXPECT_GT(panel.series[1].y[0], panel.series[1].y[1]);
+  ASSERT_EQ(panel.y.names.size(), 2U);
+  EXPECT_EQ(panel.y.names[0].text, "mid-line");
+  EXPECT_EQ(panel.y.names[0].at, 2);
   EXPECT_NE(figure->caption.find("2 of 5"), std::string::npos) << figure->caption;
 }
 

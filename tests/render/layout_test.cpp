@@ -1,11 +1,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <set>
 
 #include <gtest/gtest.h>
 
 #include "example_figures.h"
+#include "legibility/contrast.h"
+#include "legibility/panel_content.h"
+#include "legibility/text_collisions.h"
 
 #include "error.h"
 #include "render/layout/figure_layout.h"
@@ -34,51 +36,8 @@ std::vector<Placed> texts(const DrawList& list) {
   return out;
 }
 
-/// Texts of one owner may touch (a letter and its dot); others must keep apart.
-void expect_nothing_overlaps(const DrawList& list, const std::string& id) {
-  const auto all = texts(list);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if (all[i].owner == all[j].owner) continue;
-      EXPECT_LE(overlap_area(all[i].box, all[j].box), 1.0)
-          << id << ": '" << all[i].text << "' and '" << all[j].text << "'";
-    }
-  }
-}
-
-void expect_nothing_is_clipped(const DrawList& list, const std::string& id) {
-  const PixelBox picture{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
-  for (const Placed& one : texts(list)) {
-    EXPECT_TRUE(picture.contains(one.box)) << id << ": '" << one.text << "'";
-  }
-}
-
-/// No primitive of the data lies under the legend.
-void expect_legend_hides_nothing(const DrawList& list, const std::string& id) {
-  const std::set<Role> data{Role::series,      Role::series_marker,  Role::band,
-                            Role::error_bar,   Role::reference_line, Role::label_marker,
-                            Role::label_leader};
-  for (const Primitive& one : list.primitives) {
-    const auto* legend = std::get_if<Polygon>(&one);
-    if (legend == nullptr || legend->owner.role != Role::legend_box) continue;
-    const PixelBox box{legend->outline[0].x, legend->outline[0].y, legend->outline[2].x,
-                       legend->outline[2].y};
-    for (const Primitive& other : list.primitives) {
-      if (data.count(owner_of(other).role) == 0) continue;
-      if (const auto* line = std::get_if<Polyline>(&other)) {
-        for (std::size_t i = 1; i < line->points.size(); ++i) {
-          for (double t = 0; t <= 1; t += 0.01) {
-            const PixelPoint p{
-                line->points[i - 1].x + t * (line->points[i].x - line->points[i - 1].x),
-                line->points[i - 1].y + t * (line->points[i].y - line->points[i - 1].y)};
-            ASSERT_FALSE(box.contains(p)) << id;
-          }
-        }
-      } else if (const auto* markers = std::get_if<Markers>(&other)) {
-        for (const PixelPoint& p : markers->centres) ASSERT_FALSE(box.contains(p)) << id;
-      }
-    }
-  }
+void expect_none(const legibility::Findings& findings, const std::string& id) {
+  for (const legibility::Finding& one : findings) ADD_FAILURE() << id << ": " << in_words(one);
 }
 
 TEST(Layout, KeepsTextsApartAndInsideThePicture) {
@@ -89,21 +48,15 @@ TEST(Layout, KeepsTextsApartAndInsideThePicture) {
   }
   for (const Figure& figure : all) {
     const DrawList list = lay_out(figure, font());
-    expect_nothing_overlaps(list, figure.id);
-    expect_nothing_is_clipped(list, figure.id);
-    expect_legend_hides_nothing(list, figure.id);
+    expect_none(legibility::overlapping_texts(list), figure.id);
+    expect_none(legibility::texts_off_the_picture(list), figure.id);
+    expect_none(legibility::data_under_legends(list), figure.id);
   }
 }
 
 TEST(Layout, KeepsDataInsideTheAxes) {
   for (const Figure& figure : examples::nasty()) {
-    const DrawList list = lay_out(figure, font());
-    for (const Primitive& one : list.primitives) {
-      const auto* line = std::get_if<Polyline>(&one);
-      if (line == nullptr || line->owner.role != Role::series) continue;
-      const PixelBox plot = list.plots[static_cast<std::size_t>(line->owner.panel)].grown(0.01);
-      for (const PixelPoint& p : line->points) EXPECT_TRUE(plot.contains(p)) << figure.id;
-    }
+    expect_none(legibility::data_outside_axes(lay_out(figure, font())), figure.id);
   }
 }
 
@@ -200,6 +153,61 @@ TEST(Layout, MapsDataLinearly) {
   }
 }
 
+TEST(Layout, KeepsTheTextsOfReferenceLinesOffSingleMarkers) {
+  Figure figure = examples::plain();
+  Panel& panel = figure.panels[0];
+  panel.x.minimum = panel.y.minimum = 0;
+  panel.x.maximum = panel.y.maximum = 10;
+  Series markers = examples::line({}, {}, "");
+  for (double x = 3.5; x < 10; x += 1) {  // a text is wider than their distance
+    for (const double beside : {-0.25, 0.25}) {
+      markers.x.push_back(x);
+      markers.y.push_back(5 + beside);
+    }
+  }
+  markers.style = LineStyle::none;
+  markers.marker = Marker::circle;
+  markers.marker_size_px = 6;
+  panel.series = {markers};
+  panel.reference_lines = {{ReferenceLine::Direction::horizontal, 5, "recommended, by far"}};
+  const DrawList list = lay_out(figure, font());
+  expect_none(legibility::markers_under_texts(list), figure.id);
+  for (const Placed& one : texts(list)) {
+    if (one.owner.role != Role::reference_text) continue;
+    EXPECT_LT(one.box.left, list.plots[0].centre().x) << "only there is room";
+  }
+}
+
+TEST(Layout, WritesLettersDarkerThanTheirPoint) {
+  Figure figure = examples::plain();
+  figure.panels[0].point_labels = {{2, 2, "chosen", palette::orange}};
+  const DrawList list = lay_out(figure, font());
+  expect_none(legibility::faint_texts(list), figure.id);
+  for (const Primitive& one : list.primitives) {
+    if (owner_of(one).role != Role::label_marker) continue;
+    EXPECT_EQ(std::get<Markers>(one).colour, palette::orange);
+  }
+}
+
+TEST(Layout, NamesStandInsteadOfNumbers) {
+  Figure figure = examples::plain();
+  Panel& panel = figure.panels[0];
+  panel.y.minimum = 0;
+  panel.y.maximum = 3;
+  panel.y.names = {{1, "break-away torque T_{s}"}, {2, "mid-line"}, {7, "beyond the axis"}};
+  const DrawList list = lay_out(figure, font());
+  const PixelBox plot = list.plots[0];
+  std::map<std::string, PixelBox> names;
+  for (const Placed& one : texts(list)) {
+    const bool is_left = one.box.right < plot.left;
+    if (is_left && one.owner.role == Role::tick_label) names[one.text] = one.box;
+  }
+  EXPECT_EQ(names.size(), 3U) << "two names, one of them with an index, and no number";
+  ASSERT_EQ(names.count("mid-line"), 1U);
+  EXPECT_NEAR(names["mid-line"].centre().y, plot.bottom - 2 * plot.height() / 3, 4);
+  EXPECT_GE(names["break-away torque T"].left, 0);
+}
+
 TEST(Layout, RefusesImpossibleSizes) {
   Figure figure = examples::plain();
   for (const int side : {-1, 0, 20, 100'000}) {
@@ -222,8 +230,8 @@ TEST(Layout, DatesNeitherOverlapNorLeaveThePicture) {
       panel.series.push_back({"", {20454, 20454 + days / 3, 20454 + days}, {1, 3, 2}});
       figure.panels = {panel};
       const DrawList list = lay_out(figure, font());
-      expect_nothing_overlaps(list, std::to_string(days));
-      expect_nothing_is_clipped(list, std::to_string(days));
+      expect_none(legibility::overlapping_texts(list), std::to_string(days));
+      expect_none(legibility::texts_off_the_picture(list), std::to_string(days));
       std::size_t dates = 0;
       for (const Placed& one : texts(list)) {
         if (one.text.rfind("20", 0) == 0) ++dates;

@@ -34,7 +34,7 @@ std::vector<ReportFigure> paper_set() {
   return paper_figures(joint);
 }
 
-std::vector<ReportFigure> history_set() {
+std::vector<ReportFigure> history_set(std::size_t most_trends) {
   test::HistoryShape shape;
   shape.calibrations = 24;
   for (std::size_t k = 0; k < shape.calibrations; ++k) {
@@ -47,8 +47,7 @@ std::vector<ReportFigure> history_set() {
       },
       shape);
   std::vector<ReportFigure> out = trend_figures(history::joint_trends(all, {}));
-  constexpr std::size_t enough = 3;
-  if (out.size() > enough) out.resize(enough);
+  if (out.size() > most_trends) out.resize(most_trends);
   const auto comparison = history::compare(all[0], all[20], {10, 2}, false);
   for (ReportFigure& one :
        comparison_figures(comparison, test::simple_curves(0), test::simple_curves(0.1))) {

@@ -1,6 +1,8 @@
 #pragma once
 // The figures that the project draws, each laid out and painted.
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "figures/report_figure.h"
@@ -21,8 +23,9 @@ struct DrawnExample {
 
 /// The paper's figures: charts, diagrams, scenes, and those of the identification.
 std::vector<ReportFigure> paper_set();
-/// A joint over time and two calibrations side by side.
-std::vector<ReportFigure> history_set();
+/// A joint over time, so many quantities of it at most, and two calibrations side by side.
+std::vector<ReportFigure> history_set(std::size_t most_trends = 3);
+inline constexpr std::size_t every_trend = std::numeric_limits<std::size_t>::max();
 /// Charts, a drawing and a scene of the paper, for the columns of a journal.
 std::vector<ReportFigure> publication_set();
 /// Every kind of trouble that can be drawn.

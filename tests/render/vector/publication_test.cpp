@@ -98,6 +98,17 @@ TEST(Publication, TakesTwoColumnsForWhatDoesNotFitIntoOne) {
   EXPECT_EQ(for_publication(drawing, font).width_mm, publication::double_column_mm);
 }
 
+TEST(Publication, IsHigherWhereManyNamesStandOnTheAxis) {
+  const Font font;
+  Figure figure = examples::plain();
+  EXPECT_EQ(for_publication(figure, font).height_px, 60 * publication::px_per_mm);
+  for (int i = 0; i < 15; ++i) figure.panels[0].y.names.push_back({1.0 * i, "mid-line"});
+  EXPECT_EQ(for_publication(figure, font).height_px, 75 * publication::px_per_mm);
+  for (int i = 0; i < 200; ++i) figure.panels[0].y.names.push_back({1.0 * i, "mid-line"});
+  EXPECT_EQ(for_publication(figure, font).height_px,
+            publication::highest_mm * publication::px_per_mm);
+}
+
 TEST(Publication, LeavesTheDataAsTheyAre) {
   const Font font;
   const Figure report = examples::hysteresis();

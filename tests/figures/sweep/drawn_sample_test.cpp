@@ -1,0 +1,79 @@
+// Every figure of every example once as a picture, in the looks and languages in turn: what the
+// graphics stack makes of the draw list.
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "legibility/picture_border.h"
+#include "png_reading.h"
+#include "readings.h"
+#include "swept_figures.h"
+
+#include "render/renderer.h"
+
+namespace tribolog::test {
+namespace {
+
+namespace legibility = render::legibility;
+
+class DrawnSample : public testing::TestWithParam<std::string> {};
+
+/// One reading for each figure.
+struct Sample {
+  std::vector<render::Figure> figures;
+  std::vector<std::string> names;
+};
+
+Sample sample_of(const std::vector<ReportFigure>& figures) {
+  const render::Font font;
+  const std::vector<Reading> readings = all_readings();
+  Sample out;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Reading& reading = readings[i % readings.size()];
+    out.figures.push_back(read_as(reading, {figures[i]}, font).front().figure);
+    out.names.push_back(figures[i].id + " (" + reading.name() + ")");
+  }
+  return out;
+}
+
+/// Estimators may agree to a pixel: both are in the legend and in the CSV, and the report says so
+/// below the figure.
+bool is_of_equal_curves(const std::string& warning) {
+  return warning.find("is hidden under what is drawn after it") != std::string::npos;
+}
+
+void save(const render::DrawnFigure& drawn, const std::string& name) {
+  const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
+  if (folder == nullptr) return;
+  std::ofstream file(std::string(folder) + "/" + name + ".png", std::ios::binary);
+  file.write(reinterpret_cast<const char*>(drawn.png.data()),
+             static_cast<std::streamsize>(drawn.png.size()));
+}
+
+// The renderer holds each picture against its draw list (render/check/picture_check.h).
+TEST_P(DrawnSample, IsWholeAndInsideItsMargin) {
+  const Sample sample = sample_of(figures_of(GetParam()));
+  const auto drawn =
+      render::FigureRenderer(2, render::Prepared::charts_and_scenes).draw(sample.figures);
+  ASSERT_EQ(drawn.size(), sample.figures.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    save(drawn[i], GetParam() + "-" + sample.names[i]);
+    EXPECT_EQ(drawn[i].error, "") << sample.names[i];
+    for (const std::string& warning : drawn[i].warnings) {
+      if (!is_of_equal_curves(warning)) ADD_FAILURE() << sample.names[i] << ": " << warning;
+    }
+    if (drawn[i].png.empty()) continue;
+    for (const auto& one : legibility::ink_at_border(render::read_png(drawn[i].png))) {
+      ADD_FAILURE() << sample.names[i] << ": " << legibility::in_words(one);
+    }
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+INSTANTIATE_TEST_SUITE_P(Examples, DrawnSample, testing::ValuesIn(swept_examples()), name_of);
+
+}  // namespace
+}  // namespace tribolog::test

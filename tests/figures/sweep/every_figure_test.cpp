@@ -1,0 +1,73 @@
+// Every figure of every example, in both looks and all languages, as a careful reader would look
+// at it.
+
+#include <gtest/gtest.h>
+
+#include "legibility/contrast.h"
+#include "legibility/letter_sizes.h"
+#include "legibility/panel_content.h"
+#include "legibility/text_collisions.h"
+#include "readings.h"
+#include "swept_figures.h"
+
+#include "render/layout/figure_layout.h"
+
+namespace tribolog::test {
+namespace {
+
+namespace legibility = render::legibility;
+
+constexpr double least_letters_pt = 7;  // in a journal; a report is magnified by its reader
+
+/// Counts, names, and one that says its unit in words.
+const std::vector<std::string> without_unit{
+    "cycles recorded", "parameters of the model", "quantity", "way, numbered as below",
+    "deviation from what was put in, in half widths of the stated 95 % interval"};
+
+class EveryFigure : public testing::TestWithParam<std::string> {};
+
+void expect_none(const legibility::Findings& findings, const std::string& figure) {
+  for (const legibility::Finding& one : findings) {
+    ADD_FAILURE() << figure << ": " << legibility::in_words(one);
+  }
+}
+
+void expect_legible(const ReportFigure& figure, const Reading& reading, const render::Font& font) {
+  const std::string name = figure.id + " (" + reading.name() + ")";
+  const render::DrawList list = render::lay_out(figure.figure, font);
+  for (const auto check :
+       {legibility::overlapping_texts, legibility::texts_off_the_picture, legibility::texts_on_data,
+        legibility::markers_under_texts, legibility::data_under_legends,
+        legibility::data_outside_axes, legibility::faint_texts, legibility::faint_lines}) {
+    expect_none(check(list), name);
+  }
+  expect_none(legibility::empty_panels(list, figure.figure), name);
+  if (reading.look == render::Look::publication) {
+    expect_none(legibility::small_letters(list, least_letters_pt), name);
+  }
+  for (const std::string& warning : list.warnings) ADD_FAILURE() << name << ": " << warning;
+}
+
+TEST_P(EveryFigure, IsLegible) {
+  const render::Font font;
+  const auto& figures = figures_of(GetParam());
+  ASSERT_FALSE(figures.empty());
+  for (const Reading& reading : all_readings()) {
+    for (const ReportFigure& one : read_as(reading, figures, font)) {
+      expect_legible(one, reading, font);
+    }
+  }
+}
+
+TEST_P(EveryFigure, StatesItsUnits) {
+  for (const ReportFigure& one : figures_of(GetParam())) {
+    expect_none(legibility::axes_without_unit(one.figure, without_unit), one.id);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+INSTANTIATE_TEST_SUITE_P(Examples, EveryFigure, testing::ValuesIn(swept_examples()), name_of);
+
+}  // namespace
+}  // namespace tribolog::test

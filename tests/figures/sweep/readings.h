@@ -1,0 +1,28 @@
+#pragma once
+// The ways in which a figure meets its reader.
+
+#include <string>
+#include <vector>
+
+#include "language/language.h"
+
+#include "figures/report_figure.h"
+#include "render/text/font.h"
+
+namespace tribolog::test {
+
+/// A look in a language: "report, en".
+struct Reading {
+  render::Look look{render::Look::report};
+  Language language{Language::english};
+  [[nodiscard]] std::string name() const;
+};
+
+/// Both looks in every language.
+std::vector<Reading> all_readings();
+
+/// The figures as they are drawn in that look and language.
+std::vector<ReportFigure> read_as(const Reading& reading, const std::vector<ReportFigure>& figures,
+                                  const render::Font& font);
+
+}  // namespace tribolog::test

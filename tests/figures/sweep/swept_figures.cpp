@@ -1,0 +1,103 @@
+#include "swept_figures.h"
+
+#include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "drawn_set.h"
+#include "hand_made_calibration.h"
+#include "plan/experiment_plan.h"
+#include "small_scenario.h"
+
+#include "figures/figure_set.h"
+#include "figures/model_figures.h"
+#include "figures/plan_figure.h"
+#include "figures/study_figures.h"
+#include "files/file_contents.h"
+#include "friction/catalogue.h"
+#include "ingest/manifest/joint_file.h"
+#include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/scenario_file.h"
+#include "paper/scenes/scene_figures.h"
+#include "pipeline.h"
+#include "simulate/simulated_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+std::string example_file(const std::string& name) {
+  return std::string(TRIBOLOG_SOURCE_DIR) + "/examples/" + name;
+}
+
+/// As `tribolog report` draws them, but with fewer resamples.
+std::vector<ReportFigure> figures_of_scenario(const std::string& name) {
+  Dataset dataset = simulated_dataset(read_scenario(example_file("paper/" + name)));
+  dataset.robot =
+      std::make_shared<RobotDescription>(read_robot(example_file("paper/am100ib.toml")));
+  IdentifyOptions options;
+  options.resamples = 200;
+  options.truth_runs = 3;
+  const Calibration calibration = identify(dataset, options);
+  return with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
+}
+
+std::vector<ReportFigure> figures_of_a_sweep_alone() {
+  const Dataset dataset = hand_made_dataset();
+  return figure_set(dataset, sweep_only_calibration(dataset));
+}
+
+std::vector<ReportFigure> figures_of_the_plan() {
+  const std::string file = example_file("plan/joint.toml");
+  return plan_figures(plan_experiment(parse_joint(read_file(file), file)));
+}
+
+std::vector<ReportFigure> figures_of_the_models() {
+  std::vector<ReportFigure> out;
+  for (ModelExperiment& one : model_experiments(ContactParameters{})) {
+    std::move(one.figures.begin(), one.figures.end(), std::back_inserter(out));
+  }
+  return out;
+}
+
+std::vector<ReportFigure> figures_of_a_small_study() {
+  StudyOptions options;
+  options.runs = 3;
+  return study_figures(run_study(small_scenario(), options));
+}
+
+using Maker = std::function<std::vector<ReportFigure>()>;
+
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> all{
+      {"paper", render::paper_set},
+      {"ideal", [] { return figures_of_scenario("scenario.toml"); }},
+      {"noise", [] { return figures_of_scenario("scenario_noise.toml"); }},
+      {"ripple", [] { return figures_of_scenario("scenario_ripple.toml"); }},
+      {"sweep_alone", figures_of_a_sweep_alone},
+      {"plan", figures_of_the_plan},
+      {"models", figures_of_the_models},
+      {"study", figures_of_a_small_study},
+      {"history", [] { return render::history_set(render::every_trend); }}};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> swept_examples() {
+  std::vector<std::string> names;
+  for (const auto& [name, make] : makers()) names.push_back(name);
+  return names;
+}
+
+const std::vector<ReportFigure>& figures_of(const std::string& example) {
+  static std::map<std::string, std::vector<ReportFigure>> made;
+  const auto there = made.find(example);
+  if (there != made.end()) return there->second;
+  const auto maker = makers().find(example);
+  if (maker == makers().end()) throw std::invalid_argument("no example is called " + example);
+  return made.emplace(example, maker->second()).first->second;
+}
+
+}  // namespace tribolog::test

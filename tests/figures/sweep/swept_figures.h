@@ -1,0 +1,19 @@
+#pragma once
+// Every figure of every example, by example.
+
+#include <string>
+#include <vector>
+
+#include "figures/report_figure.h"
+
+namespace tribolog::test {
+
+/// A name safe for a test: "paper", "noise", "ripple", "sweep_alone", "plan", "models", "study",
+/// "history".
+std::vector<std::string> swept_examples();
+
+/// The figures of one of them; computed once in a process.
+/// @throw std::invalid_argument for another name
+const std::vector<ReportFigure>& figures_of(const std::string& example);
+
+}  // namespace tribolog::test

@@ -1,0 +1,14 @@
+#pragma once
+// Letters as large as they are in print.
+
+#include "legibility/finding.h"
+
+#include "render/draw_list.h"
+
+namespace tribolog::render::legibility {
+
+/// Texts with letters of less than so many points where the figure has its width in print. Indices
+/// and exponents go with their letters.
+Findings small_letters(const DrawList& list, double least_pt);
+
+}  // namespace tribolog::render::legibility

@@ -1,0 +1,14 @@
+#pragma once
+// What is cut off at the edge of a finished picture.
+
+#include "legibility/finding.h"
+
+#include "render/paint/picture.h"
+
+namespace tribolog::render::legibility {
+
+/// Ink in the outermost pixels: every figure has a white margin, so what reaches them goes on
+/// beyond. At most one finding for each edge.
+Findings ink_at_border(const Picture& picture);
+
+}  // namespace tribolog::render::legibility

@@ -1,0 +1,24 @@
+#pragma once
+// The texts of a draw list as a reader sees them: runs of one owner joined.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "render/draw_list.h"
+
+namespace tribolog::render::legibility {
+
+struct ShownText {
+  Owner owner;
+  std::string words;
+  PixelBox box;           ///< Around all runs.
+  int letter_px{};        ///< Of the largest run: indices are smaller, and may be.
+  Colour colour;          ///< Of the first run.
+  std::size_t painted{};  ///< Place of the first run in the list.
+};
+
+/// In the order in which they are painted. White outlines below a text are no texts.
+std::vector<ShownText> texts_of(const DrawList& list);
+
+}  // namespace tribolog::render::legibility
