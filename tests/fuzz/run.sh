@@ -23,14 +23,15 @@ for target in "${targets[@]}"; do
   longest=4096
   resident=2048
   memory=(-malloc_limit_mb=1024)
+  sanitizer=quarantine_size_mb=8
   if [[ $target == hdf5 ]]; then
     longest=8192  # the format's smallest file has 6 kB
     # libhdf5 itself keeps some hundred bytes of many a damaged file: of no weight to a process
     # that reads one file, but here it adds up to a gigabyte in some million executions.
     memory+=(-detect_leaks=0)
+    sanitizer+=:detect_leaks=0
     resident=8192
   fi
-  sanitizer=quarantine_size_mb=8
   # matio makes room for what a damaged file claims, before it reads; more than this fails there.
   if [[ $target == mat ]]; then
     memory=(-malloc_limit_mb=0)
