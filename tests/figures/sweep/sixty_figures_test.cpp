@@ -1,0 +1,50 @@
+// A report with sixty figures, as a joint with many recordings could have one, keeps its size.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "hand_made_calibration.h"
+#include "swept_figures.h"
+
+#include "render/renderer.h"
+#include "report/html_report.h"
+
+namespace tribolog::test {
+namespace {
+
+constexpr std::size_t count = 60;
+constexpr std::size_t most_bytes = 10'000'000;
+
+std::vector<ReportFigure> sixty_figures() {
+  std::vector<ReportFigure> all;
+  for (const char* example : {"noise", "paper", "ripple", "models"}) {
+    for (ReportFigure figure : figures_of(example)) {
+      if (all.size() == count) return all;
+      figure.id = figure.figure.id = fmt::format("{}-{}", example, figure.id);
+      all.push_back(std::move(figure));
+    }
+  }
+  return all;
+}
+
+TEST(SixtyFigures, StayUnderTenMegabytes) {
+  const std::vector<ReportFigure> figures = sixty_figures();
+  ASSERT_EQ(figures.size(), count);
+  std::vector<render::Figure> scenes;
+  for (const ReportFigure& figure : figures) scenes.push_back(figure.figure);
+  const auto drawn = render::FigureRenderer(2, render::Prepared::charts_and_scenes).draw(scenes);
+  const Dataset dataset = hand_made_dataset();
+  const std::string page =
+      html_report(hand_made_calibration(dataset), figures, drawn, Provenance{});
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("data:image/png"); at != std::string::npos;
+       at = page.find("data:image/png", at + 1)) {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, count);
+  EXPECT_LT(page.size(), most_bytes);
+  RecordProperty("bytes", std::to_string(page.size()));
+}
+
+}  // namespace
+}  // namespace tribolog::test
