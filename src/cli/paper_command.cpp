@@ -49,12 +49,14 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   console.progress("simulating and identifying the paper's joint", 0, 1);
   const paper::PapersJoint joint(parse_scenario(paper.sources[0].text, paper.sources[0].name),
                                  parse_robot(paper.sources[1].text, paper.sources[1].name));
-  paper.figures = drawn_in_language(paper::paper_figures(joint), options.language);
+  paper.figures = paper::paper_figures(joint);
   console.progress("checking it", 0, 1);
   paper.sections = paper::paper_items(joint, paper.figures);
   paper.golden_numbers = paper::golden_numbers(joint);
 
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, paper.figures, console);
+  // The checks read what the drawings say: in English.
+  const std::vector<render::DrawnFigure> drawn =
+      draw(renderer, drawn_in_language(paper.figures, options.language), console);
   paper.provenance.drawing = software_that_drew(drawn);
   const std::vector<PaperTally> tallies = tally_of(paper, drawn);
   write_file_atomically(options.output,
