@@ -30,6 +30,7 @@ bool ends_with(std::string_view text, std::string_view end) {
 struct Templates {
   ctemplate::TemplateCache cache;
   /// By file, the variables that stand inside a tag and are not read there: classes, anchors.
+  /// Empty in English, where nothing is translated.
   std::map<std::string, std::set<std::string, std::less<>>, std::less<>> words_for_machines;
 };
 
@@ -37,17 +38,19 @@ std::unique_ptr<Templates> load_templates(Language language) {
   register_template_modifiers();
   auto templates = std::make_unique<Templates>();
   const Catalogue* const catalogue = catalogue_of(language);
-  const TranslateMessage translate = [catalogue](const std::string& message) {
-    return catalogue == nullptr ? std::string() : catalogue->find_in_templates(message);
-  };
   for (const EmbeddedFile& file : embedded_files()) {
     if (!ends_with(file.name, ".tpl")) continue;
     const std::string name(file.name);
     if (file.text.rfind(pragma, 0) != 0) {
       throw std::logic_error("template " + name + " does not begin with the AUTOESCAPE pragma");
     }
-    templates->words_for_machines[name] = variables_inside_tags(file.text);
-    const std::string text = template_in_language(file.text, translate);
+    std::string text(file.text);
+    if (catalogue != nullptr) {
+      templates->words_for_machines[name] = variables_inside_tags(file.text);
+      text = template_in_language(file.text, [catalogue](const std::string& message) {
+        return catalogue->find_in_templates(message);
+      });
+    }
     if (!templates->cache.StringToTemplateCache(name, text.data(), text.size(),
                                                 ctemplate::STRIP_BLANK_LINES)) {
       throw std::logic_error("template " + name + " cannot be parsed");
@@ -105,9 +108,9 @@ class DictionaryFiller {
   /// @param file whose values these are.
   void fill(const TemplateValues& values, const std::string& file,
             ctemplate::TemplateDictionary& dictionary) {
-    const auto& for_machines = templates_.words_for_machines.at(file);
     for (const auto& [variable, value] : values.texts_) {
-      const bool is_translated = value.is_translated && !for_machines.contains(variable);
+      const bool is_translated = catalogue_ != nullptr && value.is_translated &&
+                                 !templates_.words_for_machines.at(file).contains(variable);
       const std::string& text = is_translated ? translated(value.text) : value.text;
       dictionary.SetValueWithoutCopy(variable, ctemplate::TemplateString(text.data(), text.size()));
     }
@@ -125,7 +128,7 @@ class DictionaryFiller {
 
  private:
   const std::string& translated(const std::string& text) {
-    return catalogue_ == nullptr ? text : kept_.emplace_back(catalogue_->translate(text));
+    return kept_.emplace_back(catalogue_->translate(text));
   }
 
   const Templates& templates_;
