@@ -1,6 +1,7 @@
 #include "report/page_texts.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 #include <string_view>
@@ -9,6 +10,11 @@
 
 namespace tribolog::report {
 namespace {
+
+/// Each stands on the ones before it.
+constexpr std::array viewer_parts{"state.js",    "elements.js",   "ranges.js",   "plot.js",
+                                  "loops.js",    "candidates.js", "readings.js", "input.js",
+                                  "controls.js", "start.js"};
 
 std::string without_indentation(std::string_view script) {
   std::string out;
@@ -26,7 +32,7 @@ std::string without_indentation(std::string_view script) {
 
 const std::string& own_style(PageKind kind) {
   static const std::string plain(embedded_file("report.css"));
-  static const std::string with_viewer = plain + std::string(embedded_file("review.css"));
+  static const std::string with_viewer = plain + std::string(embedded_file("viewer.css"));
   static const std::string fleet = plain + std::string(embedded_file("fleet.css"));
   switch (kind) {
     case PageKind::with_viewer:
@@ -40,7 +46,12 @@ const std::string& own_style(PageKind kind) {
 }
 
 const std::string& own_script() {
-  static const std::string script = without_indentation(embedded_file("review.js"));
+  static const std::string script = [] {
+    // A block: its names are none of the page's.
+    std::string all = "\"use strict\";\nif (document.getElementById(\"tribolog-loops\")) {\n";
+    for (const char* const part : viewer_parts) all += without_indentation(embedded_file(part));
+    return all + "}\n";
+  }();
   return script;
 }
 

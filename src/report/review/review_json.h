@@ -1,5 +1,5 @@
 #pragma once
-// What the report's loop viewer (templates/review.js) draws, as compact JSON: the script embedded
+// What the report's loop viewer (templates/viewer/) draws, as compact JSON: the script embedded
 // in the report computes no result, it shows what stands here.
 //
 // "tribolog-loops-1":

@@ -1,0 +1,76 @@
+// What the candidates' plots show.
+const hasRun = (i) => i >= 0 && isNumber(runs.w[i]);
+// Broken at standstill.
+const paintRunCurve = (plot, pen, ys) => {
+  const middle = runs.w.filter((w) => w <= 0).length;
+  trace(plot, pen, runs.w, ys, 0, middle);
+  trace(plot, pen, runs.w, ys, middle);
+};
+const paintDots = (plot, pen, ys, colour, radius) => {
+  setPen(pen, { colour: ink }, 1);
+  pen.fillStyle = colour;
+  ys.forEach((y, i) => {
+    if (!isNumber(y) || !hasRun(i)) return;
+    pen.beginPath();
+    pen.arc(plot.px(runs.w[i]), plot.py(y), radius, 0, 7);
+    pen.fill();
+    pen.stroke();
+  });
+};
+const paintRuns = (plot, pen) => {
+  const isLine = !runs.from_sweep;
+  acrossAt(plot, pen, 0, { colour: "#8b939c", line: "solid" });
+  if (state.others) {
+    setPen(pen, { colour: pale, line: "solid" }, 1.2);
+    for (const other of candidates) {
+      const ys = other[plot.y];
+      if (!ys || other.name === state.reading) continue;
+      if (isLine) paintRunCurve(plot, pen, ys); else paintDots(plot, pen, ys, pale, 2);
+    }
+  }
+  if (plot.y === "e" && runs.band) {
+    setPen(pen, { colour: "#78787a", line: "solid" }, 1);
+    pen.beginPath();
+    runs.band.forEach((half, i) => {
+      if (!isNumber(half)) return;
+      pen.moveTo(plot.px(runs.w[i]), plot.py(-half));
+      pen.lineTo(plot.px(runs.w[i]), plot.py(half));
+    });
+    pen.stroke();
+  }
+  const reference = plot.y === "f" && runs.f;
+  if (reference && isLine) {
+    setPen(pen, runs.style, 1.6);
+    paintRunCurve(plot, pen, reference);
+  }
+  const ys = (chosen() || {})[plot.y];
+  if (ys) {
+    setPen(pen, chosen().style, 2.4);
+    if (isLine) paintRunCurve(plot, pen, ys);
+    paintDots(plot, pen, ys, chosen().style.colour, isLine ? 3 : 4.5);
+  }
+  if (reference && !isLine) paintDots(plot, pen, reference, ink, 1.5);
+};
+const runMarks = (plot) => {
+  const candidate = chosen();
+  const ys = candidate && candidate[plot.y];
+  if (!ys || !hasRun(state.run) || !isNumber(ys[state.run])) return [];
+  const x = plot.px(runs.w[state.run]);
+  const y = plot.py(ys[state.run]);
+  return isInside(plot, x, y) ? [draw("circle", { class: "now", cx: x, cy: y, r: 6 })] : [];
+};
+const showCloseUp = () => {
+  const candidate = chosen();
+  for (const name of ["e", "f"]) {
+    if (!ranges[name]) continue;
+    let [low, high] = ranges[name].full;
+    const values = ((candidate && candidate[name]) || []).filter(isNumber);
+    if (state.closeUp && values.length) {
+      if (name === "e") values.push(0);
+      const spare = 0.1 * (Math.max(...values) - Math.min(...values));
+      low = Math.min(...values) - spare;
+      high = Math.max(...values) + spare;
+    }
+    setRange(name, low, high);
+  }
+};

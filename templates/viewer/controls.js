@@ -1,0 +1,131 @@
+// Buttons, boxes to tick, the slider's playing.
+const button = (words, act, attributes = {}) => {
+  const element = make("button", { type: "button", ...attributes }, words);
+  element.addEventListener("click", () => act(element));
+  return element;
+};
+const toggle = (words, isOn, act) => button(words, (element) => {
+  const now = element.getAttribute("aria-pressed") !== "true";
+  element.setAttribute("aria-pressed", now);
+  act(now);
+}, { "aria-pressed": isOn });
+const swatch = (style) => draw("svg", { class: "swatch", viewBox: "0 0 34 10", "aria-hidden": "true" },
+  draw("line", { x1: 1, x2: 33, y1: 5, y2: 5, stroke: style.colour, "stroke-width": 2.5,
+                 "stroke-dasharray": (dashes[style.line] || []).join(" ") }));
+const key = (style, words) => make("span", { class: "key" }, swatch(style), words);
+// Of the level line of the reading.
+const levelKey = make("span", { class: "key" });
+const check = (words, isOn, act, ...before) => {
+  const input = make("input", { type: "checkbox" });
+  input.checked = isOn;
+  input.addEventListener("change", () => act(input.checked, input));
+  return make("label", { class: "key" }, input, ...before, words);
+};
+
+const zoomControls = () => {
+  const box = toggle(t("Box zoom"), false, (isOn) => {
+    state.box = isOn;
+    root.classList.toggle("boxing", isOn);
+  });
+  // What a drag does must be possible without one, too.
+  const moves = [["←",  t("Move left"), -0.2, 0], ["→",  t("Move right"), 0.2, 0],
+                 ["↑",  t("Move up"), 0, 0.2], ["↓",  t("Move down"), 0, -0.2]];
+  return make("div", { class: "controls", role: "group", "aria-label": t("Zoom") },
+    button("+", () => zoom(current, 0.7), { "aria-label": t("Zoom in") }),
+    button("−", () => zoom(current, 1 / 0.7), { "aria-label": t("Zoom out") }),
+    ...moves.map(([sign, name, x, y]) =>
+      button(sign, () => pan(current, x, y), { "aria-label": name })),
+    box, button(t("Reset"), resetRanges));
+};
+
+const readings = () => {
+  const names = [];
+  const add = (name, words) => names.some(([n]) => n === name) || names.push([name, words]);
+  for (const point of data.points.first) add(point.name, point.name);
+  for (const candidate of candidates) {
+    add(candidate.name, candidate.name.length < 3 ? candidate.name : candidate.words);
+  }
+  if (data.midline) add("midline", t("mid-line"));
+  return names;
+};
+const readingControls = () => {
+  const set = make("fieldset", { class: "readings" },
+    make("legend", {},  t("Reading, and candidate for the surrogate mass")));
+  for (const [name, words] of readings()) {
+    const radio = make("input", { type: "radio", name: "review-reading", value: name,
+                                  id: "review-reading-" + name });
+    radio.addEventListener("change", () => choose(name, true));
+    set.append(make("label", {}, radio, words));
+  }
+  return set;
+};
+
+const loopControls = () => {
+  const line = make("div", { class: "keys" });
+  loops.forEach((loop, k) => {
+    const words = loops.length > 1 ? `${k + 1}: ${loop.name || t("loop")}` +
+      (loop.amplitude ? `, ± ${loop.amplitude}` : "") : t("measured");
+    line.append(loops.length === 1 ? key(loop.style, words) : check(words, state.shown[k], (isOn) => {
+      state.shown[k] = isOn;
+      redraw((plot) => plot.isLoop);
+    }, swatch(loop.style)));
+  });
+  if (loops.some((loop) => loop.fit)) {
+    line.append(check(t("LuGre fit"), true, (isOn) => {
+      state.fit = isOn;
+      redraw((plot) => plot.isLoop);
+    }, swatch(data.fit_style)));
+  }
+  if (loops.some((loop) => loop.midline)) line.append(key(midlineStyle, t("mid-line")));
+  if (loops.some((loop) => isWithin("q", loop.q_peak))) line.append(key(peakStyle, t("gravity peak")));
+  if (candidates.length) line.append(levelKey);
+  if (loops.length < 2) return line;
+  const select = make("select", { id: "review-loop" });
+  loops.forEach((loop, k) =>
+    select.append(make("option", { value: k }, `${k + 1}: ${loop.name || t("loop")}`)));
+  select.addEventListener("change", () => {
+    state.loop = Number(select.value);
+    state.shown[state.loop] = true;
+    line.querySelectorAll("input")[state.loop].checked = true;
+    setSample(state.sample);
+    redraw((plot) => plot.isLoop);
+    say(t("Loop {0} is read.", state.loop + 1));
+  });
+  line.append(make("label", { class: "key", for: "review-loop" },  t("Read and scrub")), select);
+  return line;
+};
+
+const playControl = () => {
+  const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
+  let isPlaying = false;
+  let last = 0;
+  let time = 0;
+  const show = () => {
+    element.textContent = isPlaying ? t("Pause") : t("Play");
+    element.hidden = calm.matches;
+  };
+  const advance = (now) => {
+    if (!isPlaying) return;
+    const loop = loops[state.loop];
+    const period = loop.frequency_Hz ? 1 / loop.frequency_Hz : loop.t[loop.t.length - 1] / 10;
+    // A cycle lasts four seconds.
+    time += Math.min(now - last, 100) / 4000 * period;
+    last = now;
+    setSample(nearestInTime(loop, time));
+    if (state.sample === loop.t.length - 1) isPlaying = false;
+    show();
+    requestAnimationFrame(advance);
+  };
+  const element = button(t("Play"), () => {
+    isPlaying = !isPlaying;
+    const { t } = loops[state.loop];
+    time = state.sample === t.length - 1 ? 0 : t[state.sample];
+    last = performance.now();
+    show();
+    requestAnimationFrame(advance);
+  });
+  slider.addEventListener("input", () => { isPlaying = false; show(); });
+  calm.addEventListener("change", () => { isPlaying = false; show(); });
+  show();
+  return element;
+};

@@ -1,0 +1,51 @@
+// Ranges: one for each quantity, so that plots which share an axis move together.
+const addRange = (name, columns, from = Infinity) => {
+  let low = from;
+  let high = -from;
+  for (const column of columns) {
+    for (const value of column || []) {
+      if (!isNumber(value)) continue;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (!(high >= low)) return;
+  const size = Math.max(Math.abs(low), Math.abs(high)) || 1;
+  const margin = 0.05 * (high - low || size);
+  const full = [low - margin, high + margin];
+  const decimals = clamp(4 - Math.floor(Math.log10(size)), 0, 9);
+  ranges[name] = { full, now: full.slice(), decimals };
+};
+const isWithin = (name, value) =>
+  isNumber(value) && value >= ranges[name].full[0] && value <= ranges[name].full[1];
+const setRange = (name, low, high) => {
+  const [first, last] = ranges[name].full;
+  const span = clamp(high - low, 1e-4 * (last - first), 1.5 * (last - first));
+  const middle = clamp((low + high) / 2, first, last);
+  ranges[name].now = [middle - span / 2, middle + span / 2];
+  // Loops are drawn pale outside the time shown.
+  const isTime = name === "t";
+  for (const plot of plots) {
+    if (plot.x === name || plot.y === name || (isTime && plot.isLoop)) plot.dirty = true;
+  }
+  requestFrame();
+};
+const zoom = (plot, factor, atX = 0.5, atY = 0.5) => {
+  for (const [name, at] of [[plot.x, atX], [plot.y, atY]]) {
+    const [low, high] = ranges[name].now;
+    const fixedPoint = low + at * (high - low);
+    setRange(name, fixedPoint - at * (high - low) * factor,
+             fixedPoint + (1 - at) * (high - low) * factor);
+  }
+};
+const pan = (plot, shareX, shareY) => {
+  for (const [name, share] of [[plot.x, shareX], [plot.y, shareY]]) {
+    const [low, high] = ranges[name].now;
+    if (share) setRange(name, low + share * (high - low), high + share * (high - low));
+  }
+};
+const resetRanges = () => {
+  for (const name in ranges) setRange(name, ...ranges[name].full);
+  if (state.closeUp) showCloseUp();
+  say(t("All plots show everything."));
+};
