@@ -67,7 +67,8 @@ struct ShowOptions {
 };
 
 struct ModelsOptions {
-  std::string output;  ///< The comparison (HTML); empty: only the list on the console.
+  bool compare{false};  ///< All of them side by side, in one page; else the list on the console.
+  std::string output;   ///< That page (HTML): one is not without the other.
   int processes{2};
   Language language{Language::english};
 };

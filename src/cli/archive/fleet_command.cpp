@@ -8,7 +8,7 @@
 #include "provenance.h"
 
 #include "cli/archive/archive_commands.h"
-#include "cli/language_option.h"
+#include "cli/options/shared_options.h"
 #include "files/atomic_file.h"
 
 namespace tribolog::cli {

@@ -1,9 +1,10 @@
-#include "cli/figures_options.h"
-
 #include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "cli/options/command_options.h"
+#include "cli/options/shared_options.h"
 
 namespace tribolog {
 namespace {
@@ -15,7 +16,8 @@ const std::map<std::string, FigureStyleChoice> figure_styles{{"report", FigureSt
 
 }  // namespace
 
-void add_figures(CLI::App& command, FiguresOptions& figures) {
+CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
+  CLI::App& command = *app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");
   command.add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
   command.add_option("-o,--output", figures.directory, "directory to write to")->required();
   command
@@ -41,10 +43,14 @@ void add_figures(CLI::App& command, FiguresOptions& figures) {
           "report (the default): 160 mm wide; paper: 84 or 174 mm, for a journal's columns")
       ->check(CLI::IsMember(figure_styles))
       ->type_name("STYLE");
+  add_truth_runs(command, figures.truth_runs);
+  add_processes(command, figures.processes);
+  add_language(command, figures.language);
   command.footer(
       "\nSVG and PDF keep text as text and carry the letters they use. Charts in them need no\n"
       "graphics stack; the solid parts of the robot's drawings are a picture below the lines.\n"
       "--style paper leaves the title to the caption; letters are 7 to 8 pt in print.");
+  return command;
 }
 
 }  // namespace tribolog
