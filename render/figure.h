@@ -77,6 +77,7 @@ struct Axis {
   std::optional<double> maximum;
   bool logarithmic{false};      ///< Decades; all data must be positive.
   bool dates{false};            ///< Values are days since 1970-01-01 UTC; ticks are calendar dates.
+  bool counts{false};           ///< Values are whole numbers, and so are the ticks.
   std::vector<AxisName> names;  ///< If any, they are the ticks; no numbers are shown.
 };
 

@@ -25,7 +25,8 @@ TickSet named_ticks(const Axis& axis, const AxisRange& range) {
 TickSet ticks_of(const Axis& axis, const AxisRange& range, int most) {
   if (!axis.names.empty()) return named_ticks(axis, range);
   if (axis.dates) return date_ticks(range, most);
-  return axis.logarithmic ? logarithmic_ticks(range, most) : linear_ticks(range, most);
+  if (axis.logarithmic) return logarithmic_ticks(range, most);
+  return linear_ticks(range, most, axis.counts ? 1.0 : 0.0);
 }
 
 class Framer {

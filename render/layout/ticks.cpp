@@ -27,16 +27,17 @@ double ticks_within(const AxisRange& range, double step) {
          std::ceil(range.low / step - rounding_slack) + 1.0;
 }
 
-/// `resolution`: neighbouring ticks must be farther apart than numbers can tell.
-Step choose_step(const AxisRange& range, int most, double resolution) {
+/// `least`: neighbouring ticks are at least as far apart.
+Step choose_step(const AxisRange& range, int most, double least) {
   const double span = range.high - range.low;
   Step step{1, static_cast<int>(std::floor(std::log10(span / most))) - 1};
-  while (ticks_within(range, step.size()) > most || step.size() < resolution) {
+  while (ticks_within(range, step.size()) > most || step.size() < least) {
     step = step.larger();
   }
   return step;
 }
 
+/// What numbers can tell apart, twice.
 double resolution_of(const AxisRange& range) {
   const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
   return 2.0 * (std::nextafter(magnitude, std::numeric_limits<double>::max()) - magnitude);
@@ -56,11 +57,12 @@ double choose_offset(const AxisRange& range) {
 
 }  // namespace
 
-TickSet linear_ticks(const AxisRange& range, int most) {
+TickSet linear_ticks(const AxisRange& range, int most, double least_step) {
   TickSet out;
   const double offset = choose_offset(range);
   const AxisRange shifted{range.low - offset, range.high - offset};
-  const Step step = choose_step(shifted, std::max(most, 2), resolution_of(range));
+  const Step step =
+      choose_step(shifted, std::max(most, 2), std::max(resolution_of(range), least_step));
   const double size = step.size();
   const auto first = static_cast<long long>(std::ceil(shifted.low / size - rounding_slack));
   const auto last = static_cast<long long>(std::floor(shifted.high / size + rounding_slack));

@@ -22,8 +22,8 @@ struct TickSet {
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten, at most `most` of them (at least 2 where the range
-/// allows it). @pre range as AxisRange demands; most >= 2.
-TickSet linear_ticks(const AxisRange& range, int most);
+/// allows it), no closer than `least_step`. @pre range as AxisRange demands; most >= 2.
+TickSet linear_ticks(const AxisRange& range, int most, double least_step = 0.0);
 
 /// Decades; where the range is short also their 2- and 5-fold, or linear ticks.
 TickSet logarithmic_ticks(const AxisRange& range, int most);

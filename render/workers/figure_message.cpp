@@ -53,7 +53,8 @@ void visit_fields(Visitor& visit, Is<AxisName> auto& item) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Is<Axis> auto& item) {
-  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates, item.names);
+  visit(item.title, item.minimum, item.maximum, item.logarithmic, item.dates, item.counts,
+        item.names);
 }
 
 template <class Visitor>

@@ -75,6 +75,7 @@ render::Panel errors_panel(const CurveModelChoice& choice) {
   const AxisScale scale = prefixed("N·m", errors.largest());
   render::Panel panel;
   panel.x.title = "parameters of the model";
+  panel.x.counts = true;
   panel.y.title = axis_title("rms error", scale);
   panel.y.minimum = 0;
   render::Series held = line("at speeds held out: decides", {}, {}, colour::vermilion);

@@ -61,6 +61,7 @@ std::optional<ReportFigure> mass_comparison_figure(const Calibration& calibratio
   const AxisScale scale = levelled("kg", extent_without(checks, ""));
   render::Panel panel;
   panel.x.title = "way, numbered as below";
+  panel.x.counts = true;
   panel.x.minimum = 0.5;
   panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
   panel.y.title = axis_title("surrogate mass m", scale, "kg");

@@ -18,6 +18,18 @@ namespace {
 
 /// Further out than this a point stands at the edge: how far says no more than that it is out.
 constexpr double farthest_shown = 5;
+constexpr double least_shown = 2;  ///< The interval itself must not fill the picture.
+
+/// Half widths to either side that hold all, up to farthest_shown.
+double reach_of(const std::vector<const ReturnedQuantity*>& shown) {
+  double reach = least_shown;
+  for (const ReturnedQuantity* q : shown) {
+    for (const double off : q->in_half_widths) {
+      if (std::isfinite(off)) reach = std::max(reach, std::ceil(std::abs(off)));
+    }
+  }
+  return std::min(reach, farthest_shown);
+}
 
 std::string place_words(const std::vector<const ReturnedQuantity*>& shown) {
   std::vector<std::string> words;
@@ -44,8 +56,9 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
   render::Panel panel;
   panel.x.title = "deviation from what was put in, in half widths of the stated 95 % interval";
   panel.y.title = "quantity";
-  panel.x.minimum = -farthest_shown - 0.5;
-  panel.x.maximum = farthest_shown + 0.5;
+  const double reach = reach_of(shown);
+  panel.x.minimum = -reach - 0.5;
+  panel.x.maximum = reach + 0.5;
   panel.y.minimum = 0.2;
   panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
   panel.bands.push_back(
@@ -88,13 +101,14 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
       "Deviations of {} in units of the half width that each run states for itself: "
       "{} of {} are held by their intervals. From top: {}",
       counted(check.runs, "simulation"), held, all, place_words(shown));
-  out.how_to_read = fmt::format(
+  out.how_to_read =
       "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
       "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "
       "side "
-      "is biased on these motions; one that spreads wider has intervals that are too narrow. Marks "
-      "at ±{:.0f} lie there or beyond.",
-      farthest_shown);
+      "is biased on these motions; one that spreads wider has intervals that are too narrow.";
+  if (reach >= farthest_shown) {
+    out.how_to_read += fmt::format(" Marks at ±{:.0f} lie there or beyond.", reach);
+  }
   out.alt = fmt::format("{} of {} returned values lie within their stated intervals: {}.", held,
                         all, place_words(shown));
   return out;

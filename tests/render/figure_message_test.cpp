@@ -73,6 +73,7 @@ TEST(FigureMessage, WritesEveryField) {
     expect_change(axis->maximum, std::optional(1.0));
     expect_change(axis->logarithmic, true);
     expect_change(axis->dates, true);
+    expect_change(axis->counts, true);
     expect_change(axis->names, std::vector<AxisName>{{1.5, "mid-line"}});
   }
   Band& band = panel.bands[0];

@@ -38,6 +38,13 @@ TEST(LinearTicks, TakeOutAPowerOfTenForLargeAndSmallValues) {
   EXPECT_EQ(small.major.back().label, "400");
 }
 
+TEST(LinearTicks, StandAtWholeNumbersWhereValuesAreCounts) {
+  EXPECT_EQ(labels(linear_ticks({0.5, 3.5}, 8)),
+            (std::vector<std::string>{"0.5", "1.0", "1.5", "2.0", "2.5", "3.0", "3.5"}));
+  EXPECT_EQ(labels(linear_ticks({0.5, 3.5}, 8, 1.0)), (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(labels(linear_ticks({0.5, 12.5}, 4, 1.0)), (std::vector<std::string>{"5", "10"}));
+}
+
 TEST(LinearTicks, SubtractALargeOffset) {
   const TickSet time = linear_ticks({1.7e9, 1.7e9 + 10}, 6);
   EXPECT_EQ(time.scale_note, "+ 1.7·10^{9}");
