@@ -1,11 +1,13 @@
 #include "figures/figure_csv.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 namespace tribolog {
@@ -34,6 +36,16 @@ std::string plain(const std::string& markup) {
   return text;
 }
 
+/// "2026-11-22T06:30:00Z" of days since 1970-01-01.
+std::string date(double days) {
+  using std::chrono::seconds;
+  constexpr double day = 86'400;
+  constexpr double year_9999 = 2'932'897;
+  if (!(std::abs(days) < year_9999)) return "";
+  const std::chrono::sys_seconds at{seconds(std::llround(days * day))};
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
+}
+
 /// A cell. One that a spreadsheet would take for a formula gets an apostrophe in front.
 std::string quoted(const std::string& markup) {
   std::string text = plain(markup);
@@ -49,23 +61,29 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
-/// Of every block of samples the lowest and the highest, in their order.
-std::vector<std::size_t> kept_samples(const std::vector<double>& y, std::size_t most) {
+/// Of every block of samples the lowest and the highest that are there, in their order.
+/// @param is_there of a sample: that it can be drawn
+std::vector<std::size_t> kept_samples(const std::vector<double>& y,
+                                      const std::vector<bool>& is_there, std::size_t most) {
   std::vector<std::size_t> kept;
   const std::size_t block = y.size() <= most ? 1 : (2 * y.size() + most - 1) / most;
   for (std::size_t from = 0; from < y.size(); from += block) {
     const std::size_t to = std::min(from + block, y.size());
-    std::size_t low = from;
-    std::size_t high = from;
+    std::size_t low = to;
+    std::size_t high = to;
     for (std::size_t i = from; i < to; ++i) {
-      if (y[i] < y[low] || !std::isfinite(y[low])) low = i;
-      if (y[i] > y[high] || !std::isfinite(y[high])) high = i;
+      if (!is_there[i]) continue;
+      if (low == to || y[i] < y[low]) low = i;
+      if (high == to || y[i] > y[high]) high = i;
     }
+    if (low == to) continue;
     kept.push_back(std::min(low, high));
     if (low != high) kept.push_back(std::max(low, high));
   }
   return kept;
 }
+
+std::string scale(const render::Axis& axis) { return axis.logarithmic ? " (logarithmic)" : ""; }
 
 std::size_t samples_in(const render::Figure& figure) {
   std::size_t sum = 0;
@@ -94,9 +112,11 @@ class Writer {
  private:
   void add(const Panel& panel, int number) {
     panel_ = number;
-    comments_ += fmt::format("# panel {}{}: x = {}; y = {}\n", number,
-                             panel.title.empty() ? "" : " (" + plain(panel.title) + ")",
-                             plain(panel.x.title), plain(panel.y.title));
+    x_ = &panel.x;
+    comments_ +=
+        fmt::format("# panel {}{}: x = {}{}; y = {}{}\n", number,
+                    panel.title.empty() ? "" : " (" + plain(panel.title) + ")",
+                    plain(panel.x.title), scale(panel.x), plain(panel.y.title), scale(panel.y));
     for (const Series& series : panel.series) add(series);
     for (const render::Band& band : panel.bands) add(band);
     for (const render::ErrorBar& bar : panel.error_bars)
@@ -112,16 +132,44 @@ class Writer {
   }
 
   void add(const Series& series) {
-    const auto kept = kept_samples(series.y, rows_of(series.y.size()));
-    for (const std::size_t i : kept) row("curve", series.label, series.x[i], series.y[i]);
-    tell_thinned(series.label, kept.size(), series.y.size());
+    const char* const what = series.style == render::LineStyle::none ? "marks" : "curve";
+    std::vector<bool> is_there(series.x.size());
+    for (std::size_t i = 0; i < is_there.size(); ++i)
+      is_there[i] = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+    add_samples(what, series.label, series.y, is_there,
+                [&](std::size_t i) { row(what, series.label, series.x[i], series.y[i]); });
   }
 
   void add(const render::Band& band) {
-    const auto kept = kept_samples(band.high, rows_of(band.high.size()));
-    for (const std::size_t i : kept)
+    std::vector<bool> is_there(band.x.size());
+    for (std::size_t i = 0; i < is_there.size(); ++i)
+      is_there[i] =
+          std::isfinite(band.x[i]) && std::isfinite(band.low[i]) && std::isfinite(band.high[i]);
+    add_samples("interval", band.label, band.high, is_there, [&](std::size_t i) {
       row("interval", band.label, band.x[i], not_there, band.low[i], band.high[i]);
-    tell_thinned(band.label, kept.size(), band.x.size());
+    });
+  }
+
+  /// Rows of the samples that are kept, and one without numbers for each break between them.
+  template <typename AddRow>
+  void add_samples(const char* what, const std::string& label, const std::vector<double>& y,
+                   const std::vector<bool>& is_there, const AddRow& add_row) {
+    const std::vector<std::size_t> kept = kept_samples(y, is_there, rows_of(y.size()));
+    std::size_t seen = 0;
+    for (const std::size_t i : kept) {
+      bool is_broken = false;
+      for (; seen < i; ++seen) is_broken = is_broken || !is_there[seen];
+      if (is_broken && i != kept.front()) row(what, label, not_there, not_there);
+      add_row(i);
+    }
+    const auto there = static_cast<std::size_t>(std::count(is_there.begin(), is_there.end(), true));
+    if (kept.size() < there) {
+      tell(label, fmt::format("{} of {} samples, the lowest and highest of each block", kept.size(),
+                              there));
+    }
+    if (there < y.size()) {
+      tell(label, fmt::format("{} of {} samples are no numbers", y.size() - there, y.size()));
+    }
   }
 
   [[nodiscard]] std::size_t rows_of(std::size_t samples) const {
@@ -129,22 +177,21 @@ class Writer {
     return share_ < 1.0 ? std::max(fewest_rows, part) : samples;
   }
 
-  void tell_thinned(const std::string& label, std::size_t kept, std::size_t of) {
-    if (kept == of) return;
-    comments_ +=
-        fmt::format("# panel {}, {}: {} of {} samples, the lowest and highest of each block\n",
-                    panel_, label.empty() ? "a curve" : plain(label), kept, of);
+  void tell(const std::string& label, const std::string& words) {
+    comments_ += fmt::format("# panel {}, {}: {}\n", panel_,
+                             label.empty() ? "a curve" : plain(label), words);
   }
 
   void row(const char* what, const std::string& name, double x, double y, double low = not_there,
            double high = not_there) {
-    rows_ += fmt::format("{},{},{},{},{},{},{}\n", panel_, what, quoted(name), number(x), number(y),
-                         number(low), number(high));
+    rows_ += fmt::format("{},{},{},{},{},{},{}\n", panel_, what, quoted(name),
+                         x_->dates ? date(x) : number(x), number(y), number(low), number(high));
   }
 
   static constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
   double share_;  ///< Of the samples that become rows.
   int panel_{};
+  const render::Axis* x_{};  ///< Of that panel.
   std::string comments_;
   std::string rows_;
 };

@@ -9,9 +9,10 @@
 namespace tribolog {
 
 /// Rows `panel,what,name,x,y,low,high` in the units of the figure's axes, which comment lines (#)
-/// above the header state. `what` is curve, interval, point, line or name (of
-/// a place on an axis); what does not apply is empty. Six significant digits, lines end with LF.
-/// Numbers that are not finite are empty.
+/// above the header state, with the axes whose scale is logarithmic. `what` is curve, marks (a
+/// series that no line joins), interval, point, line or name (of a place on an axis); what does not
+/// apply is empty. Six significant digits, lines end with LF.
+/// Where a curve breaks, one row has neither x nor y, however many samples are missing there.
 ///
 /// @param most_rows curves with more samples are thinned so that all have about as many rows in
 ///        sum: of every block the lowest and the highest sample stay, and a comment says so.

@@ -43,11 +43,11 @@ TEST(FigureCsv, SaysEverythingThatIsDrawn) {
   EXPECT_EQ(figure_csv(figure_of({panel, panel_of({5}, {6}, "")}), all_rows),
             "# fig-1: Loop\n"
             "# panel 1 (first): x = joint angle q [mrad]; y = T_f [N·m]\n"
+            "# panel 1, T_ARM, measured: 1 of 3 samples are no numbers\n"
             "# panel 2: x = joint angle q [mrad]; y = T_f [N·m]\n"
             "panel,what,name,x,y,low,high\n"
             "1,curve,\"T_ARM, measured\",1,0.1,,\n"
             "1,curve,\"T_ARM, measured\",2,-1e-07,,\n"
-            "1,curve,\"T_ARM, measured\",,3,,\n"
             "1,interval,95 %,1,,0.5,1.5\n"
             "1,interval,,4,,1,2\n"
             "1,name,T_s,,1,,\n"
@@ -80,6 +80,50 @@ TEST(FigureCsv, ThinnedCurvesKeepTheirExtremes) {
     ++rows;
   }
   EXPECT_EQ(rows, 1000U);
+}
+
+TEST(FigureCsv, SaysWhereCurvesBreakAndWhatNoLineJoins) {
+  const double gap = std::nan("");
+  render::Panel panel = panel_of({gap, 1, 2, 3, gap, 5, 6}, {0, 1, gap, gap, 4, 5, gap}, "loop");
+  render::Series marks = panel_of({7, 8}, {1, 2}, "points").series.front();
+  marks.style = render::LineStyle::none;
+  panel.series.push_back(marks);
+  panel.y.logarithmic = true;
+  panel.bands.push_back({"95 %", {1, 2, 3}, {1, gap, 1}, {2, 2, 2}, {}});
+  EXPECT_EQ(figure_csv(figure_of({panel}), all_rows),
+            "# fig-1: Loop\n"
+            "# panel 1: x = joint angle q [mrad]; y = T_f [N·m] (logarithmic)\n"
+            "# panel 1, loop: 5 of 7 samples are no numbers\n"
+            "# panel 1, 95 %: 1 of 3 samples are no numbers\n"
+            "panel,what,name,x,y,low,high\n"
+            "1,curve,loop,1,1,,\n"
+            "1,curve,loop,,,,\n"
+            "1,curve,loop,5,5,,\n"
+            "1,marks,points,7,1,,\n"
+            "1,marks,points,8,2,,\n"
+            "1,interval,95 %,1,,1,2\n"
+            "1,interval,95 %,,,,\n"
+            "1,interval,95 %,3,,1,2\n");
+}
+
+TEST(FigureCsv, BreaksStayWhereCurvesAreThinned) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i < 10'000; ++i) {
+    x.push_back(i);
+    y.push_back(i == 5'000 ? std::nan("") : std::sin(1e-3 * i));
+  }
+  const std::string text = figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
+  EXPECT_NE(text.find("\n1,curve,log,,,,\n"), std::string::npos);
+  EXPECT_NE(text.find("# panel 1, log: 1 of 10000 samples are no numbers\n"), std::string::npos);
+}
+
+TEST(FigureCsv, DatesAreDates) {
+  render::Panel panel = panel_of({0, 20'779.25}, {1, 2}, "F_{c}");
+  panel.x.dates = true;
+  const std::string text = figure_csv(figure_of({panel}), all_rows);
+  EXPECT_NE(text.find("1,curve,F_c,1970-01-01T00:00:00Z,1,,\n"), std::string::npos);
+  EXPECT_NE(text.find("1,curve,F_c,2026-11-22T06:00:00Z,2,,\n"), std::string::npos);
 }
 
 TEST(FigureCsv, NoTextBreaksOutOfItsCell) {
