@@ -72,6 +72,15 @@ void add_change(const history::Comparison& since_last, const QuantityVerdict& q,
 
 std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last) {
+  const auto& findings = judgement.findings;
+  const auto end_in_sight =
+      findings.begin() + static_cast<std::ptrdiff_t>(std::min(findings.size(), findings_in_sight));
+  // A limit's words stand once on the first screen; its row has the rule and what came of it.
+  const auto stands_above = [&](const QuantityVerdict& q, const std::string& reason) {
+    return std::any_of(q.limits.begin(), q.limits.end(),
+                       [&](const LimitOutcome& limit) { return limit.words == reason; }) &&
+           std::find(findings.begin(), end_in_sight, reason) != end_in_sight;
+  };
   std::vector<QuantityRow> rows;
   for (const QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
@@ -81,7 +90,9 @@ std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
     add_estimate(q, row);
     for (const LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
     if (since_last) add_change(*since_last, q, row);
-    for (const std::string& reason : q.reasons) row.reasons.push_back(as_sentence(reason));
+    for (const std::string& reason : q.reasons) {
+      if (!stands_above(q, reason)) row.reasons.push_back(as_sentence(reason));
+    }
     row.experiment = as_sentence(q.experiment);
     rows.push_back(std::move(row));
   }

@@ -41,7 +41,7 @@ void fill_contents(const ReportView& view, TemplateValues& values) {
 
 /// The weightiest in sight, the others behind a click.
 void fill_findings(const std::vector<std::string>& findings, TemplateValues& verdict) {
-  constexpr std::size_t in_sight = 3;
+  constexpr std::size_t in_sight = findings_in_sight;
   if (findings.empty()) return;
   TemplateValues& first = verdict.add_section("FINDINGS");
   for (std::size_t k = 0; k < std::min(in_sight, findings.size()); ++k) {

@@ -60,6 +60,9 @@ void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
 /// The known-truth check as the section "known-truth"; only where the check was made.
 Section truth_check_section(const TruthCheckResult& check, int number);
 
+/// Of the findings, as many are shown; the others are behind a click.
+inline constexpr std::size_t findings_in_sight = 3;
+
 std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last);
 std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks);

@@ -47,6 +47,27 @@ TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
   EXPECT_EQ(row_of(table, "Break-away torque, at the joint")->cells[1], "88.44 ± 0.13");
 }
 
+TEST(ReportView, TheWordsOfABrokenLimitStandOnceOnTheFirstScreen) {
+  LimitOutcome limit;
+  limit.rule = "max";
+  limit.state = LimitState::outside;
+  limit.words = "the surrogate mass is above its limit";
+  QuantityVerdict mass;
+  mass.key = "surrogate_mass";
+  mass.limits = {limit};
+  mass.reasons = {limit.words, "the loops disagree"};
+  Judgement judgement;
+  judgement.quantities = {mass};
+  judgement.findings = {"one", "two", limit.words, "the loops disagree"};
+  EXPECT_EQ(quantity_rows(judgement, std::nullopt).front().reasons,
+            std::vector<std::string>{"The loops disagree."});
+  judgement.findings = {"one", "two", "three", limit.words};
+  EXPECT_EQ(
+      quantity_rows(judgement, std::nullopt).front().reasons,
+      (std::vector<std::string>{"The surrogate mass is above its limit.", "The loops disagree."}))
+      << "behind a click it is not in sight";
+}
+
 TEST(ReportView, ADirectDriveHasOneSide) {
   Calibration c = complete_calibration();
   c.manifest.drive = Drive(1.0, EffortKind::motor_torque, Side::motor);
