@@ -5,15 +5,19 @@
 #include <fmt/format.h>
 
 #include "error.h"
+#include "figures/figure_language.h"
 #include "report/html_report.h"
 
 namespace tribolog {
 
 std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
-                                      const std::vector<ReportFigure>& figures, Console& console) {
+                                      const std::vector<ReportFigure>& figures, Language language,
+                                      Console& console) {
   std::vector<render::Figure> descriptions;
   descriptions.reserve(figures.size());
-  for (const ReportFigure& figure : figures) descriptions.push_back(figure.figure);
+  for (const ReportFigure& figure : figures) {
+    descriptions.push_back(drawn_in_language(figure.figure, language));
+  }
   render::DrawOptions options;
   options.progress = [&](std::size_t done, std::size_t all) {
     console.progress("drawing figures", done, all);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "language/language.h"
 #include "provenance.h"
 
 #include "cli/console.h"
@@ -13,10 +14,11 @@
 
 namespace tribolog {
 
-/// Pictures in the order of the figures. A graphics stack that cannot start at all leaves every
-/// picture with its error.
+/// Pictures in the order of the figures, with their texts in the language. A graphics stack that
+/// cannot start at all leaves every picture with its error.
 std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
-                                      const std::vector<ReportFigure>& figures, Console& console);
+                                      const std::vector<ReportFigure>& figures, Language language,
+                                      Console& console);
 
 /// The graphics stack, for the provenance; absent if nothing was drawn.
 std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn);

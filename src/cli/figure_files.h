@@ -32,6 +32,7 @@ std::vector<ReportFigure> for_publication(std::vector<ReportFigure> figures);
 
 /// Only PNG and the solid parts of scenes need the graphics stack; what does not need it is written
 /// without it.
+/// @param figures as they are to be read: nothing is translated here
 /// @param renderer may be null where it is not needed
 FigureFiles figure_files(const std::vector<ReportFigure>& figures,
                          const std::vector<FigureFormat>& formats, render::FigureRenderer* renderer,

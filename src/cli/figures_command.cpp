@@ -42,7 +42,7 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   const Calibration calibration = run_identification(dataset, {{}, options.truth_runs}, console);
   std::vector<ReportFigure> figures =
       with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
-  figures = drawn_in_language(std::move(figures), options.language);
+  for (ReportFigure& one : figures) one = as_file_in_language(std::move(one), options.language);
   if (options.style == FigureStyleChoice::paper) figures = for_publication(std::move(figures));
   const FigureFiles drawn =
       figure_files(figures, options.formats, renderer ? &*renderer : nullptr, console);

@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/drawing.h"
-#include "figures/figure_language.h"
+#include "error.h"
 #include "figures/model_figures.h"
 #include "files/atomic_file.h"
 #include "friction/catalogue.h"
@@ -79,7 +79,10 @@ void list_models(Console& console) {
 
 ExitStatus run_models(const ModelsOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {
-  if (options.output.empty()) {
+  if (options.compare == options.output.empty()) {
+    throw UsageError("tribolog models: --compare and -o FILE belong together; see its --help");
+  }
+  if (!options.compare) {
     list_models(console);
     return ExitStatus::done;
   }
@@ -93,8 +96,7 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   for (const ModelExperiment& one : experiments) {
     figures.insert(figures.end(), one.figures.begin(), one.figures.end());
   }
-  const std::vector<render::DrawnFigure> drawn =
-      draw(renderer, drawn_in_language(figures, options.language), console);
+  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
   provenance.drawing = software_that_drew(drawn);
   write_file_atomically(options.output,
                         models_page(contact, experiments, drawn, provenance, options.language));

@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
-#include "figures/figure_language.h"
 #include "files/atomic_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
@@ -54,9 +53,8 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
   paper.sections = paper::paper_items(joint, paper.figures);
   paper.golden_numbers = paper::golden_numbers(joint);
 
-  // The checks read what the drawings say: in English.
   const std::vector<render::DrawnFigure> drawn =
-      draw(renderer, drawn_in_language(paper.figures, options.language), console);
+      draw(renderer, paper.figures, options.language, console);
   paper.provenance.drawing = software_that_drew(drawn);
   const std::vector<PaperTally> tallies = tally_of(paper, drawn);
   write_file_atomically(options.output,

@@ -6,7 +6,6 @@
 #include "export/plan/plan_json.h"
 #include "export/plan/plan_table.h"
 #include "export/plan/set_points_csv.h"
-#include "figures/figure_language.h"
 #include "figures/plan_figure.h"
 #include "files/atomic_file.h"
 #include "files/file_contents.h"
@@ -56,9 +55,8 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   files.add(in_folder("plan.json"), plan_json(report.plan, report.expected, report.provenance));
   // The numbers first: a figure that fails must not lose them.
   files.commit();
-  const std::vector<ReportFigure> figures =
-      drawn_in_language(plan_figures(report.plan), options.language);
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
+  const std::vector<ReportFigure> figures = plan_figures(report.plan);
+  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
   write_file_atomically(page, plan_page(report, figures, drawn, options.language));
 

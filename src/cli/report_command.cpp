@@ -6,7 +6,6 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
-#include "figures/figure_language.h"
 #include "figures/figure_set.h"
 #include "files/atomic_file.h"
 #include "paper/scenes/scene_figures.h"
@@ -58,8 +57,7 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   if (renderer) {
     figures =
         with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
-    figures = drawn_in_language(std::move(figures), options.language);
-    drawn = draw(*renderer, figures, console);
+    drawn = draw(*renderer, figures, options.language, console);
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);

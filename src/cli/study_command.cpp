@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
-#include "figures/figure_language.h"
 #include "figures/study_figures.h"
 #include "files/atomic_file.h"
 #include "files/file_contents.h"
@@ -68,9 +67,8 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   }
   // The numbers first: a figure that fails must not lose them.
   if (!options.json.empty()) write_file_atomically(options.json, study_json(report));
-  const std::vector<ReportFigure> figures =
-      drawn_in_language(study_figures(report.study), options.language);
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, console);
+  const std::vector<ReportFigure> figures = study_figures(report.study);
+  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
   write_file_atomically(options.output, study_page(report, figures, drawn, options.language));
   console.say(study_sentence(report.study));

@@ -1,5 +1,7 @@
 #include "figures/figure_language.h"
 
+#include <utility>
+
 namespace tribolog {
 namespace {
 
@@ -63,12 +65,17 @@ class DrawnTexts {
 
 }  // namespace
 
-std::vector<ReportFigure> drawn_in_language(std::vector<ReportFigure> figures, Language language) {
+render::Figure drawn_in_language(render::Figure figure, Language language) {
   const Catalogue* const catalogue = catalogue_of(language);
-  if (catalogue == nullptr) return figures;
-  const DrawnTexts texts(*catalogue);
-  for (ReportFigure& figure : figures) texts.translate(figure.figure);
-  return figures;
+  if (catalogue != nullptr) DrawnTexts(*catalogue).translate(figure);
+  return figure;
+}
+
+ReportFigure as_file_in_language(ReportFigure figure, Language language) {
+  figure.figure = drawn_in_language(std::move(figure.figure), language);
+  figure.title = in_language(language, figure.title);
+  figure.alt = in_language(language, figure.alt);
+  return figure;
 }
 
 }  // namespace tribolog

@@ -1,7 +1,5 @@
 #pragma once
-// The texts inside pictures in another language.
-
-#include <vector>
+// The texts of figures in another language.
 
 #include "language/language.h"
 
@@ -9,8 +7,11 @@
 
 namespace tribolog {
 
-/// The same figures with every text that is drawn, and with no other change: what stands beside
-/// the picture is translated by the page.
-std::vector<ReportFigure> drawn_in_language(std::vector<ReportFigure> figures, Language language);
+/// The same picture with every text in the language, and with no other change.
+render::Figure drawn_in_language(render::Figure figure, Language language);
+
+/// The picture, and what a file of it says of itself: title and alternative text. What stands
+/// beside the picture on a page is translated by the page.
+ReportFigure as_file_in_language(ReportFigure figure, Language language);
 
 }  // namespace tribolog

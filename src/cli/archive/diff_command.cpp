@@ -5,8 +5,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/history_page.h"
-#include "cli/language_option.h"
-#include "figures/figure_language.h"
+#include "cli/options/shared_options.h"
 #include "figures/history/comparison_figures.h"
 #include "report/history/comparison_page.h"
 #include "report/history/comparison_view.h"
@@ -47,10 +46,9 @@ std::string missing_curves(const history::RecordedCurves& a, const history::Reco
 ExitStatus write_page(const Options& options, const history::Comparison& comparison,
                       const history::RecordedCurves& first, const history::RecordedCurves& second,
                       const Invocation& call) {
-  const auto figures =
-      drawn_in_language(comparison_figures(comparison, first, second), options.language);
+  const auto figures = comparison_figures(comparison, first, second);
   return write_history_page(
-      {options.output, options.processes}, figures, call,
+      {options.output, options.processes, options.language}, figures, call,
       [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
         return comparison_page(comparison, provenance, missing_curves(first, second), figures,
                                drawn, options.language);
@@ -81,7 +79,7 @@ Run add_diff(CLI::App& archive) {
       ->capture_default_str();
   command.add_flag("--different-joints", options->different_joints,
                    "compare two that are not of one joint");
-  add_drawing_processes(command, options->processes);
+  add_processes(command, options->processes);
   add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(

@@ -1,7 +1,5 @@
 #include "cli/archive/history_page.h"
 
-#include <CLI/CLI.hpp>
-
 #include "inspect/text_table.h"
 
 #include "cli/drawing.h"
@@ -23,13 +21,6 @@ std::string text_of(const report::Table& table) {
   return text.text(width);
 }
 
-void add_drawing_processes(CLI::App& command, int& processes) {
-  constexpr int most = 64;
-  command.add_option("-j,--processes", processes, "processes that draw figures")
-      ->check(CLI::Range(1, most))
-      ->capture_default_str();
-}
-
 ExitStatus write_history_page(
     const PageOutput& output, const std::vector<ReportFigure>& figures, const Invocation& call,
     const std::function<std::string(const Provenance&, const std::vector<render::DrawnFigure>&)>&
@@ -39,7 +30,7 @@ ExitStatus write_history_page(
   std::vector<render::DrawnFigure> drawn;
   if (!figures.empty()) {
     render::FigureRenderer renderer(output.processes);
-    drawn = draw(renderer, figures, call.console);
+    drawn = draw(renderer, figures, output.language, call.console);
   }
   provenance.drawing = software_that_drew(drawn);
   write_file_atomically(output.path, make_page(provenance, drawn));

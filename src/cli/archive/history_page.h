@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "language/language.h"
 #include "provenance.h"
 
 #include "cli/archive/archive_commands.h"
@@ -22,12 +23,10 @@ inline constexpr std::size_t longest_note = 1000;
 /// The table in aligned columns, safe for a terminal.
 std::string text_of(const report::Table& table);
 
-/// `-j,--processes`
-void add_drawing_processes(CLI::App& command, int& processes);
-
 struct PageOutput {
   std::string path;
   int processes{2};
+  Language language{Language::english};  ///< Of the pictures.
 };
 
 /// Draws, makes the page of it, and writes that.

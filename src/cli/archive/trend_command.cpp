@@ -8,8 +8,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/history_page.h"
-#include "cli/language_option.h"
-#include "figures/figure_language.h"
+#include "cli/options/shared_options.h"
 #include "figures/history/trend_figures.h"
 #include "report/history/trend_page.h"
 #include "report/history/trend_view.h"
@@ -54,9 +53,9 @@ ExitStatus write_page(const Options& options, const std::vector<JointTrend>& tre
         "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
         trends.size(), most_joints_of_a_page));
   }
-  const auto figures = drawn_in_language(trend_figures(trends), options.language);
+  const auto figures = trend_figures(trends);
   return write_history_page(
-      {options.output, options.processes}, figures, call,
+      {options.output, options.processes, options.language}, figures, call,
       [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
         return trend_page(trends, provenance, figures, drawn, options.language);
       });
@@ -84,7 +83,7 @@ Run add_trend(CLI::App& archive) {
       ->excludes(count);
   command.add_flag("--fail-on-warning", options->fails_on_warning,
                    "status 1 where a change stands");
-  add_drawing_processes(command, options->processes);
+  add_processes(command, options->processes);
   add_language(command, options->language);
   const auto where = add_archive_options(command);
   command.footer(

@@ -1,5 +1,7 @@
 #include "readings.h"
 
+#include <utility>
+
 #include "figures/figure_language.h"
 #include "render/publication.h"
 
@@ -20,9 +22,12 @@ std::vector<Reading> all_readings() {
 
 std::vector<ReportFigure> read_as(const Reading& reading, const std::vector<ReportFigure>& figures,
                                   const render::Font& font) {
-  std::vector<ReportFigure> out = drawn_in_language(figures, reading.language);
-  if (reading.look == render::Look::publication) {
-    for (ReportFigure& one : out) one.figure = render::for_publication(one.figure, font);
+  std::vector<ReportFigure> out = figures;
+  for (ReportFigure& one : out) {
+    one.figure = drawn_in_language(std::move(one.figure), reading.language);
+    if (reading.look == render::Look::publication) {
+      one.figure = render::for_publication(one.figure, font);
+    }
   }
   return out;
 }
