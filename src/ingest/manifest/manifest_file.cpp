@@ -38,7 +38,7 @@ void read_identity(const TomlTable& top, Manifest& manifest) {
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
   manifest.serial = robot.text_or("serial", "");
   manifest.operator_name = robot.text_or("operator", "");
-  manifest.measured_on = robot.text_or("measured_on", "");
+  manifest.measured_on = robot.text_or_date("measured_on", "");
   manifest.note = robot.text_or("note", "");
   manifest.robot_description = read_description_name(robot);
   robot.refuse_unknown_keys();

@@ -1,6 +1,7 @@
 #include "ingest/manifest/toml_table.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
@@ -46,6 +47,21 @@ std::string describe(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   return "a date or time";
+}
+
+std::string iso(const toml::date& date) {
+  return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
+
+/// Whole seconds: when a joint was measured is not known closer.
+std::string iso(const toml::date_time& at) {
+  std::string text = fmt::format("{}T{:02}:{:02}:{:02}", iso(at.date), at.time.hour, at.time.minute,
+                                 at.time.second);
+  if (!at.offset) return text;
+  const int minutes = std::abs(at.offset->minutes);
+  if (minutes == 0) return text + "Z";
+  return text + fmt::format("{}{:02}:{:02}", at.offset->minutes < 0 ? '-' : '+', minutes / 60,
+                            minutes % 60);
 }
 
 const char* expectation(Sign sign) {
@@ -203,6 +219,14 @@ std::size_t TomlTable::choice(const std::string& key, const std::vector<std::str
 
 std::string TomlTable::text_or(const std::string& key, const std::string& otherwise) const {
   return has(key) ? text(key) : otherwise;
+}
+
+std::string TomlTable::text_or_date(const std::string& key, const std::string& otherwise) const {
+  const toml::node* node = view_->find(key);
+  if (node == nullptr) return otherwise;
+  if (const auto* date = node->as_date()) return iso(date->get());
+  if (const auto* at = node->as_date_time()) return iso(at->get());
+  return text(key);
 }
 
 double TomlTable::number_or(const std::string& key, double otherwise, Sign sign) const {

@@ -41,6 +41,9 @@ class TomlTable {
 
   // Optional keys. @throw InputError if of another type or range.
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
+  /// A text as it is; a date, with a time or without, as ISO 8601: quotes are easily forgotten.
+  [[nodiscard]] std::string text_or_date(const std::string& key,
+                                         const std::string& otherwise) const;
   [[nodiscard]] double number_or(const std::string& key, double otherwise,
                                  Sign sign = Sign::any) const;
   [[nodiscard]] std::optional<double> find_number(const std::string& key,

@@ -54,6 +54,23 @@ TEST(Manifest, MinimalOneIsEnough) {
   EXPECT_FALSE(m.recordings[0].columns.speed.has_value());
 }
 
+/// What the manifest says of when the joint was measured.
+std::string measured_on(const std::string& value) {
+  const std::string name = "name = \"R\"\n";
+  const std::string text = with(name, name + "measured_on = " + value + "\n");
+  return parse_manifest(text, "m.toml").manifest.measured_on;
+}
+
+TEST(Manifest, ADateNeedsNoQuotes) {
+  EXPECT_EQ(measured_on("2026-11-21"), "2026-11-21");
+  EXPECT_EQ(measured_on("2026-11-21T08:30:05"), "2026-11-21T08:30:05");
+  EXPECT_EQ(measured_on("2026-11-21 08:30:05.25Z"), "2026-11-21T08:30:05Z");
+  EXPECT_EQ(measured_on("2026-11-21T08:30:05-03:30"), "2026-11-21T08:30:05-03:30");
+  EXPECT_EQ(measured_on("\"in March\""), "in March");
+  EXPECT_THROW((void)measured_on("08:30:05"), InputError) << "a time of no day";
+  EXPECT_THROW((void)measured_on("20261121"), InputError);
+}
+
 TEST(Manifest, FullOneIsReadWhole) {
   const ManifestFile m = parse_manifest(R"(schema = "tribolog-dataset-1"
 [robot]
