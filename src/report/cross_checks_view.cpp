@@ -11,8 +11,7 @@ namespace {
 /// A percentage with its sign: "+0.12".
 std::string signed_percent(double percent) {
   constexpr int decimals = 3;
-  const std::string text = fixed(percent, decimals);
-  return percent > 0 ? "+" + text : text;
+  return with_plus_sign(fixed(percent, decimals));
 }
 
 Table masses_table(const CrossChecksResult& r) {

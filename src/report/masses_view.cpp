@@ -17,8 +17,7 @@ bool is_chosen(const Calibration& c, const std::string& estimator) {
 /// Deviation in per cent with its sign: "+0.12".
 std::string percent_text(double share) {
   constexpr int decimals = 2;
-  const std::string text = fixed(100.0 * share, decimals);
-  return share > 0.0 ? "+" + text : text;
+  return with_plus_sign(fixed(100.0 * share, decimals));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void add_change(const history::Comparison& since_last, const QuantityVerdict& q,
   const Scale scale =
       quantity_scale(found->unit, found->second ? found->second->value : absolute.value);
   const RoundedEstimate text = round_by_interval(absolute, scale);
-  row.change = with_unit((absolute.value > 0 ? "+" : "") + text.estimate, scale.unit);
+  row.change = with_unit(with_plus_sign(text.estimate), scale.unit);
   row.change_range = text.half_width.empty() ? text.range() : "± " + text.half_width;
 }
 

@@ -31,6 +31,11 @@ std::string with_minus_sign(std::string digits) {
   return is_zero ? digits : "\u2212" + digits;
 }
 
+std::string with_plus_sign(const std::string& number) {
+  const bool is_zero = number.find_first_of("123456789") == std::string::npos;
+  return is_zero || number.starts_with("\u2212") ? number : "+" + number;
+}
+
 int decimals_for(double half_width) {
   const int decimals = 1 - exponent_of(half_width);
   // 0.0996 is 0.10 to two digits, not 0.100.

@@ -38,6 +38,9 @@ std::string in_words(const Estimate& estimate, const Scale& scale);
 /// A hyphen in front becomes U+2212; in front of a zero it goes.
 std::string with_minus_sign(std::string digits);
 
+/// A plus in front of a number above zero, of a change or a deviation; in front of a zero none.
+std::string with_plus_sign(const std::string& number);
+
 /// Decimal places that show `half_width` to two significant digits; negative: tens, hundreds.
 int decimals_for(double half_width);
 

@@ -28,18 +28,12 @@ ErrorScale error_scale(const StudiedReading& r) {
   return {100 / std::abs(r.errors.truth), "%"};
 }
 
-std::string signed_number(double value, int decimals) {
-  const std::string text = fixed(value, decimals);
-  const bool shows = value > 0 && text.find_first_of("123456789") != std::string::npos;
-  return fmt::format("{}{}", shows ? "+" : "", text);
-}
-
 /// "−0.614 ± 0.007", the standard error to two digits; without scatter three decimals.
 std::string bias_text(const StudiedReading& r) {
   const double factor = error_scale(r).factor;
   const double error = r.errors.bias_standard_error * factor;
   const int decimals = error > 0 ? std::clamp(decimals_for(error), 0, 6) : 3;
-  const std::string bias = signed_number(r.errors.bias * factor, decimals);
+  const std::string bias = with_plus_sign(fixed(r.errors.bias * factor, decimals));
   return error > 0 ? bias + " ± " + fixed(error, decimals) : bias;
 }
 

@@ -28,8 +28,7 @@ Row row_of(const ReturnedQuantity& q) {
   const RoundedEstimate back =
       round_by_interval(symmetric_estimate(q.came_back, q.half_width, ""), scale);
   const double deviation = (q.came_back - q.put_in) * scale.factor;
-  return {{name, rounded.estimate, back.estimate,
-           fmt::format("{}{}", deviation > 0 ? "+" : "", significant(deviation, digits)),
+  return {{name, rounded.estimate, back.estimate, with_plus_sign(significant(deviation, digits)),
            significant(q.half_width * scale.factor, digits), scale.unit,
            fmt::format("{} of {}", q.inside, q.found), q.comes_back ? "yes" : "no"},
           false};

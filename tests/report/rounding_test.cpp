@@ -72,6 +72,14 @@ TEST(Rounding, SignificantDigits) {
   EXPECT_EQ(as_stated(9.81), "9.81");
 }
 
+TEST(Rounding, AZeroHasNoSign) {
+  EXPECT_EQ(with_plus_sign(fixed(0.0004, 3)), "0.000");
+  EXPECT_EQ(with_plus_sign(fixed(-0.0004, 3)), "0.000");
+  EXPECT_EQ(with_plus_sign(fixed(0.0006, 3)), "+0.001");
+  EXPECT_EQ(with_plus_sign(fixed(-0.0006, 3)), "−0.001");
+  EXPECT_EQ(with_plus_sign("unknown"), "unknown");
+}
+
 TEST(Rounding, CountsAreGrouped) {
   EXPECT_EQ(count(0), "0");
   EXPECT_EQ(count(999), "999");

@@ -24,19 +24,21 @@ Scale scale_of(const ComparedQuantity& q) {
 }
 
 /// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit stands with the quantity.
-std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
-  if (!e) return or_dash("");
-  const RoundedEstimate rounded = round_by_interval(*e, scale);
+std::string text_of(const RoundedEstimate& rounded) {
   if (!rounded.half_width.empty() || rounded.low.empty()) return rounded.plus_minus();
   return rounded.estimate + " (" + rounded.range() + ")";
 }
 
+std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
+  return e ? text_of(round_by_interval(*e, scale)) : or_dash("");
+}
+
 /// With a plus where it grew by a digit that is printed.
 std::string signed_text(const std::optional<Estimate>& change, const Scale& scale) {
-  const std::string text = estimate_text(change, scale);
-  if (!change || !(change->value > 0)) return text;
-  const std::string digits = round_by_interval(*change, scale).estimate;
-  return digits.find_first_of("123456789") == std::string::npos ? text : "+" + text;
+  if (!change) return or_dash("");
+  RoundedEstimate rounded = round_by_interval(*change, scale);
+  rounded.estimate = with_plus_sign(rounded.estimate);
+  return text_of(rounded);
 }
 
 /// "Coulomb torque [mN·m]"
