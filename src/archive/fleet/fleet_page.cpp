@@ -67,11 +67,12 @@ void fill_robot(const FleetRobot& robot, const Fleet& fleet, const FleetLinks& l
 
 std::vector<report::Fact> facts_of(const Fleet& fleet, const std::string& archive,
                                    std::size_t outliers) {
+  constexpr std::size_t day = 10;
   std::string from;
   std::string to;
   for (const FleetRobot& robot : fleet.robots) {
     for (const FleetJoint& joint : robot.joints) {
-      const std::string& at = joint.latest.facts.measured_at;
+      const std::string at = joint.latest.facts.measured_at.substr(0, day);
       if (from.empty() || at < from) from = at;
       to = std::max(to, at);
     }
@@ -80,7 +81,9 @@ std::vector<report::Fact> facts_of(const Fleet& fleet, const std::string& archiv
           {"Robots", report::count(fleet.robots.size())},
           {"Joints", report::count(fleet.joints)},
           {"Calibrations", report::count(fleet.calibrations)},
-          {"Latest ones", from.empty() ? "none" : from.substr(0, 10) + " to " + to.substr(0, 10)},
+          {"Latest ones", from.empty() ? "none"
+                          : from == to ? from
+                                       : from + " to " + to},
           {"Joints that stand out", report::count(outliers)}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/options/shared_options.h"
+#include "figures/number_text.h"
 #include "files/atomic_file.h"
 
 namespace tribolog::cli {
@@ -96,9 +97,9 @@ Run add_fleet(CLI::App& archive) {
                           fleet_page(fleet, links, shown_name(kept.name()),
                                      make_provenance(call.arguments), options->language));
     if (!options->json) {
-      call.console.say(fmt::format("fleet sheet: {} ({} robots, {} joints)",
-                                   printable(options->output, longest_path), fleet.robots.size(),
-                                   fleet.joints));
+      call.console.say(fmt::format(
+          "fleet sheet: {} ({}, {})", printable(options->output, longest_path),
+          figures::counted(fleet.robots.size(), "robot"), figures::counted(fleet.joints, "joint")));
     }
     return ExitStatus::done;
   };
