@@ -92,6 +92,7 @@ struct Panel {
   std::vector<PointLabel> point_labels;
   std::vector<ReferenceLine> reference_lines;
   bool show_legend{true};
+  std::string notice{"no data"};  ///< Where there is nothing to show.
 };
 
 /// What a figure is drawn for: sizes of letters, widths of lines, margins.

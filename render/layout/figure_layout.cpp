@@ -98,7 +98,7 @@ class Attempt {
     }
     for (const PointLabel& point : panel.point_labels) reserve(frame, point, taken, marks);
     draw_axes(list_, frame, font_, style_, index);
-    if (!has_drawable_data(panel)) draw_notice(frame, index);
+    if (!has_drawable_data(panel)) draw_notice(frame, panel.notice, index);
     draw_reference_texts(list_, frame, panel, font_, style_, index, taken, marks, faults_);
     draw_point_labels(list_, frame, panel, font_, style_, index, taken, marks, faults_);
     return draw_legend(frame, panel, i, taken);
@@ -145,8 +145,8 @@ class Attempt {
     return false;
   }
 
-  void draw_notice(const PanelFrame& frame, int index) {
-    const TextLine line = shape_line(font_, "no data", style_.axis_title, faults_);
+  void draw_notice(const PanelFrame& frame, const std::string& words, int index) {
+    const TextLine line = shape_line(font_, words, style_.axis_title, faults_);
     place_line(list_, line,
                {frame.plot.centre().x - line.width / 2, frame.plot.centre().y + line.ascent / 2},
                true, {Role::notice, index, 0});

@@ -60,7 +60,7 @@ void visit_fields(Visitor& visit, Is<Axis> auto& item) {
 template <class Visitor>
 void visit_fields(Visitor& visit, Is<Panel> auto& item) {
   visit(item.title, item.x, item.y, item.bands, item.series, item.error_bars, item.point_labels,
-        item.reference_lines, item.show_legend);
+        item.reference_lines, item.show_legend, item.notice);
 }
 
 template <class Visitor>

@@ -23,6 +23,7 @@ class DrawnTexts {
 
   void translate(render::Panel& panel) const {
     change(panel.title);
+    change(panel.notice);
     for (render::Axis* axis : {&panel.x, &panel.y}) {
       change(axis->title);
       for (render::AxisName& name : axis->names) change(name.text);

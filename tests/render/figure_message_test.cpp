@@ -67,6 +67,7 @@ TEST(FigureMessage, WritesEveryField) {
   expect_change(figure.look, Look::publication);
   expect_change(panel.title, "title");
   expect_change(panel.show_legend, false);
+  expect_change(panel.notice, "nothing");
   for (Axis* axis : {&panel.x, &panel.y}) {
     expect_change(axis->title, "q [rad]");
     expect_change(axis->minimum, std::optional(1.0));
