@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/row_accounts.h"
 #include "files/atomic_file.h"
 #include "ingest/dataset_file.h"
 #include "ingest/manifest/manifest_file.h"
@@ -92,18 +93,7 @@ void tell_outcome(const Calibration& c, Console& console) {
   if (const auto& line = c.friction.coulomb_viscous) {
     say("Coulomb torque at the joint", line->coulomb_Nm, n, "N·m");
   }
-  std::size_t read = 0;
-  std::size_t used = 0;
-  for (const InputFile& input : c.inputs) {
-    if (input.conversions.empty()) continue;  // no recording's own file: its rows are counted there
-    read += input.rows_read;
-    used += input.rows_used;
-    for (const SkippedRows& skipped : input.skipped) {
-      console.say(fmt::format("  {}: {} rows skipped: {}", printable(input.name), skipped.count,
-                              printable(skipped.reason, 200)));
-    }
-  }
-  console.say(fmt::format("  rows: {} read, {} used", read, used));
+  for (const std::string& line : row_accounts(c.inputs)) console.say(line);
 }
 
 ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {

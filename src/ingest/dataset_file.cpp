@@ -7,14 +7,13 @@
 #include <fmt/format.h>
 
 #include "error.h"
-#include "files/byte_source.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "ingest/closest_match.h"
 #include "ingest/column_conversions.h"
 #include "ingest/companion_columns.h"
+#include "ingest/kept_logs.h"
 #include "ingest/layout/known_effort.h"
-#include "ingest/log_reader.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/recording_rows.h"
@@ -74,48 +73,6 @@ void compare_angles(Dataset& dataset) {
       degrees_per_rad * joint.lowest_rad, degrees_per_rad * joint.highest_rad));
 }
 
-/// For the fingerprint: other readers open the file themselves.
-void read_to_the_end(ByteSource& bytes) {
-  constexpr std::size_t at_a_time = std::size_t{1} << 20;
-  std::string buffer(at_a_time, '\0');
-  while (bytes.read(buffer.data(), buffer.size()) > 0) {
-  }
-}
-
-struct ReadLog {
-  LogTable table;
-  InputFile input;
-};
-
-/// A recording's own file, or one beside it.
-ReadLog read_log(const RecordingEntry& entry, const std::filesystem::path& directory,
-                 const std::vector<KnownLoad>& loads, const TextLogRules& rules,
-                 std::vector<std::string>& notes) {
-  if (entry.file.find('\0') != std::string::npos) {
-    throw InputError(entry.where,
-                     {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
-  }
-  const std::string path = (directory / entry.file).string();
-  InputFileSource log(path);
-  FingerprintedSource bytes(log);
-  const LogFormat format = format_of_log(path);
-  ReadLog read;
-  read.table = format == LogFormat::text
-                   ? read_columns_of(entry, bytes, path, loads, rules)
-                   : choose_columns_of(entry, read_tables(path, format), path, loads);
-  read_to_the_end(bytes);
-  if (log.has_grown()) {
-    notes.push_back(printable(entry.file) +
-                    ": the log is still being written; what came after the start of reading "
-                    "is not in");
-  }
-  read.input.name = entry.file;
-  read.input.role = to_string(entry.role);
-  read.input.bytes = log.bytes_read();
-  read.input.sha256 = bytes.sha256();
-  return read;
-}
-
 /// What became of the rows, which a recording's files share.
 void count_rows(const Recording& recording, InputFile& input) {
   input.rows_read = recording.rows_read;
@@ -123,34 +80,46 @@ void count_rows(const Recording& recording, InputFile& input) {
   input.skipped = recording.skipped;
 }
 
-void add_recording(const RecordingEntry& entry, const std::filesystem::path& directory,
-                   const ManifestFile& manifest, Dataset& dataset, UnusedColumns& unused) {
-  std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
-  const RecordingEntry own = without_companions(entry);
-  auto [table, input] = read_log(own, directory, loads, manifest.text_logs, dataset.notes);
-  unused.add(table);
+/// The table with the columns of its companions, in the order of logged_columns().
+LogTable joined(const RecordingEntry& entry, const LogTable& own,
+                const std::vector<std::shared_ptr<const ReadLog>>& companions) {
   std::vector<LogTable> tables;
-  std::vector<InputFile> companions;
-  for (const RecordingEntry& companion : companions_of(entry)) {
-    ReadLog read = read_log(companion, directory, {}, manifest.text_logs, dataset.notes);
-    RecordingNotes notes(companion.file, dataset.notes);
-    note_reading(read.table, notes);
-    unused.add(read.table);
-    tables.push_back(std::move(read.table));
-    companions.push_back(std::move(read.input));
-  }
+  for (const auto& companion : companions) tables.push_back(companion->table);
+  LogTable table = own;
   join_companions(entry, std::move(tables), table);
-  Recording recording = make_recording(entry, table, dataset.manifest.drive, manifest.effort_sign,
-                                       dataset.notes, &loads);
+  return table;
+}
+
+void add_recording(const RecordingEntry& entry, const ManifestFile& manifest, KeptLogs& logs,
+                   Dataset& dataset, UnusedColumns& unused) {
+  std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
+  const auto own = logs.read(without_companions(entry), loads, dataset.notes);
+  unused.add(own->table);
+  std::vector<std::shared_ptr<const ReadLog>> companions;
+  for (const RecordingEntry& beside : companions_of(entry)) {
+    companions.push_back(logs.read(beside, {}, dataset.notes));
+    RecordingNotes notes(beside.file, dataset.notes);
+    note_reading(companions.back()->table, notes);
+    unused.add(companions.back()->table);
+  }
+  LogTable with_companions;
+  if (!companions.empty()) with_companions = joined(entry, own->table, companions);
+  Recording recording =
+      make_recording(entry, companions.empty() ? own->table : with_companions,
+                     dataset.manifest.drive, manifest.effort_sign, dataset.notes, &loads);
+  InputFile input = own->file;
+  input.role = to_string(entry.role);
   count_rows(recording, input);
   input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
   if (entry.columns.effort) {
     input.logged_effort = known_effort(entry.columns.angle->name, entry.columns.effort->name);
   }
   dataset.inputs.push_back(std::move(input));
-  for (InputFile& companion : companions) {
-    count_rows(recording, companion);
-    dataset.inputs.push_back(std::move(companion));
+  for (const auto& companion : companions) {
+    InputFile beside = companion->file;
+    beside.role = to_string(entry.role);
+    count_rows(recording, beside);
+    dataset.inputs.push_back(std::move(beside));
   }
   if (!entry.note.empty()) dataset.notes.push_back(printable(entry.file) + ": " + entry.note);
   dataset.recordings.push_back(std::move(recording));
@@ -168,8 +137,9 @@ Dataset read_dataset(const std::string& manifest_path) {
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
   UnusedColumns unused;
+  KeptLogs logs(manifest, directory);
   for (const RecordingEntry& entry : manifest.recordings) {
-    add_recording(entry, directory, manifest, dataset, unused);
+    add_recording(entry, manifest, logs, dataset, unused);
   }
   if (const std::string note = unused.note(); !note.empty()) dataset.notes.push_back(note);
   if (dataset.robot) compare_angles(dataset);

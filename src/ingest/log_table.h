@@ -67,6 +67,7 @@ struct WantedColumn {
   std::string if_missing{};  ///< Added to the hint where there is no such column.
   ColumnReading reading{ColumnReading::number};
   bool is_optional{};  ///< Not refused where there is no such column, but left out.
+  friend bool operator==(const WantedColumn&, const WantedColumn&) = default;
 };
 
 }  // namespace tribolog

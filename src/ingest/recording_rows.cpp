@@ -46,6 +46,8 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
 }
 
+}  // namespace
+
 std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
                                          const std::vector<KnownLoad>& loads) {
   std::vector<WantedColumn> wanted;
@@ -72,8 +74,6 @@ void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<Know
   }
 }
 
-}  // namespace
-
 void note_reading(const LogTable& table, RecordingNotes& notes) {
   for (const std::string& note : table.notes) notes.add(note);
   for (const LogColumn& column : table.columns) {
@@ -83,20 +83,6 @@ void note_reading(const LogTable& table, RecordingNotes& notes) {
     notes.add(fmt::format("column {}: {:.0f} % of the rows are gaps (nan)",
                           in_quotes(column.header.full), 100 * share));
   }
-}
-
-LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
-                         const std::vector<KnownLoad>& loads, const TextLogRules& rules) {
-  LogTable table = read_csv(bytes, path, columns_wanted(entry, loads), rules);
-  refuse_unusable_columns(entry, loads, path, table);
-  return table;
-}
-
-LogTable choose_columns_of(const RecordingEntry& entry, std::vector<LogTable> tables,
-                           const std::string& path, const std::vector<KnownLoad>& loads) {
-  LogTable table = take_columns(std::move(tables), columns_wanted(entry, loads));
-  refuse_unusable_columns(entry, loads, path, table);
-  return table;
 }
 
 Recording make_recording(const RecordingEntry& entry, const LogTable& table, const Drive& drive,

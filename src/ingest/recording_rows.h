@@ -12,20 +12,17 @@
 
 namespace tribolog {
 
-/// Reads the columns that the entry names.
-/// @param path of the log, for messages.
-/// @param loads the angles of those that load the recording are read behind the others.
-/// @param rules of text logs, as the manifest states them.
-/// @throw InputError for whatever read_csv refuses, a column that is nothing but gaps, and a unit
-/// in
-///        the log's header that contradicts the manifest.
-LogTable read_columns_of(const RecordingEntry& entry, ByteSource& bytes, const std::string& path,
-                         const std::vector<KnownLoad>& loads = {}, const TextLogRules& rules = {});
+/// The columns that the entry names, in the order of logged_columns(); behind them the time to
+/// compare and the angles of the loads that load the recording.
+std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
+                                         const std::vector<KnownLoad>& loads = {});
 
-/// The same of a log that is no text, from its tables.
-/// @throw InputError as take_columns(), and as above.
-LogTable choose_columns_of(const RecordingEntry& entry, std::vector<LogTable> tables,
-                           const std::string& path, const std::vector<KnownLoad>& loads = {});
+/// @param table with the columns wanted.
+/// @param path of the log, for messages.
+/// @throw InputError for a column that is nothing but gaps, and a unit in the log's header that
+///        contradicts the manifest.
+void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<KnownLoad>& loads,
+                             const std::string& path, const LogTable& table);
 
 /// What was peculiar when the table was read, and which of its columns have many gaps.
 void note_reading(const LogTable& table, RecordingNotes& notes);

@@ -11,6 +11,9 @@
 namespace tribolog {
 namespace {
 
+constexpr const char* outside_window = "outside the window ";
+constexpr const char* cut_off = "cut off at the end of the file";
+constexpr const char* not_usable = "cannot be used (skip_bad_rows)";
 constexpr std::size_t fewest_rows = 20;
 constexpr double largest_step_back_s = 1.0;    ///< Beyond: two logs, not a clock being set.
 constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
@@ -22,8 +25,8 @@ class RowChooser {
 
   RowChoice choose() {
     refuse_long_steps_back();
-    skip("cut off at the end of the file", table_.cut_rows);
-    skip("cannot be used (skip_bad_rows)", table_.bad_rows);
+    skip(cut_off, table_.cut_rows);
+    skip(not_usable, table_.bad_rows);
     drop_outside_and_gaps();
     if (steps_back_ > 0) put_in_order();
     drop_repeated_stamps();
@@ -75,7 +78,7 @@ class RowChooser {
         ++gaps[static_cast<std::size_t>(gap - table_.columns.begin())];
       }
     }
-    skip("outside the window " + window(), outside);
+    skip(outside_window + window(), outside);
     for (std::size_t k = 0; k < gaps.size(); ++k) {
       skip(fmt::format("gap (nan) in column {}", in_quotes(table_.columns[k].header.full)),
            gaps[k]);
@@ -129,6 +132,21 @@ class RowChooser {
 };
 
 }  // namespace
+
+void RecordingNotes::add(const std::string& note) {
+  std::string words = printable(file_) + ": " + note;
+  if (std::find(notes_.begin(), notes_.end(), words) == notes_.end()) {
+    notes_.push_back(std::move(words));
+  }
+}
+
+bool is_outside_window(const SkippedRows& skipped) {
+  return skipped.reason.starts_with(outside_window);
+}
+
+bool is_of_whole_file(const SkippedRows& skipped) {
+  return skipped.reason == cut_off || skipped.reason == not_usable;
+}
 
 RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes) {
   return RowChooser(entry, table, notes).choose();

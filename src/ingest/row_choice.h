@@ -12,17 +12,23 @@
 
 namespace tribolog {
 
-/// Notes of one recording, each as "<file>: <note>".
+/// Notes of one recording, each as "<file>: <note>"; what several recordings of a file have in
+/// common is noted once.
 class RecordingNotes {
  public:
   RecordingNotes(const std::string& file, std::vector<std::string>& notes)
       : file_(file), notes_(notes) {}
-  void add(const std::string& note) { notes_.push_back(printable(file_) + ": " + note); }
+  void add(const std::string& note);
 
  private:
   const std::string& file_;
   std::vector<std::string>& notes_;
 };
+
+/// Rows left out as those of another time: with a file of several recordings, most of them.
+bool is_outside_window(const SkippedRows& skipped);
+/// Rows that every recording of the file lacks, whatever its window.
+bool is_of_whole_file(const SkippedRows& skipped);
 
 struct RowChoice {
   std::vector<std::size_t> rows;     ///< Of the table; their times rise strictly.

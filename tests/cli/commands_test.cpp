@@ -153,6 +153,23 @@ TEST(Commands, IdentifyGivesTheTruthOfASmallLog) {
   EXPECT_NE(run.out.find("11.459"), std::string::npos) << run.out;
 }
 
+TEST(Commands, RowsOfALogWithSeveralRecordingsAreCountedOnce) {
+  const std::string whole = "file = \"log.csv\"\n";
+  const std::string more = "[[recording]]\nrole = \"rough_sweep\"\n" + whole;
+  const SmallDataset dataset(small_manifest() + "to_s = 14.995\n" + more +
+                             "from_s = 14.995\nto_s = 34.995\n");
+  const ProgramRun run = dataset.run("identify", "c.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("log.csv: 2 recordings; 501 of 4001 rows are in none of them"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("rows: 4001 read, 3500 used"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("outside the window"), std::string::npos) << run.out;
+  const SmallDataset twice(small_manifest() + more);
+  EXPECT_NE(twice.run("identify", "c.json").out.find("some of their windows overlap"),
+            std::string::npos);
+}
+
 TEST(Commands, FailOnTurnsTheVerdictIntoAStatus) {
   const SmallDataset dataset;
   EXPECT_EQ(dataset.run("identify --fail-on doubtful", "c.json").status, 1);

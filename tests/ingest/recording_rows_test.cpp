@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "files/temporary_directory.h"
+#include "ingest/text/csv_reader.h"
 
 namespace tribolog {
 namespace {
@@ -30,7 +31,8 @@ Outcome make(const RecordingEntry& e, const std::string& csv,
              double sign = 1.0) {
   Outcome outcome;
   MemorySource source(csv);
-  const LogTable table = read_columns_of(e, source, "dir/run.csv");
+  const LogTable table = read_csv(source, "dir/run.csv", columns_wanted(e));
+  refuse_unusable_columns(e, {}, "dir/run.csv", table);
   outcome.recording = make_recording(e, table, drive, sign, outcome.notes);
   return outcome;
 }
@@ -270,7 +272,7 @@ TEST(RecordingRows, ThatWereSkippedAreCounted) {
   rules.skip_bad_rows = true;
   const std::string csv = header + rows(0, 100) + "1,fault\n" + rows(101, 200);
   MemorySource source(csv);
-  const LogTable table = read_columns_of(entry(), source, "run.csv", {}, rules);
+  const LogTable table = read_csv(source, "run.csv", columns_wanted(entry()), rules);
   std::vector<std::string> notes;
   const Recording r =
       make_recording(entry(), table, Drive(1.0, EffortKind::motor_torque, Side::motor), 1.0, notes);

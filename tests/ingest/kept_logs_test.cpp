@@ -1,0 +1,70 @@
+#include "ingest/kept_logs.h"
+
+#include <gtest/gtest.h>
+
+#include "files/temporary_directory.h"
+
+namespace tribolog {
+namespace {
+
+using test::TemporaryDirectory;
+
+std::string log_of(int torque) {
+  std::string csv = "t,q,tau,i\n";
+  for (int k = 0; k < 50; ++k) csv += std::to_string(k) + ",0," + std::to_string(torque) + ",7\n";
+  return csv;
+}
+
+/// Three recordings of one log, the last of them with another column.
+ManifestFile manifest() {
+  std::string text = R"(schema = "tribolog-dataset-1"
+[robot]
+name = "R"
+[joint]
+name = "J"
+gear_ratio = 100
+[effort]
+kind = "motor_torque"
+side = "motor"
+[columns]
+time = {name = "t", unit = "s"}
+angle = {name = "q", unit = "rad"}
+effort = {name = "tau", unit = "Nm"}
+)";
+  for (const char* const more :
+       {"to_s = 20", "from_s = 20", "columns = {effort = {name = \"i\", unit = \"Nm\"}}"}) {
+    text += "[[recording]]\nrole = \"oscillation\"\nfile = \"a.csv\"\n" + std::string(more) + "\n";
+  }
+  return parse_manifest(text, "m.toml");
+}
+
+TEST(KeptLogs, ALogOfSeveralRecordingsIsReadOnce) {
+  const TemporaryDirectory directory;
+  (void)directory.file("a.csv", log_of(1));
+  const ManifestFile file = manifest();
+  KeptLogs logs(file, directory.path(""));
+  std::vector<std::string> notes;
+  const auto first = logs.read(file.recordings[0], {}, notes);
+  (void)directory.file("a.csv", log_of(2));
+  const auto second = logs.read(file.recordings[1], {}, notes);
+  EXPECT_EQ(first, second) << "as it was when its fingerprint was taken";
+  EXPECT_EQ(second->table.columns[2].values[0], 1);
+  const auto third = logs.read(file.recordings[2], {}, notes);
+  EXPECT_EQ(third->table.columns[2].values[0], 7) << "other columns";
+}
+
+TEST(KeptLogs, NothingIsKeptBeyondTheLastRecording) {
+  const TemporaryDirectory directory;
+  (void)directory.file("a.csv", log_of(1));
+  ManifestFile file = manifest();
+  file.recordings.pop_back();
+  KeptLogs logs(file, directory.path(""));
+  std::vector<std::string> notes;
+  const std::weak_ptr<const ReadLog> first = logs.read(file.recordings[0], {}, notes);
+  EXPECT_FALSE(first.expired());
+  (void)logs.read(file.recordings[1], {}, notes);
+  EXPECT_TRUE(first.expired());
+}
+
+}  // namespace
+}  // namespace tribolog
