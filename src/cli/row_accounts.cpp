@@ -47,8 +47,8 @@ class Log {
       lines.push_back(fmt::format("  {}: {} rows skipped: {}", printable(name_), one.count,
                                   printable(one.reason, longest_reason)));
     }
-    if (!is_cut_up) return;
     const std::size_t within = used_ + skipped_within;
+    if (!is_cut_up || within == rows_) return;
     lines.push_back(fmt::format(
         "  {}: {} recordings; {}", printable(name_), recordings_,
         within > rows_ ? "some of their windows overlap"
