@@ -321,7 +321,7 @@ TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
 TEST(PaperTable, PrintedColumnsSayWhoseTheyAre) {
   const Table own = view_of(complete_calibration()).paper_table;
   EXPECT_EQ(own.columns.size(), 7U);
-  EXPECT_EQ(own.rows[0].cells[6], "+0.00");
+  EXPECT_EQ(own.rows[0].cells[6], "0.00");
   const Table other = view_of(sweep_only()).paper_table;
   EXPECT_EQ(other.columns.size(), 5U);
   EXPECT_NE(other.note.find("is another one"), std::string::npos);
