@@ -1,6 +1,7 @@
 #pragma once
 // What can go wrong, sorted by what the user does about it. Each kind has one exit status.
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>

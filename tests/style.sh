@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Formatting and a short list of clang-tidy checks, as errors. Needs a configured build directory.
-#   tests/style.sh BUILD [format|types|tidy]
+#   tests/style.sh BUILD [format|includes|types|tidy]
 # Skips, saying so, where the tools are not installed.
 set -euo pipefail
 build=$(realpath "$1")
@@ -13,6 +13,9 @@ case $what in
     clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
       { echo "SKIPPED: clang-format 14 is not installed"; exit 0; }
     clang-format --dry-run --Werror "${sources[@]}"
+    ;;
+  includes)
+    python3 tests/style/standard_includes.py "${sources[@]}"
     ;;
   types)
     # Two types of one name in one namespace are mixed up by the linker without a word.

@@ -1,6 +1,7 @@
 #include "render/vector/subset_tables.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "error.h"

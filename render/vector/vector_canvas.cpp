@@ -1,5 +1,7 @@
 #include "render/vector/vector_canvas.h"
 
+#include <cstddef>
+
 #include "render/marker_shapes.h"
 
 namespace tribolog::render {

@@ -1,5 +1,7 @@
 // Break-away ramps, and the shape of the loops: what the paper has not.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

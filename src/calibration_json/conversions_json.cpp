@@ -1,5 +1,7 @@
 // From the columns of the logs to signals, and where speeds come from.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 #include "joint/shared_conversions.h"
 

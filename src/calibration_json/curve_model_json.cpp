@@ -1,5 +1,7 @@
 // Stage 8: the ladder of models, and each direction by itself.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

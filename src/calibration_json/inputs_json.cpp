@@ -1,5 +1,7 @@
 // What was measured, on which files, and by what program.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

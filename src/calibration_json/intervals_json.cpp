@@ -1,5 +1,7 @@
 // Intervals by both ways, gravity by every way, and where to oscillate next.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

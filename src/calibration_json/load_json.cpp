@@ -1,5 +1,7 @@
 // Gravity from the runs, what was stated about loads, and friction against load.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

@@ -1,6 +1,7 @@
 // Stage 8, the LuGre fit of the loops.
 
 #include <cmath>
+#include <utility>
 
 #include "calibration_json/parts.h"
 

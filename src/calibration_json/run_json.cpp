@@ -1,5 +1,7 @@
 // Stages 5 to 7.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

@@ -1,5 +1,7 @@
 // The known-truth check.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

@@ -1,5 +1,7 @@
 // The verdict over all, on each quantity, and against the manifest's limits.
 
+#include <utility>
+
 #include "calibration_json/parts.h"
 
 namespace tribolog::json {

@@ -1,6 +1,7 @@
 #include "files/atomic_file.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "friction/catalogue.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "friction/armstrong.h"
 #include "friction/bliman_sorine.h"
@@ -157,13 +158,14 @@ const std::vector<StaticLawEntry>& static_friction_laws() {
   return laws;
 }
 
-const FrictionModelEntry& dynamic_friction_model(const std::string& name) {
+const FrictionModelEntry& dynamic_friction_model(std::string_view name) {
   std::string known;
   for (const FrictionModelEntry& one : dynamic_friction_models()) {
     if (one.name == name) return one;
     known += (known.empty() ? "" : ", ") + one.name;
   }
-  throw std::invalid_argument("there is no friction model '" + name + "'; known are " + known);
+  throw std::invalid_argument("there is no friction model '" + std::string(name) + "'; known are " +
+                              known);
 }
 
 }  // namespace tribolog

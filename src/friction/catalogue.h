@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "friction/dynamic_friction.h"
@@ -67,6 +68,6 @@ const std::vector<FrictionModelEntry>& dynamic_friction_models();
 const std::vector<StaticLawEntry>& static_friction_laws();
 
 /// @throw std::invalid_argument naming the models that there are.
-const FrictionModelEntry& dynamic_friction_model(const std::string& name);
+const FrictionModelEntry& dynamic_friction_model(std::string_view name);
 
 }  // namespace tribolog

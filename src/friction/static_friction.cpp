@@ -1,6 +1,7 @@
 #include "friction/static_friction.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace tribolog {
 

@@ -1,6 +1,7 @@
 #include "ingest/closest_match.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 

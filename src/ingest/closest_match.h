@@ -1,6 +1,7 @@
 #pragma once
 // "Did you mean ...?"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

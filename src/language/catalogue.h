@@ -7,6 +7,7 @@
 // message that begins with a small letter also stands for the text that begins a sentence. What the
 // catalogue has not stays English. Numbers and units are never changed.
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>

@@ -8,6 +8,7 @@
 // The translation names them by their order, from 0: "{0} z {1} próbek: {2}". A word that follows
 // a number takes the forms of one, of two to four and of five: "{0} {0|próbka|próbki|próbek}".
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,5 +1,7 @@
 #include "paper/bristle_sketch.h"
 
+#include <utility>
+
 #include "paper/block_style.h"
 #include "paper/sketch_lines.h"
 

@@ -1,5 +1,7 @@
 #include "paper/joint_diagram.h"
 
+#include <utility>
+
 #include "paper/block_style.h"
 #include "paper/schematic.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 // A model as the graph that its block diagram shows: what is drawn can be computed.
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>

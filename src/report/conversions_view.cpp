@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "joint/shared_conversions.h"
 #include "report/units.h"

@@ -1,6 +1,7 @@
 #include "report/embedded_json.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "report/paper_json.h"
 
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 

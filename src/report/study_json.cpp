@@ -1,6 +1,7 @@
 // All numbers of a study.
 
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 #include "robot/serial_arm.h"
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 

@@ -4,6 +4,7 @@
 // In the zero pose (every angle 0) all frames are parallel to the base's: x forwards, y to the
 // left, z upwards. Each joint has its own frame, in which the link that it drives is described.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

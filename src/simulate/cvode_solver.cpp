@@ -1,6 +1,7 @@
 #include "simulate/cvode_solver.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 #include <cvode/cvode.h>

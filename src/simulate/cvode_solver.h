@@ -2,6 +2,7 @@
 // SUNDIALS' CVODE with a C++ owner: BDF with dense Newton or Adams with fixed-point iteration, and
 // root finding.
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>

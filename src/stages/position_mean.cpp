@@ -1,5 +1,6 @@
 #include "stages/position_mean.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>

@@ -1,6 +1,7 @@
 #include "stages/white_noise.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "stages/median.h"

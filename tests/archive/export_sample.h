@@ -1,6 +1,8 @@
 #pragma once
 // A calibration with every quantity that an export knows, made up. Gear ratio 50.
 
+#include <stdexcept>
+
 #include "archive/export/archived_joint.h"
 #include "archive/sample_calibration.h"
 

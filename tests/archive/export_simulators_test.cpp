@@ -1,6 +1,7 @@
 // Formats of simulators: what is refused, and Modelica by its grammar. URDF and MJCF are loaded by
 // their own parsers in export_parsers_test.cpp.
 
+#include <algorithm>
 #include <cctype>
 
 #include <gtest/gtest.h>

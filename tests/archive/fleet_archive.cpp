@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 #include "archive/archive_location.h"
 #include "archive/sample_fleet.h"

@@ -1,5 +1,7 @@
 #include "archive/fleet/fleet.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

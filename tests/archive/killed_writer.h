@@ -2,6 +2,7 @@
 // Programs that archive, and are killed at random moments.
 
 #include <chrono>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>

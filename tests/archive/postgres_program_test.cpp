@@ -1,6 +1,8 @@
 // The program itself with an archive on a server, and what remains when it is killed.
 
 #include <algorithm>
+#include <cstdio>
+#include <iterator>
 #include <mutex>
 #include <random>
 #include <thread>

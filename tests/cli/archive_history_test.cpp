@@ -1,5 +1,8 @@
 // `tribolog archive diff` and `archive trend`, through the program itself.
 
+#include <cstddef>
+#include <stdexcept>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // An arm of the user's own, described beside the logs, through the real command line.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 

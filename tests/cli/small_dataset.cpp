@@ -1,6 +1,7 @@
 #include "cli/small_dataset.h"
 
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 

@@ -1,5 +1,6 @@
 // The main job through the real command line, on the scenarios of examples/.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 

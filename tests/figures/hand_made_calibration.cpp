@@ -1,6 +1,7 @@
 #include "hand_made_calibration.h"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <utility>

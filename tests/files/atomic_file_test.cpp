@@ -1,5 +1,6 @@
 #include "files/atomic_file.h"
 
+#include <chrono>
 #include <csignal>
 
 #include <fcntl.h>

@@ -1,6 +1,7 @@
 #pragma once
 // A directory of its own for a test, removed at its end.
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

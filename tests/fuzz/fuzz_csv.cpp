@@ -2,6 +2,7 @@
 // same whether it arrives at once or in pieces.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>

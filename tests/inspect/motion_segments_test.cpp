@@ -2,6 +2,7 @@
 
 #include "inspect/motion/motion_segments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

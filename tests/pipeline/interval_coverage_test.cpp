@@ -1,6 +1,7 @@
 // What a 95 % interval is worth: how often it holds the truth, over 200 seeds of the paper's joint
 // with the noise of a real drive; and with ripple, from one position and from eight.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>

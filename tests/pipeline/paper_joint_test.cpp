@@ -4,6 +4,7 @@
 #include "support/paper_joint.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The verdict on each quantity, and the manifest's limits.
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,9 @@
 
 #include "plan/experiment_plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 
 #include "ingest/manifest/joint_file.h"
 
+#include <cstddef>
+
 #include <gtest/gtest.h>
 
 #include "error.h"

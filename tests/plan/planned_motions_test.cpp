@@ -2,6 +2,7 @@
 
 #include "plan/planned_motions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

@@ -1,5 +1,6 @@
 // Set points are read back by the project's own reader, and are the plan's motion.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

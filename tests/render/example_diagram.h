@@ -1,6 +1,8 @@
 #pragma once
 // A drawing with one of each kind of part, and no fault.
 
+#include <utility>
+
 #include "render/figure.h"
 
 namespace tribolog::render::examples {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tribolog::render::examples {
 namespace {

@@ -1,6 +1,7 @@
 #include "render/workers/figure_message.h"
 
 #include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "render/layout/ticks.h"
 
 #include <cmath>
+#include <cstddef>
 #include <set>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "report/html_report.h"
 
 #include <regex>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

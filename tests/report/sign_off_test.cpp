@@ -1,5 +1,7 @@
 #include "report/sign_off.h"
 
+#include <cstddef>
+
 #include <gtest/gtest.h>
 
 #include "sample_calibration.h"

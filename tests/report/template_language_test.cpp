@@ -2,6 +2,7 @@
 
 #include "report/template_language.h"
 
+#include <cstddef>
 #include <stdexcept>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // The robot's drawings in a report: with what was identified, and nothing else.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

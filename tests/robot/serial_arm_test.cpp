@@ -1,9 +1,11 @@
 #include "robot/serial_arm.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 #include "marched_motion.h"
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace tribolog::test {
 

@@ -2,6 +2,7 @@
 
 #include "stages/local_slope.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

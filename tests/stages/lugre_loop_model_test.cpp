@@ -1,5 +1,6 @@
 #include "stages/lugre_loop_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

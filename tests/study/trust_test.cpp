@@ -2,6 +2,8 @@
 
 #include "study/trust.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace tribolog {

@@ -1,6 +1,7 @@
 #pragma once
 // Files with one thing wrong, from a good one: what a reader must answer with a table or a refusal.
 
+#include <cstddef>
 #include <random>
 #include <string>
 

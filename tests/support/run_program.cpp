@@ -1,5 +1,6 @@
 #include "support/run_program.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

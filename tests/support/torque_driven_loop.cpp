@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "simulate/forced_motion.h"
 #include "support/paper_joint.h"

@@ -1,5 +1,7 @@
 #include "archive/export/csv_table.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "archive/export/comment_lines.h"

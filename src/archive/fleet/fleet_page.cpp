@@ -1,5 +1,7 @@
 #include "archive/fleet/fleet_page.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "archive/export/gear_side.h"

@@ -1,6 +1,7 @@
 #pragma once
 // Centre, scatter and distance that a few outliers do not move.
 
+#include <cstddef>
 #include <vector>
 
 namespace tribolog::archive {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <new>
 
 #include <fmt/format.h>
 #include <libpq-fe.h>

@@ -1,5 +1,6 @@
 #include "archive/sql/postgres_errors.h"
 
+#include <cstddef>
 #include <stdexcept>
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "archive/sql/postgres_location.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <memory>
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <new>
 
 #include <fmt/format.h>
 #include <sqlite3.h>

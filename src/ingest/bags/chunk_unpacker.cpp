@@ -1,5 +1,7 @@
 #include "ingest/bags/chunk_unpacker.h"
 
+#include <new>
+
 #include <fmt/format.h>
 #include <lz4frame.h>
 #include <zstd.h>

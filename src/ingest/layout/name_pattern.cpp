@@ -1,6 +1,7 @@
 #include "ingest/layout/name_pattern.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace tribolog {
 namespace {

@@ -23,6 +23,7 @@
 // All tables but [robot] and [joint], and all keys in them, are optional: a plan names what it
 // assumes instead.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #include "ingest/text/csv_fields.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "ingest/closest_match.h"

@@ -1,6 +1,7 @@
 #pragma once
 // One row of a log as fields.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

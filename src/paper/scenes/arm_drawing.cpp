@@ -1,6 +1,7 @@
 #include "paper/scenes/arm_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "paper/scenes/scene_words.h"
 

@@ -1,5 +1,6 @@
 #include "stages/data_checks/check_outcome.h"
 
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>

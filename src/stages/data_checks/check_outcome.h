@@ -1,6 +1,7 @@
 #pragma once
 // Internal to the checks: how a check comes to its number and to its end.
 
+#include <cstddef>
 #include <string>
 
 #include "stages/data_check.h"

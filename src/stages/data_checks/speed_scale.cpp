@@ -3,6 +3,7 @@
 // Both are compared as increments over windows: the logged speed integrated, the angle's
 // difference. Steps of the encoder and the noise of a two-point difference cancel within a window.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

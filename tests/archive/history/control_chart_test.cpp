@@ -1,6 +1,7 @@
 #include "archive/history/control_chart.h"
 
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // What the control charts promise: a slow drift is found, and nothing is found where nothing is.
 
 #include <cstdio>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 #include "archive/history/joint_trend.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 #include "cli/input_cases/case_log.h"
 
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // 40 and 41: files that are large, or that change while they are read.
 
 #include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <thread>

@@ -1,7 +1,9 @@
 // The numbered list of what users complain about, each case run through the real program.
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <ostream>
 #include <set>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // What stands in a field: 14, 15, 27 to 29, 39.
 
 #include <array>
+#include <cstddef>
 
 #include "cli/input_cases/case_log.h"
 #include "cli/input_cases/input_case.h"

@@ -1,5 +1,6 @@
 // 43 to 46: names that others wrote, in outputs and in the names of outputs.
 
+#include <cstddef>
 #include <filesystem>
 #include <set>
 

@@ -2,6 +2,7 @@
 // into the build directory once; where that cannot be, the tests skip.
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,10 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "legibility/texts_of_list.h"
 

@@ -1,6 +1,7 @@
 #include "legibility/finding.h"
 
 #include <cmath>
+#include <string>
 
 namespace tribolog::render::legibility {
 

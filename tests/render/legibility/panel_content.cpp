@@ -1,6 +1,10 @@
 #include "legibility/panel_content.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace tribolog::render::legibility {
 namespace {

@@ -1,6 +1,7 @@
 #include "legibility/picture_border.h"
 
 #include <algorithm>
+#include <string>
 
 namespace tribolog::render::legibility {
 namespace {

@@ -1,6 +1,9 @@
 #include "legibility/texts_of_list.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <variant>
+#include <vector>
 
 namespace tribolog::render::legibility {
 namespace {

@@ -1,5 +1,6 @@
 #include "outside_renderers.h"
 
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 
