@@ -3,7 +3,8 @@
 # and tests/run.sh; not meant to be called by hand.
 #   ./setup.sh program        what the program needs; builds it into build/
 #   ./setup.sh tests          that and what the tests need; builds them too
-#   ./setup.sh bench          all of it and what the benchmarks need
+#   ./setup.sh lint           all of it and what looks at the source: clang-tidy, a second compiler
+#   ./setup.sh bench          the tests' and what the benchmarks need
 # Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,11 +17,18 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
-  tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
+  tests | lint | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
   bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
     python3-pandas)  ;;
+esac
+
+# What not every distribution has; a test that misses its own says so.
+offered=()
+case $goal in
+  tests | lint | bench) offered+=(libmujoco-dev clang-format-19 texlive-latex-base) ;;&
+  lint) offered+=(clang-19 clang-tidy-19 libc++-19-dev libc++abi-19-dev) ;;
 esac
 
 # A browser and its driver for the report's tests, where the distribution packages them as such (in
@@ -48,6 +56,11 @@ start_no_service() {
   trap "${root[*]} rm -f $policy" EXIT
 }
 
+install() {
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
+    --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >/dev/null
+}
+
 install_missing() {
   local missing=()
   for package in "${needed[@]}"; do installed "$package" || missing+=("$package"); done
@@ -57,21 +70,27 @@ install_missing() {
       missing+=(offscreen)
     fi
   fi
-  [ ${#missing[@]} -eq 0 ] && return
+  local extra=()
+  for package in "${offered[@]}"; do installed "$package" || extra+=("$package"); done
+  [ ${#missing[@]} -eq 0 ] && [ ${#extra[@]} -eq 0 ] && return
   command -v apt-get >/dev/null || {
+    [ ${#missing[@]} -eq 0 ] && return
     say "these packages are missing, and there is no apt-get to install them: ${missing[*]}" >&2
     exit 1
   }
   local root=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || {
+      [ ${#missing[@]} -eq 0 ] && return
       say "to install ${missing[*]} this needs root or sudo" >&2
       exit 1
     }
     root=(sudo)
   fi
-  say "installing: ${missing[*]}"
-  "${root[@]}" apt-get -qq update
+  if [ ${#missing[@]} -gt 0 ]; then
+    say "installing: ${missing[*]}"
+    "${root[@]}" apt-get -qq update
+  fi
   local wanted=()
   for package in "${missing[@]}"; do
     if [ "$package" != offscreen ]; then
@@ -82,12 +101,13 @@ install_missing() {
       wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
     fi
   done
-  # Debian 12 has MuJoCo, Ubuntu 22.04 has not: without it, the test that loads MJCF says so.
-  if [ "$goal" != program ] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
+  local offered_here=()
+  for package in "${extra[@]}"; do offers "$package" && offered_here+=("$package"); done
   (
     [ "$goal" = program ] || start_no_service
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
-      --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
+    [ ${#wanted[@]} -eq 0 ] || install "${wanted[@]}"
+    [ ${#offered_here[@]} -eq 0 ] || install "${offered_here[@]}" ||
+      say "not installed: ${offered_here[*]}; the tests that need them will say so"
   )
 }
 
@@ -95,7 +115,7 @@ install_missing
 tests=OFF
 bench=OFF
 case $goal in
-  tests) tests=ON ;;
+  tests | lint) tests=ON ;;
   bench) tests=ON bench=ON ;;
 esac
 # A build directory made for the tests keeps them: switching goals would rebuild for nothing.
