@@ -18,10 +18,9 @@ needed=(cmake ninja-build g++ pkg-config git
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
   tests | lint | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-    python3-minimal python3-jsonschema poppler-utils qpdf librsvg2-bin
+    python3-minimal python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
-  bench) needed+=(libbenchmark-dev python3-numpy python3-scipy python3-matplotlib
-    python3-pandas)  ;;
+  bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;
 esac
 
 # What not every distribution has; a test that misses its own says so.

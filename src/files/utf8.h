@@ -44,18 +44,26 @@ constexpr std::optional<std::size_t> first_broken_utf8(std::string_view text) {
   return std::nullopt;
 }
 
+/// A character's bytes; none of what is no character (a surrogate, or beyond U+10FFFF).
+inline std::string utf8_of(char32_t code_point) {
+  const auto continued = [&](unsigned bits) {
+    return static_cast<char>(0x80U | ((code_point >> bits) & 0x3FU));
+  };
+  const auto first = [&](unsigned mark, unsigned bits) {
+    return static_cast<char>(mark | (code_point >> bits));
+  };
+  if (code_point < 0x80) return {first(0, 0)};
+  if (code_point < 0x800) return {first(0xC0, 6), continued(0)};
+  if (code_point >= 0xd800 && code_point <= 0xdfff) return {};
+  if (code_point < 0x10000) return {first(0xE0, 12), continued(6), continued(0)};
+  if (code_point > 0x10ffff) return {};
+  return {first(0xF0, 18), continued(12), continued(6), continued(0)};
+}
+
 /// Every byte of Latin-1 is the code point of its character.
 inline std::string utf8_of_latin1(std::string_view bytes) {
   std::string text;
-  for (const char byte : bytes) {
-    const auto code_point = static_cast<unsigned char>(byte);
-    if (code_point < 0x80) {
-      text += byte;
-    } else {
-      text += static_cast<char>(0xC0U | (code_point >> 6U));
-      text += static_cast<char>(0x80U | (code_point & 0x3FU));
-    }
-  }
+  for (const char byte : bytes) text += utf8_of(static_cast<unsigned char>(byte));
   return text;
 }
 

@@ -95,7 +95,7 @@ std::optional<LoopMidline> find_loop_midline(const Recording& recording,
     out.torque_Nm = symmetric_estimate(mean, student_t_975(n - 1) * error, "scatter of the cycles");
   } else {
     const double samples = (last - first) / sample;
-    out.torque_Nm = symmetric_estimate(mean, 1.96 * white_noise_Nm / std::sqrt(samples),
+    out.torque_Nm = symmetric_estimate(mean, normal_975 * white_noise_Nm / std::sqrt(samples),
                                        "white noise only: fewer than three steady cycles");
   }
   add_branches(recording, motion, first, last, out);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "stages/student_t.h"
 #include "stages/white_noise.h"
 
 namespace tribolog {
@@ -89,7 +90,7 @@ TorqueReading TraceReader::torque(double t_s) const {
   const auto begin = std::lower_bound(t.begin(), t.end(), t_s - window_s_) - t.begin();
   const auto end = std::upper_bound(t.begin(), t.end(), t_s + window_s_) - t.begin();
   if (clean) return {smooth_torque(t_s), 0.0};
-  if (end - begin < 6) return {interpolate(trace_.torque_Nm, t_s), 1.96 * noise_Nm_};
+  if (end - begin < 6) return {interpolate(trace_.torque_Nm, t_s), normal_975 * noise_Nm_};
   Eigen::MatrixXd x(end - begin, 3);
   Eigen::VectorXd y(end - begin);
   for (auto i = begin; i < end; ++i) {
@@ -99,7 +100,7 @@ TorqueReading TraceReader::torque(double t_s) const {
   }
   const Eigen::Matrix3d inverse = (x.transpose() * x).inverse();
   const double value = (inverse * (x.transpose() * y))(0);
-  return {value, 1.96 * noise_Nm_ * std::sqrt(inverse(0, 0))};
+  return {value, normal_975 * noise_Nm_ * std::sqrt(inverse(0, 0))};
 }
 
 std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,

@@ -49,12 +49,6 @@ TEST(RobustStatistics, OutliersDoNotMoveTheScatter) {
 }
 
 TEST(RobustStatistics, DeviatesAreThoseOfTheTables) {
-  // Student's t at two-sided 5 % and 0.1 %.
-  EXPECT_NEAR(normal_deviate(2.2281, 10), 1.95996, 0.01);
-  EXPECT_NEAR(normal_deviate(4.5869, 10), 3.29053, 0.02);
-  EXPECT_NEAR(normal_deviate(-3.1824, 3), -1.95996, 0.02);
-  EXPECT_NEAR(normal_deviate(12.924, 3), 3.29053, 0.1);  // on the side of caution
-  EXPECT_NEAR(normal_deviate(3, 1e9), 3, 1e-6);
   EXPECT_NEAR(deviate_of(0.05), 1.959963984540054, 1e-9);
   EXPECT_NEAR(deviate_of(0.001), 3.290526731491926, 1e-9);
 }

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "archive/fleet/robust_statistics.h"
+#include "archive/history/normal_score.h"
 
 #include "stages/student_t.h"
 
@@ -24,7 +25,8 @@ std::optional<Distance> distance(const Estimate& latest, double median, std::siz
       scatter * std::sqrt(1 + std::numbers::pi / (2 * static_cast<double>(count)));
   const double size = std::max(widened, latest.half_width() / normal_975);
   if (!(size > 0)) return std::nullopt;
-  return Distance{normal_deviate((latest.value - median) / size, freedom), median, widened, count};
+  return Distance{history::normal_score((latest.value - median) / size, freedom), median, widened,
+                  count};
 }
 
 /// Median of a sorted list without one of its elements.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
+
+#include <boost/math/distributions/normal.hpp>
 
 namespace tribolog::archive {
 namespace {
@@ -57,20 +60,8 @@ double scatter_freedom(std::size_t values) {
   return efficiency * (static_cast<double>(values) - 1);
 }
 
-double normal_deviate(double t, double freedom) {
-  const double z =
-      (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(t * t / freedom));
-  return std::copysign(z, t);
-}
-
 double deviate_of(double probability) {
-  double low = 0;
-  double high = 40;
-  for (int k = 0; k < 100; ++k) {
-    const double middle = (low + high) / 2;
-    (std::erfc(middle / std::numbers::sqrt2) > probability ? low : high) = middle;
-  }
-  return low;
+  return -boost::math::quantile(boost::math::normal(), probability / 2);
 }
 
 }  // namespace tribolog::archive

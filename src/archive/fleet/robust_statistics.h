@@ -18,10 +18,8 @@ double pairwise_scatter(std::vector<double> values);
 /// Degrees of freedom of pairwise_scatter() of so many independent values.
 double scatter_freedom(std::size_t values);
 
-/// The normal deviate that is as improbable as Student's t, by Wallace's approximation.
-double normal_deviate(double t, double degrees_of_freedom);
-
-/// The deviate beyond which, on either side, one normal value lies with this probability.
+/// The deviate beyond which, on either side, one normal value lies with this probability
+/// (between 0 and 1, both excluded).
 double deviate_of(double probability);
 
 }  // namespace tribolog::archive

@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "ingest/arrays/npy_type.h"
+
 namespace tribolog {
 
 struct NpyHeader {
-  std::string type;  ///< "<f8" as it stands; empty for records of several fields.
+  NpyType type;
   bool fortran_order{};
   std::vector<std::uint64_t> shape;
   std::size_t bytes{};  ///< Where the values start.

@@ -25,7 +25,8 @@ void add_entry(std::string_view archive, const ZipEntry& entry, const std::strin
     return;
   }
   const std::string name = entry.name.substr(0, entry.name.size() - array_ending.size());
-  add_npy_array(unpack_zip_entry(archive, entry, file), name, file, found);
+  add_npy_array(unpack_zip_entry(archive, entry, file), name, file, RecordNames::by_array_and_field,
+                found);
 }
 
 }  // namespace
@@ -33,7 +34,8 @@ void add_entry(std::string_view archive, const ZipEntry& entry, const std::strin
 std::vector<LogTable> parse_npz(std::string_view bytes, const std::string& file) {
   FileArrays found;
   if (bytes.starts_with("\x93NUMPY")) {
-    add_npy_array(bytes, std::filesystem::path(file).stem().string(), file, found);
+    add_npy_array(bytes, std::filesystem::path(file).stem().string(), file, RecordNames::by_field,
+                  found);
   } else {
     for (const ZipEntry& entry : list_zip(bytes, file)) add_entry(bytes, entry, file, found);
   }

@@ -10,7 +10,8 @@
 namespace tribolog {
 
 /// Tables of a .npz or .npy file by the rule of tables_of(); an array of a .npz is named as in the
-/// archive, that of a .npy by its file name without the ending.
+/// archive, that of a .npy by its file name without the ending. The fields of an array of records
+/// are "array.field" in a .npz, and "field" in a .npy, whatever the file's name.
 /// @throw InputError: the file cannot be read, is damaged, or holds no rows of numbers. Nothing is
 ///        ever unpickled.
 std::vector<LogTable> read_npz(const std::string& path);
