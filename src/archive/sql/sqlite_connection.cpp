@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "error.h"
+#include "files/early_end.h"
 #include "files/file_descriptor.h"
 #include "files/temporary_file.h"
 
@@ -97,7 +98,13 @@ class SqliteConnection final : public Connection {
     if (status != SQLITE_OK) refuse(status);
   }
 
-  void write(const std::function<void()>& work) override { transact("BEGIN IMMEDIATE", work); }
+  void write(const std::function<void()>& work) override {
+    transact("BEGIN IMMEDIATE", [&] {
+      const Uninterrupted together;
+      work();
+      run_script("COMMIT");
+    });
+  }
   void read(const std::function<void()>& work) override { transact("BEGIN", work); }
 
  private:
@@ -178,7 +185,7 @@ class SqliteConnection final : public Connection {
     run_script(begin);
     try {
       work();
-      run_script("COMMIT");
+      if (sqlite3_get_autocommit(database_.get()) == 0) run_script("COMMIT");
     } catch (...) {
       // Some errors have rolled back already.
       if (sqlite3_get_autocommit(database_.get()) == 0) {
@@ -237,6 +244,7 @@ void create_sqlite(const std::string& path, const std::function<void(Connection&
   if (!made.file().is_open()) {
     throw OutputError(shown(path) + ": no archive can be made there: " + strerror(errno));
   }
+  const Unfinished journal(made.path() + "-journal");
   {
     SqliteConnection connection(made.path(), SQLITE_OPEN_READWRITE, usual_wait_ms);
     connection.run_script(
