@@ -11,15 +11,15 @@ import os
 import sys
 
 from disks import SmallDisk, cannot_mount
-from workspace import COMMANDS, Table, Workspace, files_in, leftovers
+from workspace import ARCHIVED, COMMANDS, Table, Workspace, files_in, leftovers
 
 OLD = b"what was there before\n"
 
 
 def old_files(space, command):
     """What the command would replace."""
-    files = [(name, OLD) for name in command.writes if "." in name and name != "a.tribolog"]
-    if "a.tribolog" in command.line:
+    files = [(name, OLD) for name in command.writes if "." in name and not name.endswith(".tribolog")]
+    if ARCHIVED in command.line:
         with open(os.path.join(space.base, "a.tribolog"), "rb") as archive:
             files.append(("a.tribolog", archive.read()))
     return files
@@ -37,7 +37,8 @@ def faults_of(command, done, before, after):
     if done.status != 0 and done.err.count("error:") != 1:
         faults.append("not one clear line")
     kept = done.words.partition("; kept: ")[2]
-    if done.status != 0 and changed and not (changed == ["a.tribolog"] and "archive" in kept):
+    if done.status != 0 and changed and not (changed[0].endswith(".tribolog") and
+                                             len(changed) == 1 and "archive" in kept):
         faults.append(f"changed: {changed}")
     if done.status != 0 and kept and not changed:
         faults.append("nothing is kept")
@@ -67,7 +68,7 @@ def main():
                 done = space.run(command.line, space.copy(), out=disk.path)
                 after = files_in(disk.path)
                 faults = faults_of(command, done, before, after)
-                if "a.tribolog" in command.line:
+                if ARCHIVED in command.line:
                     faults += verified(space, disk)
             same = sum(before.get(name) == after.get(name) for name in before)
             table.add([command, free_kB, done.status, len(before) - 1,

@@ -23,16 +23,16 @@ def bounded(kind, value, hard=None):
     return lambda: resource.setrlimit(kind, (value, value if hard is None else hard))
 
 
-def limits(quick):
+def limits(few):
     """Name, value to show, what to do before the program starts, environment."""
     megabyte = 1 << 20
-    for MB in ((100, 400) if quick else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
+    for MB in ((100, 400) if few else (20, 50, 100, 150, 200, 300, 400, 600, 1000)):
         yield "memory", f"{MB} MB", bounded(resource.RLIMIT_AS, MB * megabyte), {}
-    for kB in ((0, 64) if quick else (0, 1, 16, 64, 256, 1024)):
+    for kB in ((0, 64) if few else (0, 1, 16, 64, 256, 1024)):
         yield "file size", f"{kB} kB", bounded(resource.RLIMIT_FSIZE, 1024 * kB), {}
-    for files in ((3, 12) if quick else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
+    for files in ((3, 12) if few else (0, 3, 4, 5, 6, 8, 10, 12, 16, 24)):
         yield "open files", files, bounded(resource.RLIMIT_NOFILE, files), {}
-    for seconds in ((1,) if quick else (1, 2, 3)):
+    for seconds in ((1,) if few else (1, 2, 3)):
         yield "processor", f"{seconds} s", bounded(resource.RLIMIT_CPU, seconds, seconds + 5), {}
     yield "temporary folder", "missing", None, {"TMPDIR": "/no/such/folder"}
     yield "temporary folder", "unwritable", None, {"TMPDIR": "/proc"}
@@ -46,7 +46,7 @@ def faults_of(command, done, before, after):
         faults.append(f"status {done.status}")
     if leftovers(after):
         faults.append(f"left behind: {leftovers(after)}")
-    if done.status not in (0, 1) and not done.err:
+    if done.status not in (0, 1) and not done.err and not done.out:
         faults.append("no word")
     changed = {name.split("/")[0] for name in {*before, *after}
                if before.get(name) != after.get(name)}
@@ -67,12 +67,14 @@ def main():
     for command in COMMANDS:
         if quick and (command.slow or command.draws):
             continue
-        for name, value, limit, environment in limits(quick):
+        for name, value, limit, environment in limits(quick or command.slow):
             directory = space.copy()
             before = files_in(directory)
             done = space.run(command.line, directory, preexec_fn=limit, environment=environment)
             faults = faults_of(command, done, before, files_in(directory))
-            table.add([command, name, value, done.status, (done.words or done.err.strip()[-100:] if done.status else "")[:160].replace("\n", " ")], faults)
+            words = done.words or done.err.strip().rpartition("\n")[2]
+            table.add([command, name, value, done.status, words[:160] if done.status else ""],
+                      faults)
     return 1 if table.end() else 0
 
 

@@ -77,6 +77,8 @@ COMMANDS = [
     Command("identify dataset.toml -o {out}/cal.json" + FEW, writes=["cal.json"]),
     Command("identify dataset.toml -o {out}/cal.json" + FEW + ARCHIVED + " --archive-again",
             writes=["cal.json", "a.tribolog"]),
+    Command("identify dataset.toml -o {out}/cal.json" + FEW + " --archive {out}/new.tribolog",
+            writes=["cal.json", "new.tribolog"]),
     Command("figures dataset.toml -o {out}/figures --format svg --truth-runs 0",
             writes=["figures"]),
     Command("figures dataset.toml -o {out}/figures --truth-runs 0", writes=["figures"],

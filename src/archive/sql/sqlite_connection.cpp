@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "error.h"
@@ -215,6 +216,14 @@ void refuse_other_files(const std::string& path) {
   }
 }
 
+/// SQLite could not take back what it has written behind the limit of a file's size.
+bool is_larger_than_allowed(const std::string& path) {
+  rlimit limit{};
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  return !error && getrlimit(RLIMIT_FSIZE, &limit) == 0 && bytes > limit.rlim_cur;
+}
+
 }  // namespace
 
 std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, int wait_ms) {
@@ -224,6 +233,10 @@ std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, 
   }
   if (access == Access::write && ::access(path.c_str(), W_OK) != 0) {
     throw OutputError(shown(path) + ": the archive cannot be written: " + strerror(errno) +
+                      "; nothing was changed");
+  }
+  if (access == Access::write && is_larger_than_allowed(path)) {
+    throw OutputError(shown(path) + ": the archive cannot be written: " + strerror(EFBIG) +
                       "; nothing was changed");
   }
   // A journal that a killed process left is rolled back by the first who may write.
