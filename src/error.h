@@ -14,12 +14,10 @@ enum class ExitStatus : int {
   verdict_failed = 1,  ///< Only where --fail-on asked for it.
   usage = 2,           ///< The command line.
   input_refused = 3,   ///< A file that was read.
-  output_failed = 4,   ///< A file that was to be written; nothing was changed.
+  output_failed = 4,   ///< A file that was to be written, or standard output.
   figure_failed = 5,   ///< Numbers are kept, a figure is missing.
   archive_failed = 6,  ///< Archive damaged, locked or newer.
   internal = 70,       ///< A fault of the program.
-  interrupted = 130,
-  terminated = 143,
 };
 
 /// Base of everything that is reported to the user as one clear line.

@@ -5,24 +5,52 @@
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "cli/command_line.h"
 #include "error.h"
+#include "files/early_end.h"
+#include "files/standard_output.h"
 
-int main(int argc, char** argv) {
-  using tribolog::ExitStatus;
-  // A reader that goes away (| head) is no fault: writing fails quietly instead of killing us.
-  std::signal(SIGPIPE, SIG_IGN);
+namespace tribolog {
+namespace {
+
+/// An archive that says of itself that nothing was changed knows nothing of the other outputs.
+std::string with_what_was_kept(const Error& error) {
+  std::string message = error.what();
+  const bool is_of_outputs = error.status() == ExitStatus::output_failed ||
+                             error.status() == ExitStatus::archive_failed;
+  if (!is_of_outputs || !is_something_kept()) return message;
+  constexpr std::string_view nothing = "; nothing was changed";
+  if (message.ends_with(nothing)) message.resize(message.size() - nothing.size());
+  return message + "; " + kept_in_words();
+}
+
+int run(int argc, char** argv) {
   try {
-    return static_cast<int>(tribolog::run_command_line(argc, argv));
-  } catch (const tribolog::Error& error) {
-    std::cerr << "tribolog: error: " << error.what() << '\n';
+    const ExitStatus status = run_command_line(argc, argv);
+    finish_printing();
+    return static_cast<int>(status);
+  } catch (const Error& error) {
+    std::cerr << "tribolog: error: " + with_what_was_kept(error) + "\n";
     return static_cast<int>(error.status());
   } catch (const std::bad_alloc&) {
-    std::cerr << "tribolog: error: out of memory; nothing was written\n";
+    std::cerr << "tribolog: error: out of memory; " << kept_in_words() << '\n';
   } catch (const std::exception& error) {
     std::cerr << "tribolog: internal error: " << error.what()
               << "; please report it with the command and its input\n";
   }
   return static_cast<int>(ExitStatus::internal);
+}
+
+}  // namespace
+}  // namespace tribolog
+
+int main(int argc, char** argv) {
+  tribolog::keep_standard_streams_open();
+  // A reader that goes away (| head) is no fault: writing fails quietly instead of killing us.
+  std::signal(SIGPIPE, SIG_IGN);
+  tribolog::end_cleanly_on_signals();
+  return tribolog::run(argc, argv);
 }

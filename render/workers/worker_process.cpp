@@ -20,10 +20,12 @@ namespace tribolog::render {
 namespace {
 
 void take_default_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGCHLD, SIGALRM, SIGUSR1,
-                           SIGUSR2, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+  for (const int signal : {SIGTERM, SIGPIPE, SIGCHLD, SIGALRM, SIGUSR1, SIGUSR2, SIGSEGV, SIGBUS,
+                           SIGFPE, SIGILL, SIGABRT, SIGXCPU}) {
     std::signal(signal, SIG_DFL);
   }
+  // A terminal sends these to all processes; the owner decides, and its end is theirs.
+  for (const int signal : {SIGINT, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

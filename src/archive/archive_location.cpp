@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "files/atomic_file.h"
+#include "files/early_end.h"
 
 namespace tribolog::archive {
 namespace {
@@ -25,6 +26,7 @@ void make_if_missing(const std::string& path, bool is_default) {
   if (is_default) create_directory(directory.string());
   check_output_can_be_written(path);
   sql::create_sqlite(path, [](sql::Connection& connection) { create_schema(connection); });
+  note_kept("the new archive " + printable(path, longest_path));
 }
 
 [[noreturn]] void refuse_absent(const std::string& name) {

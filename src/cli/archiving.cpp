@@ -9,8 +9,14 @@
 
 #include "cli/archive/archived_inputs.h"
 #include "error.h"
+#include "files/early_end.h"
 
 namespace tribolog {
+
+std::string ArchivingOptions::file() const {
+  if (!location || archive::is_server(*location)) return "";
+  return location->empty() ? archive::default_location() : *location;
+}
 
 Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
   if (options.location) {
@@ -19,10 +25,6 @@ Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
   } else if (options.inputs || options.again) {
     throw UsageError("--archive-inputs and --archive-again need --archive");
   }
-}
-
-std::string Archiving::file() const {
-  return archive_ && !archive::is_server(archive_->name()) ? archive_->name() : "";
 }
 
 void Archiving::keep_numbers(const std::string& calibration, const std::string& file,
@@ -54,7 +56,9 @@ std::optional<history::Comparison> Archiving::since_last() {
 
 void Archiving::keep_report(const std::string& html, Console& console) {
   if (!archive_) return;
-  if (!archive_->attach_report(id_, html, make_provenance({}).created_utc)) {
+  if (archive_->attach_report(id_, html, make_provenance({}).created_utc)) {
+    note_kept("the report in the archive");
+  } else {
     console.say("the archive keeps the report it has of " + id_.substr(0, archive::shown_digits));
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// `--archive` of identify and report: the numbers first, the report once it is written.
+// `--archive` of identify and report: the numbers first, the report once it is on the disk.
 
 #include <optional>
 #include <string>
@@ -17,6 +17,9 @@ struct ArchivingOptions {
   double wait_s{5};                     ///< For another process that writes to it.
   bool inputs{false};                   ///< Manifest and recordings too.
   bool again{false};                    ///< Beside one of the same inputs.
+
+  /// A file that no output may replace, whether it exists or not; empty: there is none.
+  [[nodiscard]] std::string file() const;
 };
 
 /// Opens the archive before anything is computed, so that one that cannot be written is told early.
@@ -25,8 +28,8 @@ class Archiving {
   /// @throw as archive::open_archive(); UsageError: inputs or again without an archive.
   explicit Archiving(const ArchivingOptions& options);
 
-  /// @param calibration the JSON, as it was written to `file`. @param manifest the dataset's.
-  /// @throw ArchiveError, OutputError: not archived; the calibration's file is there to be added.
+  /// @param calibration the JSON that `file` gets. @param manifest the dataset's.
+  /// @throw ArchiveError, OutputError: not archived.
   void keep_numbers(const std::string& calibration, const std::string& file,
                     const std::string& manifest, Console& console);
 
@@ -36,9 +39,6 @@ class Archiving {
 
   /// Nothing where nothing is archived.
   void keep_report(const std::string& html, Console& console);
-
-  /// A file that no output may replace; empty: there is none.
-  [[nodiscard]] std::string file() const;
 
   /// The id that the numbers have; empty where nothing is archived.
   [[nodiscard]] const std::string& id() const { return id_; }

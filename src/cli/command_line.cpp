@@ -1,6 +1,6 @@
 #include "cli/command_line.h"
 
-#include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include "cli/archive/archive_commands.h"
 #include "cli/commands.h"
 #include "cli/options/command_options.h"
+#include "files/standard_output.h"
 
 namespace tribolog {
 namespace {
@@ -27,9 +28,10 @@ says how sure it is of each, and writes one HTML report.
 constexpr const char* exit_statuses = R"(
 Exit status: 0 done; 1 the verdict fails and --fail-on asked for that, or a check
 of the paper does not hold; 2 usage; 3 an input file is refused; 4 an output file
-cannot be written (nothing was changed); 5 a figure could not be drawn (the
-numbers are kept); 6 the archive is damaged, locked or of a newer program; 70 a
-fault of the program.)";
+or standard output cannot be written (no file was changed, unless the message says
+which are kept); 5 a figure could not be drawn (the numbers are kept); 6 the
+archive is damaged, locked or of a newer program; 70 a fault of the program, or no
+memory; 128 + n: ended by signal n (130: SIGINT, 143: SIGTERM).)";
 
 /// An unset variable of a script is not meant to be the user's own archive, which `--archive` alone
 /// means.
@@ -83,7 +85,9 @@ ExitStatus run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& call) {
-    app.exit(call);
+    std::ostringstream help;
+    app.exit(call, help, help);
+    print(help.str());
     return ExitStatus::done;
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see tribolog --help");
@@ -104,7 +108,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (const cli::Run run = chosen_of_archive()) return run({arguments, console});
   if (const cli::Run run = chosen_review()) return run({arguments, console});
   if (study_command) return run_study_command(study, arguments, console);
-  std::cout << app.help();
+  print(app.help());
   return ExitStatus::usage;
 }
 

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "files/atomic_file.h"
+#include "files/standard_output.h"
+
 namespace tribolog {
 
 Console::Console(bool quiet)
@@ -38,7 +41,16 @@ void Console::finish() {
 
 void Console::say(const std::string& line) {
   finish();
-  if (!quiet_) std::cout << line << '\n' << std::flush;
+  if (quiet_) return;
+  if (is_output_elsewhere_) {
+    std::cerr << line + "\n";
+  } else {
+    print(line + "\n");
+  }
+}
+
+void Console::make_way_for(const std::string& output) {
+  if (is_standard_output(output)) is_output_elsewhere_ = true;
 }
 
 void Console::warn(const std::string& line) {

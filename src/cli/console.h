@@ -20,6 +20,9 @@ class Console {
   void progress(const std::string& what, std::size_t done, std::size_t all);
   /// Ends the bar, so that the next line starts clean.
   void finish();
+  /// An output that goes to standard output has it for itself: say() goes to standard error then.
+  /// @throw OutputError: it cannot be written.
+  void make_way_for(const std::string& output);
   /// A line about the result, to standard output; nothing with --quiet.
   void say(const std::string& line);
   /// A line that the user must not miss, to standard error, also with --quiet.
@@ -29,6 +32,7 @@ class Console {
   bool quiet_;
   bool terminal_;
   bool drawn_{false};
+  bool is_output_elsewhere_{false};
   std::string last_;
   std::chrono::steady_clock::time_point start_;
 };

@@ -22,7 +22,18 @@ std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
   options.progress = [&](std::size_t done, std::size_t all) {
     console.progress("drawing figures", done, all);
   };
-  return renderer.draw(descriptions, options);
+  try {
+    return renderer.draw(descriptions, options);
+  } catch (const FigureError& error) {  // of all of them
+    std::vector<render::DrawnFigure> missing(figures.size());
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      missing[k].id = figures[k].figure.id;
+      missing[k].width_px = figures[k].figure.width_px;
+      missing[k].height_px = figures[k].figure.height_px;
+      missing[k].error = error.what();
+    }
+    return missing;
+  }
 }
 
 std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn) {

@@ -38,7 +38,8 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   // Starts while the numbers are computed.
   if (needs_pictures(options.formats, drawings)) renderer.emplace(options.processes, drawings);
   const Dataset dataset = load_dataset(options.dataset, console);
-  create_directory(options.directory);
+  AtomicFiles files;
+  files.make_directory(options.directory);
   const Calibration calibration = run_identification(dataset, {{}, options.truth_runs}, console);
   std::vector<ReportFigure> figures =
       with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
@@ -46,7 +47,6 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   if (options.style == FigureStyleChoice::paper) figures = for_publication(std::move(figures));
   const FigureFiles drawn =
       figure_files(figures, options.formats, renderer ? &*renderer : nullptr, console);
-  AtomicFiles files;
   for (const FigureFile& one : drawn.files)
     files.add(options.directory + "/" + one.name, one.bytes);
   files.commit();

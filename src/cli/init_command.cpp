@@ -10,11 +10,12 @@ namespace tribolog {
 
 ExitStatus run_init(const InitOptions& options, Console& console) {
   namespace fs = std::filesystem;
-  if (!options.force && fs::exists(fs::symlink_status(options.output))) {
+  if (!options.force && is_file_output(options.output) && fs::exists(options.output)) {
     throw OutputError(printable(options.output, 400) +
                       ": exists, and is left as it is; --force replaces it");
   }
   check_output_can_be_written(options.output, options.logs.files);
+  console.make_way_for(options.output);
   const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
   ProposalOptions known = options.logs.known;
   known.directory = fs::path(options.output).parent_path().string();

@@ -11,6 +11,7 @@ namespace tribolog {
 
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   if (!options.json.empty()) check_output_can_be_written(options.json, options.logs.files);
+  console.make_way_for(options.json);
   const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
   const Proposed proposed = try_to_propose(logs, options.logs.known);
   console.say(survey_text(logs, proposed.joint));

@@ -87,6 +87,7 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
     return ExitStatus::done;
   }
   check_output_can_be_written(options.output);
+  console.make_way_for(options.output);
   Provenance provenance = make_provenance(arguments);
   render::FigureRenderer renderer(options.processes);  // starts while the models are computed
   console.progress("moving the models", 0, 1);

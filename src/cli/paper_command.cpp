@@ -40,6 +40,7 @@ void tell_outcome(const RegeneratedPaper& paper, const std::vector<PaperTally>& 
 ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>& arguments,
                      Console& console) {
   check_output_can_be_written(options.output);
+  console.make_way_for(options.output);
   RegeneratedPaper paper;
   paper.provenance = make_provenance(arguments);
   paper.sources = {source(scenario_file), source(robot_file)};

@@ -36,7 +36,8 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   const JointFacts facts = facts_of(options, report.joint_text);
   std::vector<std::string> inputs{options.joint};
   if (!options.calibration.empty()) inputs.push_back(options.calibration);
-  create_directory(options.directory);
+  AtomicFiles files;
+  files.make_directory(options.directory);
   const std::filesystem::path folder(options.directory);
   const auto in_folder = [&](const char* name) { return (folder / name).string(); };
   const std::string page = in_folder("plan.html");
@@ -48,17 +49,15 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   console.progress("simulating the plan", 0, 1);
   report.expected = expect_intervals(report.plan, {options.runs, options.seed, options.threads});
 
-  AtomicFiles files;
   // Also where nothing can be done: those of an older plan must not stay beside this one.
   files.add(in_folder("setpoints.csv"), set_points_csv(report.plan));
   files.add(in_folder("dataset.toml"), plan_dataset_toml(report.plan));
   files.add(in_folder("plan.json"), plan_json(report.plan, report.expected, report.provenance));
-  // The numbers first: a figure that fails must not lose them.
-  files.commit();
   const std::vector<ReportFigure> figures = plan_figures(report.plan);
   const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
-  write_file_atomically(page, plan_page(report, figures, drawn, options.language));
+  files.add(page, plan_page(report, figures, drawn, options.language));
+  files.commit();
 
   console.say("plan: " + plan_sentence(report.plan));
   for (const std::string& line : plan_lines(report.plan)) console.say(line);

@@ -23,14 +23,23 @@ std::string calibration_beside(const std::string& report) {
   return (has_ending ? report.substr(0, dot) : report) + ".calibration.json";
 }
 
+std::string calibration_of(const ReportOptions& options) {
+  if (!options.calibration.empty()) return options.calibration;
+  if (is_file_output(options.output)) return calibration_beside(options.output);
+  throw UsageError(
+      "tribolog report: nothing can stand beside standard output, a pipe or a device; "
+      "--calibration FILE states where the numbers go");
+}
+
 }  // namespace
 
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {
-  const std::string numbers =
-      options.calibration.empty() ? calibration_beside(options.output) : options.calibration;
-  check_output_can_be_written(options.output, {options.dataset, numbers});
+  const std::string numbers = calibration_of(options);
+  check_output_can_be_written(options.output, {options.dataset});
   check_output_can_be_written(numbers, {options.dataset});
+  check_outputs_differ({options.output, numbers, options.archiving.file()});
+  for (const std::string& output : {options.output, numbers}) console.make_way_for(output);
   Provenance provenance = make_provenance(arguments);
   Archiving archiving(options.archiving);
 
@@ -39,15 +48,12 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   const Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
-  if (!archiving.file().empty()) {
-    check_output_can_be_written(options.output, {archiving.file()});
-    check_output_can_be_written(numbers, {archiving.file()});
-  }
   const Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
   const std::string json = calibration_json(calibration, provenance);
-  write_file_atomically(numbers, json);
+  AtomicFiles files;
+  files.add(numbers, json);
   archiving.keep_numbers(json, numbers, options.dataset, console);
   const std::optional<history::Comparison> since_last = archiving.since_last();
   if (!archiving.id().empty()) provenance.configuration.push_back({"Archived as", archiving.id()});
@@ -63,8 +69,9 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   console.progress("writing the report", 1, 1);
   const std::string html =
       html_report(calibration, figures, drawn, provenance, since_last, options.language);
-  write_file_atomically(options.output, html);
+  files.add(options.output, html);
   archiving.keep_report(html, console);
+  files.commit();
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(numbers, longest_path));
   console.say("report: " + printable(options.output, longest_path));

@@ -9,6 +9,7 @@
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/signed_report.h"
 #include "files/atomic_file.h"
+#include "files/early_end.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "report/embedded_json.h"
@@ -86,6 +87,7 @@ std::function<Run()> add_review(CLI::App& app) {
       const std::string output =
           options->output.empty() && is_report ? options->report : options->output;
       where->protect_from(output);
+      call.console.make_way_for(output);
       archive::CalibrationArchive kept = where->open(sql::Access::write);
       const archive::Entry entry =
           is_report ? entry_of_report(kept, options->report) : kept.find(options->report);
@@ -95,11 +97,14 @@ std::function<Run()> add_review(CLI::App& app) {
                                    options->note};
       // Before the decision is kept: a report that cannot be written keeps none.
       const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
+      AtomicFiles files;
+      if (!output.empty()) files.add(output, page);
       kept.add_review(entry, review);
+      note_kept("the decision in the archive");
+      files.commit();
       call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, archive::shown_digits),
                                    to_string(review.decision), printable(review.reviewer)));
       if (!output.empty()) {
-        write_file_atomically(output, page);
         call.console.say("report: " + printable(output, longest_path));
       }
       return ExitStatus::done;

@@ -13,7 +13,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Console& console) {
   console.progress("simulating " + scenario.name, 0, 2);
   const std::vector<Recording> recordings = simulate_joint(scenario);
   console.progress("writing the recordings", 1, 2);
-  write_simulation(scenario, recordings, options.directory);
+  write_simulation(scenario, recordings, options.directory, {options.scenario});
   std::size_t samples = 0;
   for (const Recording& recording : recordings) samples += recording.size();
   console.say(

@@ -43,8 +43,9 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   std::vector<std::string> inputs;
   if (!options.scenario.empty()) inputs.push_back(options.scenario);
   if (!options.json.empty()) check_output_can_be_written(options.json, inputs);
-  if (!options.json.empty()) inputs.push_back(options.json);
   check_output_can_be_written(options.output, inputs);
+  check_outputs_differ({options.output, options.json});
+  for (const std::string& output : {options.output, options.json}) console.make_way_for(output);
   StudyReport report;
   report.provenance = make_provenance(arguments);
   NamedScenario named = scenario_of(options);
@@ -65,12 +66,13 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   } catch (const std::invalid_argument& refused) {
     throw InputError({report.scenario_file, 0, 0}, {"cannot be studied", refused.what(), "", ""});
   }
-  // The numbers first: a figure that fails must not lose them.
-  if (!options.json.empty()) write_file_atomically(options.json, study_json(report));
+  AtomicFiles files;
+  if (!options.json.empty()) files.add(options.json, study_json(report));
   const std::vector<ReportFigure> figures = study_figures(report.study);
   const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
-  write_file_atomically(options.output, study_page(report, figures, drawn, options.language));
+  files.add(options.output, study_page(report, figures, drawn, options.language));
+  files.commit();
   console.say(study_sentence(report.study));
   if (!options.json.empty()) console.say("numbers: " + options.json);
   console.say("study: " + options.output);

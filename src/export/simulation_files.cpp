@@ -11,25 +11,26 @@
 namespace tribolog {
 
 void write_simulation(const Scenario& scenario, const std::vector<Recording>& recordings,
-                      const std::string& directory) {
+                      const std::string& directory, const std::vector<std::string>& inputs) {
   const std::filesystem::path folder(directory);
   for (const Recording& recording : recordings) {
     if (recording.name.empty() || recording.name.find('/') != std::string::npos) {
       throw std::invalid_argument("'" + recording.name + "' is not a plain file name");
     }
   }
-  create_directory(directory);
-  const std::string manifest = (folder / "dataset.toml").string();
-  check_output_can_be_written(manifest);
   AtomicFiles files;
-  for (const Recording& recording : recordings) {
-    files.add((folder / recording.name).string(), recording_csv(recording));
-  }
+  files.make_directory(directory);
+  const auto add = [&](const std::string& name, const std::string& content) {
+    const std::string path = (folder / name).string();
+    check_output_can_be_written(path, inputs);
+    files.add(path, content);
+  };
+  for (const Recording& recording : recordings) add(recording.name, recording_csv(recording));
   if (!scenario.robot_description.empty()) {
-    files.add((folder / description_beside(scenario)).string(), scenario.robot_description_text);
+    add(description_beside(scenario), scenario.robot_description_text);
   }
-  files.add((folder / "truth.json").string(), truth_json(scenario));
-  files.add(manifest, dataset_toml(scenario, recordings));
+  add("truth.json", truth_json(scenario));
+  add("dataset.toml", dataset_toml(scenario, recordings));
   files.commit();
 }
 

@@ -1,6 +1,7 @@
 #include "files/temporary_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -33,16 +34,26 @@ bool is_temporary_of(std::string_view name, std::string_view prefix) {
          std::all_of(name.end() - random_part.size(), name.end(), is_letter_or_digit);
 }
 
+/// @return the descriptor; -1: errno tells why.
+int make(std::string& path, std::unique_ptr<Unfinished>& unfinished) {
+  const Uninterrupted making;
+  const int file = ::mkostemp(path.data(), O_CLOEXEC);
+  if (file >= 0) unfinished = std::make_unique<Unfinished>(path);
+  return file;
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& target)
     : path_((target.parent_path() / (prefix_of(target) + std::string(random_part))).string()),
-      file_(::mkostemp(path_.data(), O_CLOEXEC)) {
+      file_(make(path_, unfinished_)) {
   if (!file_.is_open()) path_.clear();
 }
 
 TemporaryFile::~TemporaryFile() {
+  const Uninterrupted removing;
   if (!path_.empty()) ::unlink(path_.c_str());
+  unfinished_.reset();
 }
 
 bool TemporaryFile::flush() const {
@@ -57,6 +68,18 @@ bool TemporaryFile::open_to_others() const {
   return ::chmod(path_.c_str(), 0666 & ~mask) == 0;
 }
 
+bool TemporaryFile::take_permissions_of(const std::filesystem::path& target) const {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) != 0) return open_to_others();
+  mode_t mode = old.st_mode & 0777;
+  if (::chown(path_.c_str(), old.st_uid, old.st_gid) != 0 &&
+      ::chown(path_.c_str(), static_cast<uid_t>(-1), old.st_gid) != 0) {
+    // Another group than the old one: it gets no more than everybody has.
+    mode = (mode & 0707) | ((mode & 07) << 3);
+  }
+  return ::chmod(path_.c_str(), mode) == 0;
+}
+
 bool TemporaryFile::link_to(const std::filesystem::path& target) {
   return ::link(path_.c_str(), target.c_str()) == 0;
 }
@@ -64,7 +87,18 @@ bool TemporaryFile::link_to(const std::filesystem::path& target) {
 bool TemporaryFile::rename_to(const std::filesystem::path& target) {
   if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
   path_.clear();
+  unfinished_.reset();
   return true;
+}
+
+bool TemporaryFile::exchange_with(const std::filesystem::path& target) const {
+  struct stat old {};
+  if (::lstat(target.c_str(), &old) != 0) return false;
+  if (!S_ISREG(old.st_mode)) {
+    errno = EINVAL;
+    return false;
+  }
+  return ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0;
 }
 
 void remove_stale_temporary_files(const std::filesystem::path& target) {

@@ -2,13 +2,16 @@
 // The temporary file beside an output file.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
+#include "files/early_end.h"
 #include "files/file_descriptor.h"
 
 namespace tribolog {
 
-/// Open for writing from the constructor on; removed by the destructor unless it was renamed.
+/// Open for writing from the constructor on; removed by the destructor, or by a signal that ends
+/// the program, unless it was renamed.
 class TemporaryFile {
  public:
   /// Creates `.<name>.tmp-XXXXXX` in the target's directory. is_open() tells whether that worked;
@@ -24,14 +27,21 @@ class TemporaryFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Gets the permissions that a new file has by the umask. @return false: errno tells why.
   [[nodiscard]] bool open_to_others() const;
+  /// Gets the permissions, and where the system allows the owner, of the file that it is to
+  /// replace; where there is none, as open_to_others(). @return false: errno tells why.
+  [[nodiscard]] bool take_permissions_of(const std::filesystem::path& target) const;
   /// Takes the target's name, if nothing has it. @return false: errno tells why, and nothing has
   /// changed.
   [[nodiscard]] bool link_to(const std::filesystem::path& target);
   /// Takes the target's place. @return false: errno tells why, and nothing has changed.
   [[nodiscard]] bool rename_to(const std::filesystem::path& target);
+  /// Takes the target's place, and the target takes this one's, to be removed or exchanged back.
+  /// @return false: errno tells why (EINVAL: this file system cannot), and nothing has changed.
+  [[nodiscard]] bool exchange_with(const std::filesystem::path& target) const;
 
  private:
   std::string path_;
+  std::unique_ptr<Unfinished> unfinished_;
   FileDescriptor file_;
 };
 

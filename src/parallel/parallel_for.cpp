@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -33,7 +34,11 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < threads; ++k) others.emplace_back(run);
+    try {
+      for (std::size_t k = 1; k < threads; ++k) others.emplace_back(run);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those there are do the work.
+    }
     run();
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,10 +1,12 @@
 // A disk that is full or read-only: one clear line, and nothing changed.
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>
+#include <sys/resource.h>
 
 #include "archive/archive_location.h"
 #include "archive/sample_calibration.h"
@@ -69,6 +71,27 @@ TEST_F(ArchiveOnASmallDisk, FullMakesNoArchive) {
   (void)disk_.file("filler", std::string(1'040'000, 'x'));
   EXPECT_THROW((void)open_archive(path(), sql::Access::write), OutputError);
   EXPECT_EQ(disk_.entries(), 1U);
+}
+
+TEST(ArchiveBehindTheLimitOfFileSize, IsLeftAsItIsWithoutAJournal) {
+  const test::TemporaryDirectory directory;
+  const std::string path = directory.path("a.tribolog");
+  open_archive(path, sql::Access::write).add(test::sample_calibration(1, 1, 1, 0.4), false, now);
+  const std::string before = directory.contents("a.tribolog");
+  rlimit usual{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
+  const rlimit small{before.size() / 2, usual.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string said = refusal_of<OutputError>([&] {
+    open_archive(path, sql::Access::write).add(test::sample_calibration(1, 1, 2, 0.4), false, now);
+    return 0;
+  });
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(said, path + ": the archive cannot be written: File too large; nothing was changed");
+  EXPECT_TRUE(directory.contents("a.tribolog") == before);
+  EXPECT_EQ(directory.entries(), 1U);
 }
 
 TEST_F(ArchiveOnASmallDisk, ReadOnlyIsReadAndNotWritten) {

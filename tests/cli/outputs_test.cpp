@@ -70,6 +70,46 @@ TEST(Outputs, AFullDiskLeavesTheOldReport) {
   EXPECT_EQ(rest.out.find(".tmp-"), std::string::npos) << rest.out;
 }
 
+TEST(Outputs, ADiskWithRoomForTheNumbersAloneLeavesBothOldFiles) {
+  if (geteuid() != 0) GTEST_SKIP() << "mounting a small file system needs root";
+  const SmallDataset dataset;
+  const std::string disk = dataset.file("disk");
+  std::filesystem::create_directory(disk);
+  if (run_shell("mount -t tmpfs -o size=60k none '" + disk + "'").status != 0) {
+    GTEST_SKIP() << "no file system can be mounted here";
+  }
+  dataset.scratch().write("disk/report.html", "last year's report");
+  dataset.scratch().write("disk/report.calibration.json", "last year's numbers");
+  const ProgramRun numbers = dataset.run("identify --truth-runs 0", "disk/numbers.json");
+  std::filesystem::remove(disk + "/numbers.json");
+  const ProgramRun run = dataset.run("report --truth-runs 0", "disk/report.html");
+  const std::string page = read_text(disk + "/report.html");
+  const std::string kept = read_text(disk + "/report.calibration.json");
+  EXPECT_EQ(run_shell("umount '" + disk + "'").status, 0);
+  EXPECT_EQ(numbers.status, 0) << "the numbers alone fit: " << numbers.err;
+  EXPECT_EQ(run.status, 4) << run.err;
+  EXPECT_EQ(page, "last year's report");
+  EXPECT_EQ(kept, "last year's numbers");
+}
+
+TEST(Outputs, AreDifferentFiles) {
+  const SmallDataset dataset;
+  dataset.scratch().write("page.html", "old");
+  std::filesystem::create_symlink("page.html", dataset.file("link"));
+  std::filesystem::create_hard_link(dataset.file("page.html"), dataset.file("hard"));
+  const auto report = [&](const std::string& page, const std::string& numbers) {
+    return run_shell("cd '" + dataset.scratch().path() + "' && " + program +
+                     "report dataset.toml -o " + page + " --calibration " + numbers);
+  };
+  for (const char* name : {"page.html", "./page.html", "link", "hard"}) {
+    EXPECT_EQ(report("page.html", name).status, 2) << name;
+  }
+  EXPECT_EQ(report("new.html", "new.html").status, 2);
+  EXPECT_EQ(report("new.html", "./new.html").status, 2);
+  EXPECT_EQ(read_text(dataset.file("page.html")), "old");
+  EXPECT_FALSE(std::filesystem::exists(dataset.file("new.html")));
+}
+
 TEST(Outputs, AReadOnlyDiskLeavesTheOldReport) {
   if (geteuid() != 0) GTEST_SKIP() << "mounting a small file system needs root";
   const SmallDataset dataset;

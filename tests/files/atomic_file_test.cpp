@@ -80,11 +80,85 @@ TEST(WriteFileAtomically, RefusesWhatIsNoFile) {
   const std::string folder = directory.path("folder");
   EXPECT_EQ(write_refusal(folder), folder + ": cannot write: is a directory");
   EXPECT_EQ(check_refusal(folder), folder + ": cannot write: is a directory");
-  EXPECT_EQ(check_refusal("/dev/null"), "/dev/null: cannot write: is not a regular file");
   EXPECT_EQ(check_refusal(""), ": cannot write: the file name is empty");
   const std::string nowhere = directory.path("no/such/report.html");
   EXPECT_EQ(check_refusal(nowhere), nowhere + ": cannot write: the directory does not exist");
   EXPECT_EQ(write_refusal(nowhere), nowhere + ": cannot write: No such file or directory");
+}
+
+TEST(WriteFileAtomically, WritesToDevicesAndPipesAsTheyAre) {
+  const TemporaryDirectory directory;
+  for (const char* device : {"/dev/null", "/dev/full"}) check_output_can_be_written(device);
+  write_file_atomically("/dev/null", "gone");
+  EXPECT_EQ(write_refusal("/dev/full"), "/dev/full: cannot write: No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  EXPECT_FALSE(is_file_output("/dev/full"));
+  const std::string pipe = directory.path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  check_output_can_be_written(pipe);
+  write_file_atomically(pipe, "through");
+  char got[16] = {};
+  EXPECT_EQ(read(reader, got, sizeof got), 7);
+  EXPECT_EQ(std::string(got), "through");
+  close(reader);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(WriteFileAtomically, WritesIntoADescriptorThatIsOpenBehindWhatIsThere) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("log", "before ");
+  const int file = open(path.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(file, 0);
+  for (const char* folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    const std::string name = folder + std::to_string(file);
+    check_output_can_be_written(name);
+    write_file_atomically(name, "new ");
+  }
+  fs::create_symlink("/dev/fd/" + std::to_string(file), directory.path("link"));
+  write_file_atomically(directory.path("link"), "end");
+  close(file);
+  EXPECT_EQ(directory.contents("log"), "before new new end");
+  const int reader = open(path.c_str(), O_RDONLY);
+  const std::string name = "/dev/fd/" + std::to_string(reader);
+  EXPECT_EQ(write_refusal(name), name + ": cannot write: is open only for reading");
+  close(reader);
+}
+
+TEST(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
+  const TemporaryDirectory directory;
+  fs::create_symlink("nothing", directory.path("dangling"));
+  fs::create_symlink("loop", directory.path("loop"));
+  const std::string dangling = directory.path("dangling");
+  const std::string loop = directory.path("loop");
+  for (const auto& refusal : {check_refusal, write_refusal}) {
+    EXPECT_EQ(refusal(dangling), dangling + ": cannot write: is a link to " +
+                                     directory.path("nothing") + ", which does not exist");
+    EXPECT_EQ(refusal(loop), loop + ": cannot write: Too many levels of symbolic links");
+  }
+  EXPECT_TRUE(fs::is_symlink(loop));
+  EXPECT_EQ(directory.entries(), 2U);
+}
+
+TEST(WriteFileAtomically, KeepsPermissionsAndOwnerOfWhatItReplaces) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a", "old");
+  fs::create_symlink("a", directory.path("link"));
+  const bool is_root = geteuid() == 0;
+  if (is_root) {
+    ASSERT_EQ(chown(path.c_str(), 12, 34), 0);
+  }
+  for (const mode_t mode : {0640U, 0606U, 0444U}) {
+    ASSERT_EQ(chmod(path.c_str(), mode), 0);
+    write_file_atomically(directory.path("link"), "new");
+    struct stat status {};
+    ASSERT_EQ(stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, mode);
+    EXPECT_EQ(status.st_uid, is_root ? 12U : geteuid());
+    EXPECT_EQ(status.st_gid, is_root ? 34U : status.st_gid);
+  }
+  EXPECT_EQ(directory.contents("a"), "new");
 }
 
 TEST(WriteFileAtomically, ShowsStrangeNamesEscaped) {
@@ -145,6 +219,84 @@ TEST(AtomicFiles, TakeTheirPlacesTogether) {
   { AtomicFiles().add(directory.path("a"), "never committed"); }
   EXPECT_EQ(directory.contents("a"), "new a");
   EXPECT_EQ(directory.entries(), 2U);
+}
+
+TEST(AtomicFiles, GetTheirOldContentsBackWhereOneCannotTakeItsPlace) {
+  const TemporaryDirectory directory;
+  write_file_atomically(directory.path("a"), "old a");
+  AtomicFiles files;
+  files.add(directory.path("a"), "new a");
+  files.add(directory.path("new"), "n");
+  files.add(directory.path("b"), "b");
+  fs::create_directory(directory.path("b"));  // meanwhile
+  EXPECT_EQ(refusal_of<OutputError>([&] {
+              files.commit();
+              return 0;
+            }),
+            directory.path("b") + ": cannot write: Is a directory");
+  EXPECT_EQ(directory.contents("a"), "old a");
+  EXPECT_FALSE(fs::exists(directory.path("new")));
+}
+
+TEST(AtomicFiles, TakeTheirDirectoryBackWithThem) {
+  const TemporaryDirectory directory;
+  const std::string made = directory.path("out/2026");
+  {
+    AtomicFiles files;
+    files.make_directory(made);
+    files.add(made + "/a", "a");
+  }
+  EXPECT_EQ(directory.entries(), 0U);
+  fs::create_directory(directory.path("out"));
+  {
+    AtomicFiles files;
+    files.make_directory(made);
+  }
+  EXPECT_TRUE(fs::exists(directory.path("out"))) << "it was there before";
+  EXPECT_FALSE(fs::exists(made));
+  {
+    AtomicFiles files;
+    files.make_directory(made);
+    files.add(made + "/a", "a");
+    files.commit();
+  }
+  EXPECT_EQ(directory.contents("out/2026/a"), "a");
+}
+
+TEST(AtomicFiles, AreDifferentFiles) {
+  const TemporaryDirectory directory;
+  AtomicFiles files;
+  files.add(directory.path("a"), "a");
+  EXPECT_EQ(refusal_of<UsageError>([&] {
+              files.add(directory.path() + "/./a", "b");
+              return 0;
+            }),
+            directory.path() + "/./a: is stated for two outputs");
+}
+
+TEST(CheckOutput, RefusesOneFileForTwoOutputs) {
+  const TemporaryDirectory directory;
+  const auto is_refused = [&](const std::string& a, const std::string& b) {
+    return !refusal_of<UsageError>([&] {
+              check_outputs_differ({a, "", b});
+              return 0;
+            }).empty();
+  };
+  const std::string a = directory.path("a");
+  EXPECT_TRUE(is_refused(a, a)) << "that does not exist";
+  EXPECT_TRUE(is_refused(a, directory.path() + "/./a"));
+  EXPECT_FALSE(is_refused(a, directory.path("b")));
+  ASSERT_EQ(directory.file("a", ""), a);
+  fs::create_symlink("a", directory.path("link"));
+  fs::create_hard_link(a, directory.path("hard"));
+  fs::create_symlink(".", directory.path("here"));
+  for (const char* name : {"a", "link", "hard", "here/a"}) {
+    EXPECT_TRUE(is_refused(a, directory.path(name))) << name;
+  }
+  EXPECT_TRUE(is_refused(directory.path("b"), directory.path("here/b")));
+  EXPECT_TRUE(is_refused("-", "-"));
+  EXPECT_TRUE(is_refused("-", "/dev/stdout"));
+  EXPECT_FALSE(is_refused("/dev/null", "/dev/null"));
 }
 
 TEST(CheckOutput, RefusesToOverwriteAnInput) {

@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "error.h"
+#include "files/early_end.h"
 #include "files/file_descriptor.h"
 #include "files/temporary_file.h"
 
@@ -98,7 +100,13 @@ class SqliteConnection final : public Connection {
     if (status != SQLITE_OK) refuse(status);
   }
 
-  void write(const std::function<void()>& work) override { transact("BEGIN IMMEDIATE", work); }
+  void write(const std::function<void()>& work) override {
+    transact("BEGIN IMMEDIATE", [&] {
+      const Uninterrupted together;
+      work();
+      run_script("COMMIT");
+    });
+  }
   void read(const std::function<void()>& work) override { transact("BEGIN", work); }
 
  private:
@@ -179,7 +187,7 @@ class SqliteConnection final : public Connection {
     run_script(begin);
     try {
       work();
-      run_script("COMMIT");
+      if (sqlite3_get_autocommit(database_.get()) == 0) run_script("COMMIT");
     } catch (...) {
       // Some errors have rolled back already.
       if (sqlite3_get_autocommit(database_.get()) == 0) {
@@ -209,6 +217,14 @@ void refuse_other_files(const std::string& path) {
   }
 }
 
+/// SQLite could not take back what it has written behind the limit of a file's size.
+bool is_larger_than_allowed(const std::string& path) {
+  rlimit limit{};
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  return !error && getrlimit(RLIMIT_FSIZE, &limit) == 0 && bytes > limit.rlim_cur;
+}
+
 }  // namespace
 
 std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, int wait_ms) {
@@ -218,6 +234,10 @@ std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, 
   }
   if (access == Access::write && ::access(path.c_str(), W_OK) != 0) {
     throw OutputError(shown(path) + ": the archive cannot be written: " + strerror(errno) +
+                      "; nothing was changed");
+  }
+  if (access == Access::write && is_larger_than_allowed(path)) {
+    throw OutputError(shown(path) + ": the archive cannot be written: " + strerror(EFBIG) +
                       "; nothing was changed");
   }
   // A journal that a killed process left is rolled back by the first who may write.
@@ -238,6 +258,7 @@ void create_sqlite(const std::string& path, const std::function<void(Connection&
   if (!made.file().is_open()) {
     throw OutputError(shown(path) + ": no archive can be made there: " + strerror(errno));
   }
+  const Unfinished journal(made.path() + "-journal");
   {
     SqliteConnection connection(made.path(), SQLITE_OPEN_READWRITE, usual_wait_ms);
     connection.run_script(

@@ -9,6 +9,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/archived_inputs.h"
+#include "files/early_end.h"
 #include "files/file_contents.h"
 
 namespace tribolog::cli {
@@ -58,6 +59,7 @@ Run add_add(CLI::App& archive) {
     for (std::size_t k = 0; k < made.size(); ++k) {
       const archive::Added added = kept.add(made[k], options->again, now);
       if (options->json) {
+        if (added.is_new) note_kept("in the archive " + added.id);
         print_json(archive::added_json(added, options->calibrations[k]));
       } else {
         tell_added(added, options->calibrations[k], call.console);

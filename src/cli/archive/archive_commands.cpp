@@ -1,11 +1,11 @@
 #include "cli/archive/archive_commands.h"
 
-#include <iostream>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "files/atomic_file.h"
+#include "files/standard_output.h"
 
 namespace tribolog::cli {
 
@@ -20,6 +20,13 @@ void ArchiveOptions::protect_from(const std::string& output) const {
     files.push_back(location.empty() ? archive::default_location() : location);
   }
   check_output_can_be_written(output, files);
+}
+
+void make_way(Console& console, const std::string& output, bool prints_json) {
+  if (prints_json && is_standard_output(output)) {
+    throw UsageError("-o and --json cannot both go to standard output; state a file for -o");
+  }
+  console.make_way_for(output);
 }
 
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
@@ -66,6 +73,6 @@ std::function<Run()> add_archive(CLI::App& app) {
   };
 }
 
-void print_json(const std::string& json) { std::cout << json << std::flush; }
+void print_json(const std::string& json) { print(json); }
 
 }  // namespace tribolog::cli

@@ -37,6 +37,10 @@ struct ArchiveOptions {
   /// @throw OutputError: it cannot be written. UsageError: it is the archive itself.
   void protect_from(const std::string& output) const;
 };
+
+/// An output and `--json` both: standard output then has the JSON, and the output is a file.
+/// @throw UsageError: both are standard output.
+void make_way(Console& console, const std::string& output, bool prints_json);
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command);
 
 /// `--robot`, `--serial`, `--joint`.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "error.h"
+#include "files/early_end.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
 
@@ -26,6 +27,7 @@ void tell_added(const archive::Added& added, const std::string& what, Console& c
   const std::string id = added.id.substr(0, archive::shown_digits);
   const std::string file = printable(what, longest_path);
   if (added.is_new) {
+    note_kept("in the archive " + id);
     console.say(fmt::format("archived: {} ({})", id, file));
   } else {
     console.say(fmt::format(

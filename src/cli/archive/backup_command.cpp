@@ -11,6 +11,9 @@ Run add_backup(CLI::App& archive) {
   const auto where = add_archive_options(command);
   command.footer("\nOthers may go on archiving meanwhile: the copy is of one moment.");
   return [where, output](const Invocation& call) {
+    if (*output == "-") {
+      throw UsageError("archive backup: a backup is a database, which needs a file of its own");
+    }
     where->protect_from(*output);
     where->open(sql::Access::read).backup(*output);
     call.console.say("backup: " + printable(*output, longest_path));

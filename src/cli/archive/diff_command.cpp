@@ -88,6 +88,7 @@ Run add_diff(CLI::App& archive) {
       "account that several quantities are looked at.");
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
+    make_way(call.console, options->output, options->json);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     std::vector<archive::Measured> both;
     for (const std::string& id : options->ids) {

@@ -1,5 +1,3 @@
-#include <iostream>
-
 #include <CLI/CLI.hpp>
 
 #include "archive/export/csv_table.h"
@@ -11,6 +9,7 @@
 
 #include "cli/archive/archive_commands.h"
 #include "files/atomic_file.h"
+#include "files/standard_output.h"
 
 namespace tribolog::cli {
 namespace {
@@ -74,6 +73,7 @@ Run add_export(CLI::App& archive) {
   return [where, options](const Invocation& call) {
     check(*options);
     where->protect_from(options->output);
+    call.console.make_way_for(options->output);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     archive::ArchivedJoint joint;
     joint.entry = kept.find(options->id);
@@ -81,7 +81,7 @@ Run add_export(CLI::App& archive) {
     joint.calibration = kept.document(joint.entry, archive::DocumentKind::calibration).value_or("");
     const std::string text = text_of(*options, joint);
     if (options->output.empty()) {
-      std::cout << text << std::flush;
+      print(text);
     } else {
       write_file_atomically(options->output, text);
       call.console.say("export: " + printable(options->output, longest_path));

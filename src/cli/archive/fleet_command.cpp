@@ -44,19 +44,20 @@ std::string shown_name(const std::string& archive) {
   return archive::is_server(archive) ? archive : std::filesystem::path(archive).filename().string();
 }
 
-/// Writes the report of each joint's latest calibration, if the archive has it.
-archive::FleetLinks write_reports(const archive::Fleet& fleet, const Options& options,
-                                  archive::CalibrationArchive& kept, Console& console) {
+/// The report of each joint's latest calibration, if the archive has it.
+archive::FleetLinks add_reports(const archive::Fleet& fleet, const Options& options,
+                                archive::CalibrationArchive& kept, AtomicFiles& files,
+                                Console& console) {
   archive::FleetLinks links{{}, directory_from(options.output, options.reports)};
-  create_directory(options.reports);
+  files.make_directory(options.reports);
   std::size_t done = 0;
   for (const archive::FleetRobot& robot : fleet.robots) {
     for (const archive::FleetJoint& joint : robot.joints) {
       console.progress("writing the reports", done++, fleet.joints);
       const auto html = kept.document(joint.latest, archive::DocumentKind::report);
       if (!html) continue;
-      write_file_atomically(
-          (std::filesystem::path(options.reports) / (joint.latest.id + ".html")).string(), *html);
+      files.add((std::filesystem::path(options.reports) / (joint.latest.id + ".html")).string(),
+                *html);
       links.ids.insert(joint.latest.id);
     }
   }
@@ -85,6 +86,7 @@ Run add_fleet(CLI::App& archive) {
   return [where, options](const Invocation& call) {
     check(*options);
     where->protect_from(options->output);
+    make_way(call.console, options->output, options->json);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     archive::Filter filter = options->filter;
     filter.latest_revisions = true;
@@ -92,10 +94,11 @@ Run add_fleet(CLI::App& archive) {
     if (options->json) print_json(fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
     archive::FleetLinks links;
-    if (!options->reports.empty()) links = write_reports(fleet, *options, kept, call.console);
-    write_file_atomically(options->output,
-                          fleet_page(fleet, links, shown_name(kept.name()),
-                                     make_provenance(call.arguments), options->language));
+    AtomicFiles files;
+    if (!options->reports.empty()) links = add_reports(fleet, *options, kept, files, call.console);
+    files.add(options->output, fleet_page(fleet, links, shown_name(kept.name()),
+                                          make_provenance(call.arguments), options->language));
+    files.commit();
     if (!options->json) {
       call.console.say(fmt::format(
           "fleet sheet: {} ({}, {})", printable(options->output, longest_path),

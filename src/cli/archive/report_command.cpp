@@ -28,22 +28,29 @@ Run add_report(CLI::App& archive) {
     }
     where->protect_from(options->output);
     where->protect_from(options->calibration);
+    check_outputs_differ({options->output, options->calibration});
+    for (const std::string& output : {options->output, options->calibration}) {
+      call.console.make_way_for(output);
+    }
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     const archive::Entry entry = kept.find(options->id);
-    const auto write = [&](const std::string& path, const char* words, const std::string& bytes) {
-      write_file_atomically(path, bytes);
-      call.console.say(words + (": " + printable(path, longest_path)));
-    };
+    AtomicFiles files;
     if (!options->output.empty()) {
-      write(options->output, "report",
-            options->original ? original_report(kept, entry) : signed_report(kept, entry));
+      files.add(options->output,
+                options->original ? original_report(kept, entry) : signed_report(kept, entry));
     }
     if (!options->calibration.empty()) {
       const auto bytes = kept.document(entry, archive::DocumentKind::calibration);
       if (!bytes)
         throw ArchiveError(printable(kept.name(), longest_path) + ": its calibration is missing");
-      write(options->calibration, "calibration", *bytes);
+      files.add(options->calibration, *bytes);
     }
+    files.commit();
+    const auto tell = [&](const char* what, const std::string& path) {
+      if (!path.empty()) call.console.say(what + (": " + printable(path, longest_path)));
+    };
+    tell("report", options->output);
+    tell("calibration", options->calibration);
     return ExitStatus::done;
   };
 }

@@ -93,6 +93,7 @@ Run add_trend(CLI::App& archive) {
       "Friction is brought to one temperature where the calibrations state it.");
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
+    make_way(call.console, options->output, options->json);
     archive::CalibrationArchive kept = where->open(sql::Access::read);
     const std::vector<JointTrend> trends =
         history::joint_trends(kept.measured(options->filter), options->baseline);

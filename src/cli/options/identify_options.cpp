@@ -82,8 +82,10 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   add_processes(command, report.processes);
   add_language(command, report.language);
   command.footer(
-      std::string("\nThe numbers are written first, then the figures are drawn, then the report\n"
-                  "replaces an older one in one step.\n") +
+      std::string("\nReport and numbers replace older ones together, once both are on the disk;\n"
+                  "where one cannot be written, both stay. With --archive the archive keeps the\n"
+                  "numbers before figures are drawn, whatever becomes of the files.\n"
+                  "-o - is standard output; --calibration then states where the numbers go.\n") +
       manifest_help);
   return command;
 }

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "error.h"
+#include "files/early_end.h"
 #include "files/file_contents.h"
 #include "files/file_descriptor.h"
 #include "ingest/arrays/array_stream.h"
@@ -60,11 +61,13 @@ void silence() {
 
 /// Never returns: the child must not run what its parent would have run afterwards.
 [[noreturn]] void read_and_send(int pipe, std::uint64_t file_bytes,
-                                const std::function<FileArrays()>& read) {
+                                const std::function<FileArrays()>& read, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGINT, SIGTERM}) {
     std::signal(signal, SIG_DFL);
   }
+  let_signals_end_this_process();
   silence();
   bound_resources(file_bytes);
   bool sent = false;
@@ -94,9 +97,10 @@ FileArrays read_isolated(const std::string& path, const std::function<FileArrays
   if (::pipe2(ends, O_CLOEXEC) != 0) refuse(path, std::string("cannot read: ") + strerror(errno));
   FileDescriptor receiving(ends[0]);
   FileDescriptor sending(ends[1]);
+  const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) refuse(path, std::string("cannot read: ") + strerror(errno));
-  if (child == 0) read_and_send(sending.get(), file_bytes, read);
+  if (child == 0) read_and_send(sending.get(), file_bytes, read, parent);
   (void)sending.close();
   ReceivedArrays received;
   try {
