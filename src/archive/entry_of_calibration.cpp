@@ -97,6 +97,21 @@ std::optional<double> sampling_rate(const Members& top, const std::string& file)
   return median(std::move(rates_Hz));
 }
 
+/// What no joint can have.
+void refuse_impossible(const Facts& f, const std::string& file) {
+  constexpr double absolute_zero_C = -273.15;
+  const auto need = [&](bool holds, const char* what, const char* expected) {
+    if (!holds) refuse(file, std::string(what) + " is not usable", expected);
+  };
+  need(f.gear_ratio != 0, "drive.gear_ratio", "another number than 0");
+  need(f.payload_kg.value_or(0) >= 0, "robot.payload_kg", "a number >= 0");
+  need(f.payload_distance_m.value_or(1) > 0, "robot.payload_distance_m", "a number > 0");
+  need(f.temperature_C.value_or(0) > absolute_zero_C, "robot.temperature_C",
+       "a number above -273.15");
+  need(f.sampling_Hz.value_or(1) > 0 && std::isfinite(f.sampling_Hz.value_or(1)),
+       "speeds: the number of samples in the window", "more than none");
+}
+
 Facts facts_of(const Members& top, const std::string& file) {
   const Members robot = top.object("robot");
   const Members verdict = top.object("verdict");
@@ -128,6 +143,7 @@ Facts facts_of(const Members& top, const std::string& file) {
   }
   f.tool_version = provenance.text("version");
   f.git_revision = provenance.text("git_revision");
+  refuse_impossible(f, file);
   return f;
 }
 
@@ -192,7 +208,9 @@ std::string utc_of_iso_text(const std::string& text) {
     const auto day = std::chrono::floor<std::chrono::days>(time);
     const std::chrono::year_month_day date(day);
     const std::chrono::hh_mm_ss clock(time - day);
-    return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(date.year()),
+    const int year = static_cast<int>(date.year());
+    if (year < 0 || year > 9999) return "";  // by its offset
+    return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", year,
                        static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
                        clock.hours().count(), clock.minutes().count(), clock.seconds().count());
   }

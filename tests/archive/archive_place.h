@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "archive/archive_location.h"
+#include "archive/sql/sqlite_connection.h"
+#include "archive/store/schema.h"
 
 namespace tribolog::test {
 
@@ -22,7 +24,27 @@ class ArchivePlace {
   virtual void run(const std::string& statements, bool cascades) = 0;
   /// An archive that is not made yet again.
   virtual void start_again() = 0;
+  /// Keeps what the archive's tables hold now, and brings it back.
+  virtual void keep() = 0;
+  virtual void restore() = 0;
+  /// A connection on which the database's own rules are switched off as far as they can be.
+  [[nodiscard]] virtual std::unique_ptr<sql::Connection> without_rules() const = 0;
+  /// By which a table's row is told from others: "rowid".
+  [[nodiscard]] virtual std::string row_id() const = 0;
 };
+
+/// The tables of an archive, as the schema that makes them names them.
+inline std::vector<std::string> tables_of_archive() {
+  const auto model = sql::sqlite_in_memory();
+  archive::create_schema(*model);
+  std::vector<std::string> tables;
+  for (const sql::Row& row :
+       model->run("SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE "
+                  "'sqlite%' ORDER BY rowid")) {
+    tables.push_back(row.front().text());
+  }
+  return tables;
+}
 
 /// Makes a place. @return nothing where there can be none; `why` says it.
 using MakePlace = std::unique_ptr<ArchivePlace> (*)(std::string& why);

@@ -139,12 +139,15 @@ TEST_P(AnyArchive, VerifyFindsEveryAlteration) {
       EXPECT_FALSE(faults().empty()) << statement;
     }
   }
-  // Cut off at its end, the chain alone is whole: the head that was written down tells.
+  // Cut off at its end, the chain alone is whole: the head that was written down tells. (SQLite
+  // counts documents, too.)
   place_->start_again();
   fill();
   place_->run("DELETE FROM event WHERE number = 3; DELETE FROM document WHERE kind = 'report'",
               true);
-  EXPECT_TRUE(faults().empty());
+  if (is_server(place_->location())) {
+    EXPECT_TRUE(faults().empty());
+  }
   EXPECT_FALSE(faults(head).empty());
 }
 

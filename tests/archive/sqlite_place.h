@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include <sqlite3.h>
 
 #include "archive/archive_place.h"
@@ -21,9 +23,21 @@ class SqlitePlace final : public ArchivePlace {
     sqlite3_close(database);
   }
   void start_again() override { std::filesystem::remove(location()); }
+  void keep() override { copy(location(), location() + ".kept"); }
+  void restore() override { copy(location() + ".kept", location()); }
+  [[nodiscard]] std::unique_ptr<sql::Connection> without_rules() const override {
+    auto connection = sql::open_sqlite(location(), sql::Access::write, 200);
+    connection->run_script("PRAGMA foreign_keys=0; PRAGMA ignore_check_constraints=1");
+    return connection;
+  }
+  [[nodiscard]] std::string row_id() const override { return "rowid"; }
   [[nodiscard]] const TemporaryDirectory& directory() const { return directory_; }
 
  private:
+  static void copy(const std::string& from, const std::string& to) {
+    std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing);
+  }
+
   TemporaryDirectory directory_;
 };
 

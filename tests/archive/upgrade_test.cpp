@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "archive/archive_location.h"
+#include "archive/old_archive.h"
 #include "archive/sample_calibration.h"
 #include "archive/store/schema.h"
 
@@ -42,13 +43,11 @@ std::vector<UpgradeStep> and_then(const std::vector<UpgradeStep>& further) {
 /// The tables as schema 1 had them.
 void make_schema_1(sql::Connection& c) {
   c.run_script(
-      "DROP TABLE review; ALTER TABLE event RENAME TO newer; CREATE TABLE event (number INTEGER "
-      "PRIMARY KEY CHECK (number >= 1), at_utc TEXT NOT NULL, what TEXT NOT NULL CHECK (what IN "
-      "('added', 'report', 'removed')), id TEXT NOT NULL, digest TEXT NOT NULL, chain TEXT NOT "
-      "NULL "
-      "CHECK (length(chain) = 64)) STRICT; INSERT INTO event SELECT * FROM newer; DROP TABLE "
-      "newer; "
-      "PRAGMA user_version = 1");
+      "DELETE FROM event WHERE what = 'reviewed'; DROP TABLE review; ALTER TABLE event RENAME TO "
+      "newer; CREATE TABLE event (number INTEGER PRIMARY KEY CHECK (number >= 1), at_utc TEXT NOT "
+      "NULL, what TEXT NOT NULL CHECK (what IN ('added', 'report', 'removed')), id TEXT NOT NULL, "
+      "digest TEXT NOT NULL, chain TEXT NOT NULL CHECK (length(chain) = 64)) STRICT; INSERT INTO "
+      "event SELECT * FROM newer; DROP TABLE newer; PRAGMA user_version = 1");
 }
 
 void add_humidity(sql::Connection& c) { c.run("ALTER TABLE calibration ADD COLUMN humidity REAL"); }
@@ -81,7 +80,22 @@ TEST_F(Upgrade, IsAllOrNothing) {
   EXPECT_TRUE(open_archive(path_, sql::Access::read).verify("", {}).faults.empty());
 }
 
-TEST_F(Upgrade, Schema1IsReadAndTakesReviewsOnceItIsWritten) {
+class OldArchive : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::make_archive_of_schema_2(path_);
+    connection_ = sql::open_sqlite(path_, sql::Access::write, sql::usual_wait_ms);
+  }
+  [[nodiscard]] std::vector<std::string> faults(const std::string& head = "") const {
+    return open_archive(path_, sql::Access::read).verify(head, {}).faults;
+  }
+
+  test::TemporaryDirectory directory_;
+  std::string path_{directory_.path("a.tribolog")};
+  std::unique_ptr<sql::Connection> connection_;
+};
+
+TEST_F(OldArchive, OfSchema1IsReadAndTakesReviewsOnceItIsWritten) {
   make_schema_1(*connection_);
   CalibrationArchive reader = open_archive(path_, sql::Access::read);
   const Entry entry = reader.list({}).front();
@@ -96,6 +110,38 @@ TEST_F(Upgrade, Schema1IsReadAndTakesReviewsOnceItIsWritten) {
   EXPECT_EQ(writer.reviews(entry).size(), 1U);
   EXPECT_TRUE(writer.verify(head, {}).faults.empty()) << "the chain goes on from where it was";
   EXPECT_EQ(open_archive(path_ + ".schema-1", sql::Access::read).verify(head, {}).head, head);
+}
+
+TEST_F(OldArchive, OfSchema2IsProvenByItsOwnDigestsBeforeAndAfter) {
+  EXPECT_TRUE(faults(test::head_of_schema_2).empty());
+  EXPECT_EQ(version_of(*connection_), 2) << "reading changes nothing";
+  CalibrationArchive writer = open_archive(path_, sql::Access::write);
+  EXPECT_EQ(version_of(*connection_), schema_version);
+  EXPECT_TRUE(faults(test::head_of_schema_2).empty());
+  writer.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
+  EXPECT_TRUE(faults(test::head_of_schema_2).empty());
+}
+
+TEST_F(OldArchive, IsCoveredWhereItsDigestsSayNothing) {
+  const std::string kept = read_file(path_);
+  for (const char* const statement :
+       {"UPDATE document SET name = 'x.csv' WHERE name = 'log.csv'",
+        "UPDATE document SET stored_bytes = stored_bytes + 1 WHERE number = 1",
+        "UPDATE document SET sha256 = (SELECT sha256 FROM document WHERE number = 1) "
+        "WHERE number = 2",
+        "DELETE FROM document WHERE name = 'log.csv'", "DELETE FROM document WHERE kind = 'input'",
+        "UPDATE calibration SET revision = 2 WHERE number = 1",
+        "UPDATE calibration SET identity = (SELECT id FROM calibration WHERE number = 2) "
+        "WHERE number = 1",
+        "UPDATE quantity SET place = 7 WHERE place = 1",
+        "UPDATE input SET place = 7 WHERE place = 1"}) {
+    connection_->run_script(statement);
+    EXPECT_FALSE(faults().empty()) << statement;
+    connection_.reset();
+    static_cast<void>(directory_.file("a.tribolog", kept));
+    connection_ = sql::open_sqlite(path_, sql::Access::write, sql::usual_wait_ms);
+  }
+  EXPECT_TRUE(faults(test::head_of_schema_2).empty());
 }
 
 }  // namespace

@@ -63,16 +63,18 @@ void fail(const PostgresFailure& failure, const std::string& name, int wait_ms) 
     throw OutputError(server + "the server cannot read or write the archive (" + said +
                       "); nothing was changed");
   }
-  if (is_one_of(state, {"XX001", "XX002", "42P01", "42703"})) {
-    throw ArchiveError(server + "the archive is damaged (" + said +
-                       "); it is left as it is; restore a backup");
-  }
   if (is_one_of(state, {"42P07", "42710"})) {
     throw ArchiveError(server + "no archive can be made beside another program's tables (" + said +
                        "); nothing was changed");
   }
-  if (is_one_of(state, {"22", "23", "42", "0A"}) && state != "42501") {
-    throw std::runtime_error(server + said);
+  if (is_one_of(state, {"22", "23"})) {
+    throw ArchiveError(server + "the archive's rules refuse this (" + said +
+                       "); nothing was changed");
+  }
+  // Statements are right: what they name is missing, or something else.
+  if (is_one_of(state, {"XX001", "XX002", "42", "0A"}) && state != "42501") {
+    throw ArchiveError(server + "the archive is damaged (" + said +
+                       "); it is left as it is; restore a backup");
   }
   throw ArchiveError(server + "the server refuses (" + said + "); nothing was changed");
 }

@@ -11,6 +11,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "archive/sql/kept_text.h"
+
 #include "error.h"
 #include "files/early_end.h"
 #include "files/file_descriptor.h"
@@ -26,6 +28,8 @@ struct FinishStatement {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
 using Statement = std::unique_ptr<sqlite3_stmt, FinishStatement>;
+
+constexpr std::size_t longest_message = 400;
 
 std::string shown(const std::string& path) { return printable(path, longest_path); }
 
@@ -43,10 +47,15 @@ std::string shown(const std::string& path) { return printable(path, longest_path
     case SQLITE_NOTADB:
       throw ArchiveError(file + "is no archive (no SQLite file); it is left as it is");
     case SQLITE_CORRUPT:
+    case SQLITE_ERROR:  // statements are right: what they name is missing, or of another format
     case SQLITE_MISMATCH:
-      throw ArchiveError(file + "the archive is damaged (" + message +
+    case SQLITE_TOOBIG:
+      throw ArchiveError(file + "the archive is damaged (" + printable(message, longest_message) +
                          "); it is left as it is; restore a backup, or save what can be read: "
                          "sqlite3 FILE .recover | sqlite3 saved.tribolog");
+    case SQLITE_CONSTRAINT:
+      throw ArchiveError(file + "the archive's rules refuse this (" +
+                         printable(message, longest_message) + "); nothing was changed");
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
@@ -77,6 +86,7 @@ class SqliteConnection final : public Connection {
     // What the file says about itself runs nothing.
     sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_exec(opened, "PRAGMA cell_size_check=ON", nullptr, nullptr, nullptr);
   }
 
   [[nodiscard]] Dialect dialect() const override { return Dialect::sqlite; }
@@ -153,7 +163,14 @@ class SqliteConnection final : public Connection {
     return sqlite3_bind_null(statement, index);
   }
 
-  static Row row_of(sqlite3_stmt* statement) {
+  /// A text as add() keeps them; a damaged or altered archive may hold any bytes.
+  [[nodiscard]] std::string checked_text(std::string text) const {
+    if (is_kept_text(text)) return text;
+    throw ArchiveError(shown(path_) + ": the archive is damaged ('" + printable(text) +
+                       "' is no text that it keeps); it is left as it is; restore a backup");
+  }
+
+  Row row_of(sqlite3_stmt* statement) const {
     Row row;
     const int columns = sqlite3_column_count(statement);
     for (int k = 0; k < columns; ++k) {
@@ -171,7 +188,7 @@ class SqliteConnection final : public Connection {
           row.emplace_back(sqlite3_column_double(statement, k));
           break;
         case SQLITE_TEXT:
-          row.emplace_back(bytes());
+          row.emplace_back(checked_text(bytes()));
           break;
         case SQLITE_BLOB:
           row.emplace_back(Blob{bytes()});
@@ -251,6 +268,10 @@ std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, 
   }
   connection->run_script("PRAGMA foreign_keys=ON; PRAGMA synchronous=EXTRA");
   return connection;
+}
+
+std::unique_ptr<Connection> sqlite_in_memory() {
+  return std::make_unique<SqliteConnection>(":memory:", SQLITE_OPEN_READWRITE, usual_wait_ms);
 }
 
 void create_sqlite(const std::string& path, const std::function<void(Connection&)>& fill) {

@@ -18,6 +18,9 @@ inline constexpr int application_id = 0x74726962;
 ///        readable.
 std::unique_ptr<Connection> open_sqlite(const std::string& path, Access access, int wait_ms);
 
+/// A database of its own that is kept nowhere, to see what statements make.
+std::unique_ptr<Connection> sqlite_in_memory();
+
 /// Makes the file with what `fill` writes to it, complete or not at all. One that another process
 /// made meanwhile stays.
 /// @throw OutputError: the directory cannot be written.

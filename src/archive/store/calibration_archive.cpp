@@ -1,7 +1,5 @@
 #include "archive/store/calibration_archive.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "archive/sql/sqlite_connection.h"
@@ -10,6 +8,7 @@
 #include "archive/store/entry_rows.h"
 #include "archive/store/kept_texts.h"
 #include "archive/store/schema.h"
+#include "archive/store/schema_check.h"
 
 #include "error.h"
 #include "files/sha256.h"
@@ -22,8 +21,6 @@ using sql::Row;
 using sql::Rows;
 using sql::Value;
 
-std::int64_t whole(std::size_t number) { return static_cast<std::int64_t>(number); }
-
 /// "$1, $2, ..., $n"
 std::string places(std::size_t count) {
   std::string text;
@@ -31,18 +28,12 @@ std::string places(std::size_t count) {
   return text;
 }
 
-std::string calibration_sha256(const std::vector<Document>& documents) {
-  const auto at = std::find_if(documents.begin(), documents.end(), [](const Document& document) {
-    return document.kind == DocumentKind::calibration;
-  });
-  return at == documents.end() ? "" : sha256_hex(at->bytes);
-}
-
 }  // namespace
 
 CalibrationArchive::CalibrationArchive(std::unique_ptr<sql::Connection> connection)
     : connection_(std::move(connection)) {
   refuse_other_versions(*connection_);
+  refuse_damaged_schema(*connection_, version_of(*connection_));
 }
 
 Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
@@ -51,7 +42,7 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
   entry.facts = calibration.facts;
   entry.identity = calibration.identity();
   refuse_unkept_texts(calibration);
-  const std::string calibration_hash = calibration_sha256(calibration.documents);
+  const std::vector<StoredDocument> kept = fingerprints_of(calibration.documents);
   Added added;
   connection_->write([&] {
     const Rows there = connection_->run(
@@ -64,8 +55,8 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
     }
     entry.revision = there.empty() ? 1 : static_cast<int>(there.front()[1].integer()) + 1;
     entry.id = id_of(entry.identity, entry.revision);
-    entry.digest = digest_of(entry.id, entry.facts, calibration.quantities, calibration.inputs,
-                             calibration_hash);
+    entry.digest =
+        digest_of(entry.id, entry.facts, calibration.quantities, calibration.inputs, kept);
     const std::vector<Value> values = values_of(entry);
     const std::string columns = std::string(entry_columns).substr(sizeof "number," - 1);
     const std::int64_t number =
@@ -77,22 +68,18 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
             .front()
             .integer();
     for (std::size_t k = 0; k < calibration.quantities.size(); ++k) {
-      const Quantity& q = calibration.quantities[k];
-      const auto& e = q.estimate;
+      const Row row = row_of(calibration.quantities[k], number, k);
       connection_->run(
           "INSERT INTO quantity (calibration, place, name, words, unit, verdict, value, low, high) "
           "VALUES (" +
-              places(9) + ")",
-          {number, whole(k), q.name, q.words, q.unit, tribolog::to_string(q.verdict),
-           e ? Value(e->value) : Value(), e ? Value(e->low) : Value(),
-           e ? Value(e->high) : Value()});
+              places(row.size()) + ")",
+          row);
     }
     for (std::size_t k = 0; k < calibration.inputs.size(); ++k) {
-      const Input& input = calibration.inputs[k];
-      connection_->run(
-          "INSERT INTO input (calibration, place, name, role, bytes, sha256) VALUES (" + places(6) +
-              ")",
-          {number, whole(k), input.name, input.role, whole(input.bytes), input.sha256});
+      const Row row = row_of(calibration.inputs[k], number, k);
+      connection_->run(fmt::format("INSERT INTO input (calibration, place, {}) VALUES ({})",
+                                   input_columns, places(row.size())),
+                       row);
     }
     for (const Document& document : calibration.documents) add_document(number, document);
     append_event("added", entry.id, entry.digest, now_utc);
@@ -120,14 +107,14 @@ bool CalibrationArchive::attach_report(const std::string& id, std::string_view h
 
 void CalibrationArchive::add_document(std::int64_t calibration, const Document& document) {
   const std::string stored = compressed(document.bytes);
+  StoredDocument fingerprint = fingerprint_of(document);
+  fingerprint.stored_bytes = stored.size();
+  const Row row = row_of(fingerprint, calibration);
   const std::int64_t number =
       connection_
-          ->run(
-              "INSERT INTO document (calibration, kind, name, bytes, sha256, stored_bytes) VALUES "
-              "(" +
-                  places(6) + ") RETURNING number",
-              {calibration, to_string(document.kind), document.name, whole(document.bytes.size()),
-               sha256_hex(document.bytes), whole(stored.size())})
+          ->run(fmt::format("INSERT INTO document (calibration, {}) VALUES ({}) RETURNING number",
+                            document_columns, places(row.size())),
+                row)
           .front()
           .front()
           .integer();

@@ -35,8 +35,10 @@ std::string compressed(std::string_view bytes) {
 
 std::string uncompressed(const std::string& stored, std::uint64_t bytes, const std::string& name) {
   // The length comes from the archive and may be damaged: only what the frame states is made room
-  // for.
+  // for, and no more than a frame of this size can hold.
+  constexpr std::uint64_t smallest_block = 4;
   if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != bytes) refuse(name);
+  if (bytes / ZSTD_BLOCKSIZE_MAX > stored.size() / smallest_block) refuse(name);
   std::string out(bytes, '\0');
   const std::size_t read = ZSTD_decompress(out.data(), out.size(), stored.data(), stored.size());
   if (ZSTD_isError(read) != 0 || read != bytes) refuse(name);

@@ -31,12 +31,8 @@ class Fields {
   Sha256 hash_;
 };
 
-}  // namespace
-
-std::string digest_of(const std::string& id, const Facts& f,
-                      const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
-                      const std::string& calibration_sha256) {
-  Fields fields("tribolog-entry-1");
+void add_facts(Fields& fields, const std::string& id, const Facts& f,
+               const std::string& calibration_sha256) {
   for (const std::string* text :
        {&id, &f.of.robot, &f.of.serial, &f.of.joint, &f.measured_at, &f.measured_on, &f.created_utc,
         &f.operator_name, &f.note, &f.payload, &f.sentence, &f.configuration, &f.tool_version,
@@ -49,6 +45,9 @@ std::string digest_of(const std::string& id, const Facts& f,
     fields.add(number);
   }
   fields.add(f.gear_ratio);
+}
+
+void add_quantities(Fields& fields, const std::vector<Quantity>& quantities) {
   for (const Quantity& q : quantities) {
     for (const std::string& text : {q.name, q.words, q.unit, to_string(q.verdict)}) {
       fields.add(text);
@@ -57,10 +56,49 @@ std::string digest_of(const std::string& id, const Facts& f,
     fields.add(q.estimate ? std::optional(q.estimate->low) : std::nullopt);
     fields.add(q.estimate ? std::optional(q.estimate->high) : std::nullopt);
   }
+}
+
+void add_inputs(Fields& fields, const std::vector<Input>& inputs) {
   for (const Input& input : inputs) {
     for (const std::string& text : {input.name, input.role, input.sha256}) fields.add(text);
     fields.add(input.bytes);
   }
+}
+
+std::string calibration_sha256(const std::vector<StoredDocument>& documents) {
+  const auto at = std::find_if(
+      documents.begin(), documents.end(),
+      [](const StoredDocument& document) { return document.kind == DocumentKind::calibration; });
+  return at == documents.end() ? "" : at->sha256;
+}
+
+}  // namespace
+
+std::string digest_of(const std::string& id, const Facts& facts,
+                      const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
+                      const std::vector<StoredDocument>& kept) {
+  Fields fields("tribolog-entry-2");
+  add_facts(fields, id, facts, calibration_sha256(kept));
+  fields.add(std::uint64_t{quantities.size()});
+  add_quantities(fields, quantities);
+  fields.add(std::uint64_t{inputs.size()});
+  add_inputs(fields, inputs);
+  for (const StoredDocument& document : kept) {
+    if (document.kind != DocumentKind::input) continue;
+    for (const std::string& text : {document.name, document.sha256}) fields.add(text);
+    fields.add(document.bytes);
+  }
+  return fields.hex();
+}
+
+std::string narrow_digest_of(const std::string& id, const Facts& facts,
+                             const std::vector<Quantity>& quantities,
+                             const std::vector<Input>& inputs,
+                             const std::vector<StoredDocument>& kept) {
+  Fields fields("tribolog-entry-1");
+  add_facts(fields, id, facts, calibration_sha256(kept));
+  add_quantities(fields, quantities);
+  add_inputs(fields, inputs);
   return fields.hex();
 }
 
@@ -91,7 +129,9 @@ std::string chain_link(const std::string& previous, const Event& event) {
   return fields.hex();
 }
 
-std::string NewCalibration::identity() const {
+std::string NewCalibration::identity() const { return identity_of(inputs); }
+
+std::string identity_of(const std::vector<Input>& inputs) {
   std::vector<std::string> fingerprints;
   for (const Input& input : inputs) fingerprints.push_back(input.sha256);
   std::sort(fingerprints.begin(), fingerprints.end());

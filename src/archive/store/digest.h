@@ -5,14 +5,26 @@
 #include <vector>
 
 #include "archive/archived_calibration.h"
+#include "archive/store/calibration_archive.h"
 
 namespace tribolog::archive {
 
-/// Of an entry's facts, quantities and inputs and the fingerprint of its calibration. Each field
-/// goes in with its length, numbers with all their bits.
+/// Of an entry's facts, quantities and inputs and of the fingerprints of what was kept with it: its
+/// calibration and, where wanted, its inputs. A report comes later and is a link of the chain. Each
+/// field goes in with its length, each list with its own, numbers with all their bits.
 std::string digest_of(const std::string& id, const Facts& facts,
                       const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
-                      const std::string& calibration_sha256);
+                      const std::vector<StoredDocument>& kept);
+
+/// The same as archives before schema 3 have it: of the documents the calibration's fingerprint
+/// alone.
+std::string narrow_digest_of(const std::string& id, const Facts& facts,
+                             const std::vector<Quantity>& quantities,
+                             const std::vector<Input>& inputs,
+                             const std::vector<StoredDocument>& kept);
+
+/// See NewCalibration::identity().
+std::string identity_of(const std::vector<Input>& inputs);
 
 /// Of a review: the place is its number among those of the entry, from 0.
 std::string digest_of(const std::string& id, std::size_t place, const Review& review);

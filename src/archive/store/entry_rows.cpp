@@ -1,6 +1,9 @@
 #include "archive/store/entry_rows.h"
 
 #include <array>
+#include <optional>
+
+#include "files/sha256.h"
 
 namespace tribolog::archive {
 namespace {
@@ -11,6 +14,15 @@ Verdict verdict_of(const std::string& word) {
   }
   return Verdict::not_identifiable;
 }
+
+DocumentKind kind_of(const std::string& word) {
+  for (const DocumentKind kind : {DocumentKind::calibration, DocumentKind::report}) {
+    if (to_string(kind) == word) return kind;
+  }
+  return DocumentKind::input;
+}
+
+std::int64_t whole(std::uint64_t number) { return static_cast<std::int64_t>(number); }
 
 }  // namespace
 
@@ -98,9 +110,72 @@ Quantity quantity_of(const sql::Row& row, std::size_t first) {
   return q;
 }
 
+const char* const input_columns = "name, role, bytes, sha256";
+
+Input input_of(const sql::Row& row, std::size_t first) {
+  return {row[first].text(), row[first + 1].text(),
+          static_cast<std::uint64_t>(row[first + 2].integer()), row[first + 3].text()};
+}
+
+const char* const review_columns = "at_utc, reviewer, decision, note";
+
+Review review_of(const sql::Row& row, std::size_t first) {
+  return {row[first].text(), row[first + 1].text(), decision_of(row[first + 2].text()),
+          row[first + 3].text()};
+}
+
+const char* const document_columns = "kind, name, bytes, sha256, stored_bytes";
+
+StoredDocument stored_document_of(const sql::Row& row, std::size_t first) {
+  return {kind_of(row[first].text()), row[first + 1].text(),
+          static_cast<std::uint64_t>(row[first + 2].integer()),
+          static_cast<std::uint64_t>(row[first + 4].integer()), row[first + 3].text()};
+}
+
 std::string to_string(DocumentKind kind) {
   static const std::array words{"calibration", "report", "input"};
   return words[static_cast<std::size_t>(kind)];
+}
+
+sql::Row row_of(const Quantity& q, std::int64_t calibration, std::size_t place) {
+  std::optional<double> value;
+  std::optional<double> low;
+  std::optional<double> high;
+  if (q.estimate) {
+    value = q.estimate->value;
+    low = q.estimate->low;
+    high = q.estimate->high;
+  }
+  return {calibration, whole(place), q.name, q.words, q.unit, tribolog::to_string(q.verdict),
+          value,       low,          high};
+}
+
+sql::Row row_of(const Input& input, std::int64_t calibration, std::size_t place) {
+  return {calibration, whole(place), input.name, input.role, whole(input.bytes), input.sha256};
+}
+
+sql::Row row_of(const Review& review, std::int64_t calibration, std::size_t place) {
+  return {calibration,
+          whole(place),
+          review.at_utc,
+          review.reviewer,
+          std::string(to_string(review.decision)),
+          review.note};
+}
+
+sql::Row row_of(const StoredDocument& document, std::int64_t calibration) {
+  return {calibration,           to_string(document.kind), document.name,
+          whole(document.bytes), document.sha256,          whole(document.stored_bytes)};
+}
+
+StoredDocument fingerprint_of(const Document& document) {
+  return {document.kind, document.name, document.bytes.size(), 0, sha256_hex(document.bytes)};
+}
+
+std::vector<StoredDocument> fingerprints_of(const std::vector<Document>& documents) {
+  std::vector<StoredDocument> fingerprints;
+  for (const Document& document : documents) fingerprints.push_back(fingerprint_of(document));
+  return fingerprints;
 }
 
 }  // namespace tribolog::archive

@@ -1,11 +1,13 @@
 #pragma once
 // Internal to the store: what an archive holds, to and from the rows of its tables.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "archive/archived_calibration.h"
 #include "archive/sql/sql_value.h"
+#include "archive/store/calibration_archive.h"
 
 namespace tribolog::archive {
 
@@ -20,6 +22,25 @@ extern const char* const quantity_columns;
 /// @param first where the columns begin.
 Quantity quantity_of(const sql::Row& row, std::size_t first = 0);
 
+/// Of the tables input, review and document, each from the column behind the place or, of a
+/// document, behind its calibration.
+extern const char* const input_columns;
+Input input_of(const sql::Row& row, std::size_t first = 0);
+extern const char* const review_columns;
+Review review_of(const sql::Row& row, std::size_t first = 0);
+extern const char* const document_columns;
+StoredDocument stored_document_of(const sql::Row& row, std::size_t first = 0);
+
 std::string to_string(DocumentKind kind);
+
+// Rows as the archive writes them. What is read back and makes another row was altered.
+sql::Row row_of(const Quantity& quantity, std::int64_t calibration, std::size_t place);
+sql::Row row_of(const Input& input, std::int64_t calibration, std::size_t place);
+sql::Row row_of(const Review& review, std::int64_t calibration, std::size_t place);
+sql::Row row_of(const StoredDocument& document, std::int64_t calibration);
+
+/// What is kept beside a document's bytes. Their length in the archive is not known yet.
+StoredDocument fingerprint_of(const Document& document);
+std::vector<StoredDocument> fingerprints_of(const std::vector<Document>& documents);
 
 }  // namespace tribolog::archive

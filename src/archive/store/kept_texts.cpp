@@ -1,15 +1,15 @@
 #include "archive/store/kept_texts.h"
 
+#include "archive/sql/kept_text.h"
 #include "archive/store/entry_rows.h"
 
 #include "error.h"
-#include "files/utf8.h"
 
 namespace tribolog::archive {
 namespace {
 
 void refuse_unkept(const std::string& text) {
-  if (text.find('\0') != std::string::npos || first_broken_utf8(text)) {
+  if (!sql::is_kept_text(text)) {
     throw UsageError("an archive keeps texts in UTF-8, without the character NUL: '" +
                      printable(text) + "' is none");
   }

@@ -8,8 +8,7 @@
 
 namespace tribolog::archive {
 
-/// SQLite would keep any bytes, PostgreSQL refuses some: both take UTF-8 without the character NUL.
-/// @throw UsageError for any other text.
+/// @throw UsageError for a text that is not sql::is_kept_text().
 void refuse_unkept_texts(const std::vector<sql::Value>& values);
 void refuse_unkept_texts(const NewCalibration& calibration);
 

@@ -50,13 +50,6 @@ auto place_of(const Entry& e) {
                   e.identity, e.revision);
 }
 
-DocumentKind kind_of(const std::string& word) {
-  for (const DocumentKind kind : {DocumentKind::calibration, DocumentKind::report}) {
-    if (to_string(kind) == word) return kind;
-  }
-  return DocumentKind::input;
-}
-
 }  // namespace
 
 std::vector<Entry> CalibrationArchive::list(const Filter& filter) {
@@ -125,10 +118,9 @@ std::vector<Quantity> CalibrationArchive::quantities(const Entry& entry) {
 std::vector<Input> CalibrationArchive::inputs(const Entry& entry) {
   std::vector<Input> inputs;
   for (const Row& row : connection_->run(
-           "SELECT name, role, bytes, sha256 FROM input WHERE calibration = $1 ORDER BY place",
+           fmt::format("SELECT {} FROM input WHERE calibration = $1 ORDER BY place", input_columns),
            {entry.number})) {
-    inputs.push_back({row[0].text(), row[1].text(), static_cast<std::uint64_t>(row[2].integer()),
-                      row[3].text()});
+    inputs.push_back(input_of(row));
   }
   return inputs;
 }
@@ -136,12 +128,10 @@ std::vector<Input> CalibrationArchive::inputs(const Entry& entry) {
 std::vector<StoredDocument> CalibrationArchive::documents(const Entry& entry) {
   std::vector<StoredDocument> documents;
   for (const Row& row : connection_->run(
-           "SELECT kind, name, bytes, stored_bytes, sha256 FROM document WHERE calibration = $1 "
-           "ORDER BY number",
+           fmt::format("SELECT {} FROM document WHERE calibration = $1 ORDER BY number",
+                       document_columns),
            {entry.number})) {
-    documents.push_back({kind_of(row[0].text()), row[1].text(),
-                         static_cast<std::uint64_t>(row[2].integer()),
-                         static_cast<std::uint64_t>(row[3].integer()), row[4].text()});
+    documents.push_back(stored_document_of(row));
   }
   return documents;
 }

@@ -9,14 +9,6 @@
 #include "archive/store/schema.h"
 
 namespace tribolog::archive {
-namespace {
-
-Review review_of(const sql::Row& row) {
-  return {row[0].text(), row[1].text(), decision_of(row[2].text()), row[3].text()};
-}
-
-}  // namespace
-
 const char* to_string(Review::Decision decision) {
   return decision == Review::Decision::approved ? "approved" : "rejected";
 }
@@ -30,11 +22,10 @@ void CalibrationArchive::add_review(const Entry& entry, const Review& review) {
   refuse_unkept_texts(std::vector<sql::Value>{review.reviewer, review.note});
   connection_->write([&] {
     const std::size_t place = reviews(entry).size();
-    connection_->run(
-        "INSERT INTO review (calibration, place, at_utc, reviewer, decision, note) VALUES "
-        "($1, $2, $3, $4, $5, $6)",
-        {entry.number, static_cast<std::int64_t>(place), review.at_utc, review.reviewer,
-         std::string(to_string(review.decision)), review.note});
+    connection_->run(fmt::format("INSERT INTO review (calibration, place, {}) VALUES "
+                                 "($1, $2, $3, $4, $5, $6)",
+                                 review_columns),
+                     row_of(review, entry.number, place));
     append_event("reviewed", entry.id, digest_of(entry.id, place, review), review.at_utc);
   });
 }
@@ -42,10 +33,10 @@ void CalibrationArchive::add_review(const Entry& entry, const Review& review) {
 std::vector<Review> CalibrationArchive::reviews(const Entry& entry) {
   std::vector<Review> found;
   if (version_of(*connection_) < first_schema_with_reviews) return found;
-  for (const sql::Row& row : connection_->run(
-           "SELECT at_utc, reviewer, decision, note FROM review WHERE calibration = $1 ORDER BY "
-           "place",
-           {entry.number})) {
+  for (const sql::Row& row :
+       connection_->run(fmt::format("SELECT {} FROM review WHERE calibration = $1 ORDER BY place",
+                                    review_columns),
+                        {entry.number})) {
     found.push_back(review_of(row));
   }
   return found;

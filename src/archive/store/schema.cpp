@@ -1,5 +1,8 @@
 #include "archive/store/schema.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -82,7 +85,7 @@ CREATE TABLE content (
 
 )";
 
-constexpr const char* event_and_review = R"(
+constexpr const char* event = R"(
 CREATE TABLE event (
   number INT PRIMARY KEY CHECK (number >= 1),
   at_utc TEXT NOT NULL,
@@ -91,7 +94,9 @@ CREATE TABLE event (
   digest TEXT NOT NULL,
   chain TEXT NOT NULL CHECK (length(chain) = 64)
 ) STRICT_;
+)";
 
+constexpr const char* review = R"(
 CREATE TABLE review (
   calibration INT NOT NULL REFERENCES calibration (number) ON DELETE CASCADE,
   place INT NOT NULL,
@@ -134,25 +139,31 @@ std::string in_dialect(const sql::Connection& connection, std::string script) {
 
 }  // namespace
 
-void create_schema(sql::Connection& connection) {
+void create_schema(sql::Connection& connection, int version) {
   const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
+  const bool has_reviews = version >= first_schema_with_reviews;
   connection.run_script(in_dialect(connection, tables));
-  connection.run_script(in_dialect(connection, event_and_review));
+  connection.run_script(
+      in_dialect(connection, has_reviews ? event : replaced(event, "'reviewed', ", "")));
+  if (has_reviews) connection.run_script(in_dialect(connection, review));
   connection.run_script(is_sqlite ? sqlite_index : postgres_indices);
   if (!is_sqlite) {
     connection.run_script(
         "CREATE TABLE archive (version BIGINT NOT NULL); INSERT INTO archive VALUES (0)");
   }
-  set_version(connection, schema_version);
+  set_version(connection, version);
 }
 
 void add_reviews(sql::Connection& connection) {
   connection.run_script("ALTER TABLE event RENAME TO event_of_schema_1");
-  connection.run_script(in_dialect(connection, event_and_review));
+  connection.run_script(in_dialect(connection, event));
+  connection.run_script(in_dialect(connection, review));
   connection.run_script(
       "INSERT INTO event SELECT number, at_utc, what, id, digest, chain FROM event_of_schema_1;"
       "DROP TABLE event_of_schema_1");
 }
+
+void take_wider_digests(sql::Connection& /*connection*/) {}
 
 void set_version(sql::Connection& connection, int version) {
   const bool is_sqlite = connection.dialect() == sql::Dialect::sqlite;
@@ -163,13 +174,21 @@ void set_version(sql::Connection& connection, int version) {
 int version_of(sql::Connection& connection) {
   const auto number = [&](const char* statement) {
     const sql::Rows rows = connection.run(statement);
-    return rows.empty() ? 0 : static_cast<int>(rows.front().front().integer());
+    if (rows.size() != 1) {
+      throw ArchiveError(printable(connection.name(), longest_path) +
+                         ": the archive's schema is damaged (it has not one version); it is left "
+                         "as it is; restore a backup");
+    }
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    return static_cast<int>(std::clamp<std::int64_t>(rows.front().front().integer(), -1, most));
   };
   if (connection.dialect() == sql::Dialect::sqlite) return number("PRAGMA user_version");
   const int tables_named_so = number(
       "SELECT count(*) FROM information_schema.tables "
       "WHERE table_schema = current_schema() AND table_name = 'archive'");
-  return tables_named_so == 0 ? 0 : number("SELECT version FROM archive");
+  if (tables_named_so == 0) return 0;
+  const int version = number("SELECT version FROM archive");
+  return version == 0 ? -1 : version;  // its tables are there
 }
 
 void refuse_other_versions(sql::Connection& connection, int known) {

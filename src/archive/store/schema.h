@@ -6,16 +6,23 @@
 namespace tribolog::archive {
 
 /// Number of the schema that this program writes.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// Older archives hold none.
 inline constexpr int first_schema_with_reviews = 2;
 
-/// Makes the tables. Within a transaction.
-void create_schema(sql::Connection& connection);
+/// Digests of older archives say nothing of the inputs that were kept.
+inline constexpr int first_schema_with_wide_digests = 3;
+
+/// Makes the tables, those of an older schema where asked for. Within a transaction.
+void create_schema(sql::Connection& connection, int version = schema_version);
 
 /// From schema 1, the first one, to 2: reviews. Within a transaction.
 void add_reviews(sql::Connection& connection);
+
+/// From schema 2 to 3: the same tables. Digests of entries that are added from now on cover the
+/// documents kept with them, which an older program would take for an alteration.
+void take_wider_digests(sql::Connection& connection);
 
 /// 0 where there are no tables yet (a new PostgreSQL database).
 int version_of(sql::Connection& connection);

@@ -6,6 +6,7 @@
 
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/schema.h"
+#include "archive/store/schema_check.h"
 
 namespace tribolog::archive {
 namespace {
@@ -20,7 +21,7 @@ void keep_a_copy(sql::Connection& connection, int version) {
 }  // namespace
 
 const std::vector<UpgradeStep>& upgrade_steps() {
-  static const std::vector<UpgradeStep> steps{add_reviews};
+  static const std::vector<UpgradeStep> steps{add_reviews, take_wider_digests};
   return steps;
 }
 
@@ -29,6 +30,7 @@ int upgrade(sql::Connection& connection, const std::vector<UpgradeStep>& steps) 
   const int found = version_of(connection);
   refuse_other_versions(connection, wanted);
   if (found == wanted) return found;
+  refuse_damaged_schema(connection, found);
   keep_a_copy(connection, found);
   connection.write([&] {
     // Another process may have been first.

@@ -1,14 +1,15 @@
 // Everything an archive holds, held against its digests and its chain.
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/calibration_archive.h"
 #include "archive/store/digest.h"
-#include "archive/store/entry_rows.h"
+#include "archive/store/entry_proof.h"
+#include "archive/store/schema.h"
 
 #include "error.h"
 
@@ -37,19 +38,24 @@ class ChainReader {
     }
     outcome_.head = row[5].text();
     outcome_.contains_head = outcome_.contains_head || outcome_.head == wanted_;
-    if (event.what == "added") entries[event.id] = event.digest;
-    if (event.what == "report") reports[event.id] = event.digest;
-    if (event.what == "reviewed") reviews[event.id].push_back(event.digest);
+    if (event.what == "added") {
+      entries.digests[event.id] = event.digest;
+      added[event.id] = ++additions;
+    }
+    if (event.what == "report") entries.reports[event.id] = event.digest;
+    if (event.what == "reviewed") entries.reviews[event.id].push_back(event.digest);
     if (event.what == "removed") {
-      reviews.erase(event.id);
-      entries.erase(event.id);
-      reports.erase(event.id);
+      ++removals;
+      entries.digests.erase(event.id);
+      entries.reports.erase(event.id);
+      entries.reviews.erase(event.id);
     }
   }
 
-  std::map<std::string, std::string> entries;               ///< Id and digest.
-  std::map<std::string, std::string> reports;               ///< Id and fingerprint.
-  std::map<std::string, std::vector<std::string>> reviews;  ///< Id and digests in their order.
+  ChainedEntries entries;
+  std::map<std::string, std::int64_t> added;  ///< As which addition, from 1 on.
+  std::int64_t additions{};
+  std::int64_t removals{};
 
  private:
   void fault(std::size_t event, const char* what) {
@@ -63,15 +69,67 @@ class ChainReader {
   bool is_broken_{false};
 };
 
+/// Rows that belong to nothing, which a server whose rules were switched off may hold too.
+void find_strays(sql::Connection& connection, int version, std::vector<std::string>& faults) {
+  const auto look = [&](const char* table, const char* column, const char* parent) {
+    const sql::Rows rows = connection.run(fmt::format(
+        "SELECT count(*) FROM {} WHERE {} NOT IN (SELECT number FROM {})", table, column, parent));
+    if (rows.front().front().integer() == 0) return;
+    faults.push_back(fmt::format("rows of the table {} belong to no {}", table, parent));
+  };
+  for (const char* const table : {"quantity", "input", "document"}) {
+    look(table, "calibration", "calibration");
+  }
+  if (version >= first_schema_with_reviews) look("review", "calibration", "calibration");
+  look("content", "document", "document");
+}
+
+/// Numbers are given once, in the order of the additions.
+void check_order(std::vector<Entry> entries, ChainReader& chain, std::vector<std::string>& faults) {
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.number < b.number; });
+  std::int64_t before = 0;
+  for (const Entry& entry : entries) {
+    const std::int64_t addition = chain.added[entry.id];
+    if (addition < before) faults.push_back(short_id(entry.id) + ": has another one's number");
+    before = addition;
+  }
+}
+
+/// SQLite counts what was ever added. Documents of removed calibrations are in no event.
+void check_counters(sql::Connection& connection, const ChainReader& chain,
+                    std::vector<std::string>& faults) {
+  const auto fault = [&](const char* table) {
+    faults.push_back(fmt::format("the counter of the table {} is not that of its rows", table));
+  };
+  const auto counter_of = [&](const char* table) {
+    const sql::Rows rows =
+        connection.run("SELECT seq FROM sqlite_sequence WHERE name = $1", {table});
+    if (rows.size() > 1) fault(table);
+    return rows.empty() ? 0 : rows.front().front().integer();
+  };
+  const sql::Rows foreign = connection.run(
+      "SELECT count(*) FROM sqlite_sequence WHERE name NOT IN ('calibration', 'document')");
+  if (foreign.front().front().integer() != 0) fault("sqlite_sequence");
+  if (counter_of("calibration") != chain.additions) fault("calibration");
+  const sql::Row documents =
+      connection.run("SELECT count(*), COALESCE(max(number), 0) FROM document").front();
+  const std::int64_t counted = counter_of("document");
+  const bool fits = chain.removals > 0
+                        ? counted >= documents[1].integer()
+                        : counted == documents[0].integer() && counted == documents[1].integer();
+  if (!fits) fault("document");
+}
+
 }  // namespace
 
 Verification CalibrationArchive::verify(
     const std::string& head, const std::function<void(std::size_t, std::size_t)>& progress) {
   Verification outcome;
-  if (connection_->dialect() == sql::Dialect::sqlite) {
-    outcome.faults = sql::faults_of_sqlite(*connection_);
-  }
+  const bool is_sqlite = connection_->dialect() == sql::Dialect::sqlite;
+  if (is_sqlite) outcome.faults = sql::faults_of_sqlite(*connection_);
   connection_->read([&] {
+    const int version = version_of(*connection_);
     ChainReader chain(outcome, head);
     for (const sql::Row& row : connection_->run(
              "SELECT number, at_utc, what, id, digest, chain FROM event ORDER BY number")) {
@@ -82,51 +140,19 @@ Verification CalibrationArchive::verify(
     std::size_t done = 0;
     for (const Entry& entry : entries) {
       if (progress) progress(done++, entries.size());
-      const auto fault = [&](const std::string& what) {
-        outcome.faults.push_back(short_id(entry.id) + ": " + what);
-      };
-      const auto known = chain.entries.find(entry.id);
-      if (known == chain.entries.end()) {
-        fault("stands in no event: it was not added by tribolog");
-      } else if (known->second != entry.digest) {
-        fault("its digest is not the one it was added with");
+      const EntryProof proof = prove(*connection_, version, entry, chain.entries);
+      outcome.documents += proof.documents;
+      for (const std::string& fault : proof.faults) {
+        outcome.faults.push_back(short_id(entry.id) + ": " + fault);
       }
-      std::string calibration_sha256;
-      bool has_report = false;
-      for (const StoredDocument& stored : documents(entry)) {
-        ++outcome.documents;
-        if (stored.kind == DocumentKind::calibration) calibration_sha256 = stored.sha256;
-        if (stored.kind == DocumentKind::report) {
-          has_report = true;
-          const auto report = chain.reports.find(entry.id);
-          if (report == chain.reports.end() || report->second != stored.sha256) {
-            fault("its report is not the one that was archived");
-          }
-        }
-        try {
-          if (!document(entry, stored.kind, stored.name)) {
-            fault("its " + to_string(stored.kind) + " is missing");
-          }
-        } catch (const ArchiveError&) {
-          fault("its " + to_string(stored.kind) + " is damaged");
-        }
-      }
-      if (!has_report && chain.reports.count(entry.id) > 0) fault("its report is missing");
-      std::vector<std::string> review_digests;
-      for (const Review& review : reviews(entry)) {
-        review_digests.push_back(digest_of(entry.id, review_digests.size(), review));
-      }
-      if (review_digests != chain.reviews[entry.id]) {
-        fault("its reviews are not those that were given");
-      }
-      const std::string digest =
-          digest_of(entry.id, entry.facts, quantities(entry), inputs(entry), calibration_sha256);
-      if (digest != entry.digest) fault("was altered: its digest is not that of what it says");
-      if (known != chain.entries.end()) chain.entries.erase(known);
+      chain.entries.digests.erase(entry.id);
     }
-    for (const auto& [id, digest] : chain.entries) {
+    for (const auto& [id, digest] : chain.entries.digests) {
       outcome.faults.push_back(short_id(id) + ": is missing, and was not removed by tribolog");
     }
+    find_strays(*connection_, version, outcome.faults);
+    check_order(entries, chain, outcome.faults);
+    if (is_sqlite) check_counters(*connection_, chain, outcome.faults);
   });
   if (!outcome.contains_head) {
     outcome.faults.push_back("the chain does not hold the link " + printable(head));

@@ -57,7 +57,8 @@ Run add_show(CLI::App& archive) {
       print_json(entry_json(entry, quantities, kept.inputs(entry), documents, reviews));
     } else {
       call.console.say(facts_text(entry.facts, entry.id, entry.revision) + "\n" +
-                       quantities_text(quantities) + "\n" + documents_text(documents));
+                       quantities_text(quantities) + "\n" + documents_text(documents) +
+                       reviews_text(reviews));
     }
     return ExitStatus::done;
   };
