@@ -9,6 +9,7 @@
 #include <poll.h>
 
 #include "error.h"
+#include "render/text/font.h"
 #include "render/workers/drawing_server.h"
 #include "render/workers/drawing_worker.h"
 #include "render/workers/figure_message.h"
@@ -160,6 +161,15 @@ FigureRenderer::~FigureRenderer() = default;
 std::vector<DrawnFigure> FigureRenderer::draw(const std::vector<Figure>& figures,
                                               const DrawOptions& options) {
   return DrawingCrew(parts_->server, parts_->processes, figures, options).run();
+}
+
+RendererInfo built_renderer() {
+  RendererInfo info;
+  info.vtk_version = TRIBOLOG_VTK_VERSION;
+  info.back_end = TRIBOLOG_GL_NAME;
+  info.font = Font().file(Weight::regular);
+  info.freetype_version = Font::freetype_version();
+  return info;
 }
 
 RendererInfo renderer_info() {

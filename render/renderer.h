@@ -69,6 +69,10 @@ class FigureRenderer {
   std::unique_ptr<Parts> parts_;
 };
 
+/// What figures are drawn with, as the program was built: VTK, the back end, the font and FreeType.
+/// Loads and starts nothing. @throw tribolog::FigureError without the font.
+RendererInfo built_renderer();
+
 /// Starts the graphics stack in a worker and asks it what it is.
 /// @throw tribolog::FigureError if no off-screen context can be made (one sentence, names the
 /// package to install).

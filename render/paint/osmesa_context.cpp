@@ -6,8 +6,6 @@
 
 #include "error.h"
 #include "render/paint/gl_context.h"
-#include "render/paint/glx_forwarder.h"
-#include "render/paint/vtk_generation.h"
 
 namespace tribolog::render {
 namespace {
@@ -73,11 +71,7 @@ class OsmesaContext final : public GlContext {
   }
   bool is_current() override { return OSMesaGetCurrentContext() == context_; }
   void* function(const char* name) override {
-#if TRIBOLOG_VTK_HAS_GLEW
-    return tribolog_osmesa_function(name);
-#else
     return reinterpret_cast<void*>(OSMesaGetProcAddress(name));
-#endif
   }
   [[nodiscard]] std::string back_end() const override { return "OSMesa"; }
   [[nodiscard]] std::string gl_version() const override { return gl_text(GL_VERSION); }

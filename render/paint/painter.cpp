@@ -1,6 +1,9 @@
 #include "render/paint/painter.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -14,8 +17,10 @@
 #include "render/paint/draw_list_item.h"
 #include "render/paint/gl_context.h"
 #include "render/paint/headless_window.h"
+#include "render/paint/painter_module.h"
 #include "render/paint/scene_painter.h"
 #include "render/paint/vtk_messages.h"
+#include "render/paint/vtk_threads.h"
 
 namespace tribolog::render {
 namespace {
@@ -23,61 +28,64 @@ namespace {
 constexpr int samples_per_pixel = 4;          // llvmpipe has no more
 constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
 
-}  // namespace
+class VtkPainter final : public Painter {
+ public:
+  explicit VtkPainter(const Font& font);
+  using Painter::paint;
+  Picture paint(const DrawList& list, int strip_rows) override;
+  [[nodiscard]] RendererInfo info() const override;
 
-struct Painter::Parts {
-  explicit Parts(const Font& used) : font(used), context(make_gl_context()) {}
+ private:
+  void paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture);
 
-  const Font& font;
-  std::unique_ptr<GlContext> context;  // outlives the window below
-  vtkNew<VtkMessages> messages;
-  vtkNew<HeadlessWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkContextActor> actor;
-  vtkNew<DrawListItem> item;
+  const Font& font_;
+  std::unique_ptr<GlContext> context_;  // outlives the window below
+  vtkNew<VtkMessages> messages_;
+  vtkNew<HeadlessWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkContextActor> actor_;
+  vtkNew<DrawListItem> item_;
 };
 
-Painter::Painter(const Font& font) : parts_(std::make_unique<Parts>(font)) {
-  vtkOutputWindow::SetInstance(parts_->messages);
+VtkPainter::VtkPainter(const Font& font) : font_(font), context_(make_gl_context()) {
+  vtkOutputWindow::SetInstance(messages_);
   // FreeType's glyph cache may start out believing that it is full and reload every glyph.
   vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfBytes(~0UL);
-  parts_->window->attach(parts_->context.get());
-  parts_->window->SetMultiSamples(samples_per_pixel);
-  parts_->window->SwapBuffersOff();
-  parts_->renderer->SetBackground(1, 1, 1);
-  parts_->window->AddRenderer(parts_->renderer);
-  parts_->renderer->AddActor(parts_->actor);
-  parts_->actor->GetScene()->SetRenderer(parts_->renderer);
-  parts_->actor->GetScene()->AddItem(parts_->item);
+  window_->attach(context_.get());
+  window_->SetMultiSamples(samples_per_pixel);
+  window_->SwapBuffersOff();
+  renderer_->SetBackground(1, 1, 1);
+  window_->AddRenderer(renderer_);
+  renderer_->AddActor(actor_);
+  actor_->GetScene()->SetRenderer(renderer_);
+  actor_->GetScene()->AddItem(item_);
 }
 
-Painter::~Painter() = default;
-
-Picture Painter::paint(const DrawList& list, int strip_rows) {
+Picture VtkPainter::paint(const DrawList& list, int strip_rows) {
   Picture picture{list.width, list.height, {}, list.width_mm};
   picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
                      static_cast<std::size_t>(list.height));
-  parts_->window->SetSize(list.width, strip_rows);
+  window_->SetSize(list.width, strip_rows);
   std::unique_ptr<ScenePainter> scene;
   if (list.scene) {
     const double outline_px = std::max(1.0, outline_share * list.width);
-    scene = std::make_unique<ScenePainter>(parts_->renderer, *list.scene, outline_px);
+    scene = std::make_unique<ScenePainter>(renderer_, *list.scene, outline_px);
   }
-  parts_->window->keep_depth(scene != nullptr);
+  window_->keep_depth(scene != nullptr);
   for (int top = 0; top < list.height; top += strip_rows) {
     if (scene) scene->show_rows(list.width, top, strip_rows);
     paint_strip(list, top, strip_rows, picture);
   }
-  const std::string error = parts_->messages->take_error();
+  const std::string error = messages_->take_error();
   if (!error.empty()) throw FigureError("VTK: " + error);
   return picture;
 }
 
-void Painter::paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture) {
-  parts_->item->show(&list, &parts_->font, top, strip_rows);
-  parts_->window->Render();
+void VtkPainter::paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture) {
+  item_->show(&list, &font_, top, strip_rows);
+  window_->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
-  parts_->window->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
+  window_->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
   const std::size_t row = 3 * static_cast<std::size_t>(list.width);
   if (static_cast<std::size_t>(pixels->GetNumberOfValues()) !=
       row * static_cast<std::size_t>(strip_rows)) {
@@ -91,10 +99,16 @@ void Painter::paint_strip(const DrawList& list, int top, int strip_rows, Picture
   }
 }
 
-RendererInfo Painter::info() const {
-  return {vtkVersion::GetVTKVersion(),        parts_->context->back_end(),
-          parts_->context->gl_version(),      parts_->context->gl_renderer(),
-          parts_->font.file(Weight::regular), Font::freetype_version()};
+RendererInfo VtkPainter::info() const {
+  return {vtkVersion::GetVTKVersion(), context_->back_end(),        context_->gl_version(),
+          context_->gl_renderer(),     font_.file(Weight::regular), Font::freetype_version()};
 }
 
+}  // namespace
 }  // namespace tribolog::render
+
+extern "C" tribolog::render::Painter* tribolog_vtk_painter(
+    const tribolog::render::Font& font, tribolog::render::PainterThreads threads) {
+  if (threads == tribolog::render::PainterThreads::one) tribolog::render::keep_vtk_to_one_thread();
+  return new tribolog::render::VtkPainter(font);
+}

@@ -1,9 +1,8 @@
 #pragma once
-// Draws draw lists with VTK into pictures. One per process; costs a tenth of a second to make.
+// Draws draw lists into pictures. One per process; costs a tenth of a second to make. The one that
+// does it with VTK lies in a module, which is loaded when a painter is made.
 
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "render/draw_list.h"
 #include "render/paint/picture.h"
@@ -14,9 +13,8 @@ namespace tribolog::render {
 
 class Painter {
  public:
-  /// @throw tribolog::FigureError if no context can be made.
-  explicit Painter(const Font& font);
-  ~Painter();
+  Painter() = default;
+  virtual ~Painter() = default;
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
@@ -25,17 +23,21 @@ class Painter {
   /// of a whole picture would take a few hundred megabytes, and clearing their pages a quarter of
   /// the time
   /// @throw tribolog::FigureError if VTK reports an error.
-  Picture paint(const DrawList& list, int strip_rows = usual_strip_rows);
+  virtual Picture paint(const DrawList& list, int strip_rows) = 0;
+  Picture paint(const DrawList& list) { return paint(list, usual_strip_rows); }
 
   static constexpr int usual_strip_rows = 512;
 
-  [[nodiscard]] RendererInfo info() const;
-
- private:
-  void paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture);
-
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  [[nodiscard]] virtual RendererInfo info() const = 0;
 };
+
+/// VTK's own threads. A process with more threads than one cannot be forked safely.
+enum class PainterThreads { as_many_as_it_likes, one };
+
+/// @param font lives as long as the painter.
+/// @throw tribolog::FigureError if a library is missing or no context can be made: the package to
+/// install.
+std::unique_ptr<Painter> make_painter(const Font& font,
+                                      PainterThreads threads = PainterThreads::as_many_as_it_likes);
 
 }  // namespace tribolog::render

@@ -16,7 +16,6 @@
 #include "render/check/picture_check.h"
 #include "render/layout/figure_layout.h"
 #include "render/paint/painter.h"
-#include "render/paint/vtk_threads.h"
 #include "render/png/png_encoder.h"
 #include "render/text/font.h"
 #include "render/text/utf8.h"
@@ -137,6 +136,7 @@ Message drawn_figure_message(const DrawnFigure& drawn) {
 struct DrawingWorker::Stack {
   std::unique_ptr<Font> font;
   std::unique_ptr<Painter> painter;
+  PainterThreads threads{PainterThreads::as_many_as_it_likes};
   std::string start_error;
 };
 
@@ -151,7 +151,7 @@ void DrawingWorker::start() {
   if (!stack_->start_error.empty()) throw FigureError(stack_->start_error);
   try {
     if (!stack_->font) stack_->font = std::make_unique<Font>();
-    if (!stack_->painter) stack_->painter = std::make_unique<Painter>(*stack_->font);
+    if (!stack_->painter) stack_->painter = make_painter(*stack_->font, stack_->threads);
   } catch (const std::exception& problem) {
     stack_->start_error = problem.what();
     throw;
@@ -162,7 +162,7 @@ void DrawingWorker::warm_up(Prepared prepared) {
   try {
     // Scenes go through filters that would start threads, and workers are forked after this.
     const bool scenes = prepared == Prepared::charts_and_scenes;
-    if (scenes) keep_vtk_to_one_thread();
+    if (scenes) stack_->threads = PainterThreads::one;
     start();
     std::vector<Figure> figures{every_kind()};
     if (scenes) figures.push_back(every_kind_of_part());
@@ -235,8 +235,7 @@ void serve_info(int socket) {
   Message answer;
   try {
     const Font font;
-    Painter painter(font);
-    const RendererInfo info = painter.info();
+    const RendererInfo info = make_painter(font)->info();
     answer.put(std::string());
     put_info(answer, info);
   } catch (const std::exception& problem) {

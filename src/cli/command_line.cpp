@@ -52,8 +52,10 @@ ExitStatus run_command_line(int argc, char** argv) {
   app.require_subcommand(0, 1);
   bool quiet = false;
   bool version = false;
+  bool verbose = false;
   app.add_flag("-q,--quiet", quiet, "print errors only");
   app.add_flag("--version", version, "print the versions of the program and of what it stands on");
+  app.add_flag("--verbose", verbose, "with --version: start the graphics stack and name it too");
   app.fallthrough();
 
   InspectOptions inspect;
@@ -94,7 +96,7 @@ ExitStatus run_command_line(int argc, char** argv) {
   }
   Console console(quiet);
   const std::vector<std::string> arguments(argv, argv + argc);
-  if (version) return run_version(console);
+  if (version) return run_version(verbose, console);
   if (inspect_command) return run_inspect(inspect, console);
   if (init_command) return run_init(init, console);
   if (simulate_command) return run_simulate(simulate, console);

@@ -145,6 +145,7 @@ ExitStatus run_paper(const PaperOptions& options, const std::vector<std::string>
 /// Bias, scatter and coverage of the estimators over many simulated runs, as one page.
 ExitStatus run_study_command(const StudyCommandOptions& options,
                              const std::vector<std::string>& arguments, Console& console);
-ExitStatus run_version(Console& console);
+/// @param verbose loads what draws, and names it as it runs
+ExitStatus run_version(bool verbose, Console& console);
 
 }  // namespace tribolog

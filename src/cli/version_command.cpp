@@ -7,16 +7,16 @@
 
 namespace tribolog {
 
-ExitStatus run_version(Console& console) {
+ExitStatus run_version(bool verbose, Console& console) {
   const Provenance p = make_provenance({});
   console.say(fmt::format("tribolog {} ({})", p.tool_version, p.git_revision));
   console.say(fmt::format("compiler {}", p.compiler));
   console.say(fmt::format("Eigen {}", p.eigen_version));
   try {
-    const render::RendererInfo info = render::renderer_info();
-    console.say(fmt::format("VTK {}", info.vtk_version));
-    console.say(fmt::format("Mesa {}", info.gl_version));
-    console.say(fmt::format("renderer {} through {}", info.gl_renderer, info.back_end));
+    const render::RendererInfo info = verbose ? render::renderer_info() : render::built_renderer();
+    console.say(fmt::format("VTK {} through {}", info.vtk_version, info.back_end));
+    if (verbose)
+      console.say(fmt::format("renderer {}, Mesa {}", info.gl_renderer, info.gl_version));
     console.say(fmt::format("FreeType {}, font {}", info.freetype_version, info.font));
   } catch (const FigureError& error) {
     console.warn(fmt::format("no figures can be drawn here: {}", error.what()));

@@ -11,8 +11,13 @@ namespace {
 TEST(Commands, VersionNamesWhatItStandsOn) {
   const ProgramRun run = run_shell(program + "--version");
   EXPECT_EQ(run.status, 0) << run.err;
-  for (const char* part : {"tribolog ", "Eigen 3.", "VTK 9.", "Mesa", "llvmpipe"}) {
+  for (const char* part : {"tribolog ", "Eigen 3.", "VTK 9.", "FreeType", "DejaVuSans.ttf"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
+  }
+  const ProgramRun verbose = run_shell(program + "--version --verbose");
+  EXPECT_EQ(verbose.status, 0) << verbose.err;
+  for (const char* part : {"VTK 9.", "Mesa", "llvmpipe"}) {
+    EXPECT_NE(verbose.out.find(part), std::string::npos) << part << " in\n" << verbose.out;
   }
 }
 

@@ -83,12 +83,12 @@ TEST(ScenePicture, DoesNotDependOnItsStrips) {
     }
     setenv("LP_NUM_THREADS", "0", 1);
     const Font font;
-    Painter painter(font);
+    const auto painter = make_painter(font);
     for (const double opening : {0.0, 30.0}) {
       const DrawList list = lay_out(examples::scene(opening), font);
-      const Picture usual = painter.paint(list);
+      const Picture usual = painter->paint(list);
       for (const int rows : {100, 1000}) {
-        const Picture other = painter.paint(list, rows);
+        const Picture other = painter->paint(list, rows);
         // Sub-pixel positions are rounded: an edge may move by a sample of the four of a pixel.
         std::size_t changed = 0;
         for (std::size_t i = 0; i < usual.rgb.size(); ++i) {

@@ -1,15 +1,19 @@
-#include "archive/sql/postgres_connection.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <libpq-fe.h>
 
 #include "archive/sql/postgres_errors.h"
 #include "archive/sql/postgres_location.h"
+#include "archive/sql/postgres_module.h"
 #include "archive/sql/postgres_values.h"
 
 #include "error.h"
@@ -162,17 +166,18 @@ class PostgresConnection final : public Connection {
 };
 
 }  // namespace
+}  // namespace tribolog::sql
 
-std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms) {
-  auto connection = std::make_unique<PostgresConnection>(postgres_location(uri), wait_ms);
-  if (access == Access::write &&
+tribolog::sql::Connection* tribolog_postgres_connection(const std::string& uri,
+                                                        tribolog::sql::Access access, int wait_ms) {
+  using namespace tribolog;
+  auto connection = std::make_unique<sql::PostgresConnection>(sql::postgres_location(uri), wait_ms);
+  if (access == sql::Access::write &&
       connection->run("SELECT current_setting('transaction_read_only')").front().front().text() ==
           "on") {
     throw OutputError(printable(connection->name(), longest_path) +
                       ": the archive cannot be written: the server is read-only; nothing was "
                       "changed");
   }
-  return connection;
+  return connection.release();
 }
-
-}  // namespace tribolog::sql

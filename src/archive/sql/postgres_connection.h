@@ -1,5 +1,6 @@
 #pragma once
-// An archive in a database of a PostgreSQL server.
+// An archive in a database of a PostgreSQL server. What talks to it lies in a module, which is
+// loaded for that alone.
 
 #include <memory>
 #include <string>
@@ -13,7 +14,8 @@ namespace tribolog::sql {
 /// (`synchronous_commit = off`). A connection that was cut before a transaction is made again.
 /// @param uri as libpq takes it; the password may also come from PGPASSWORD or ~/.pgpass, and no
 ///        message shows it.
-/// @throw ArchiveError: no server, no such database, no right to connect, or a database that is not
+/// @throw ArchiveError: the module or libpq is missing, no server, no such database, no right to
+/// connect, or a database that is not
 ///        in UTF-8. @throw OutputError: read-only, with Access::write. @throw UsageError: no
 ///        connection string.
 std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms);

@@ -15,11 +15,8 @@ namespace tribolog {
 /// Only what is in the file itself is read: soft and external links, external storage and virtual
 /// datasets are left out with the reason, plugins are not loaded. The library runs in a process of
 /// its own, see isolated_reading.h.
-/// @throw InputError: the file cannot be read, is no HDF5 file, is damaged, or holds no rows.
+/// @throw InputError: the library is not installed; the file cannot be read, is no HDF5 file, is
+/// damaged, or holds no rows.
 std::vector<LogTable> read_hdf5(const std::string& path);
-
-/// @return whether some link, storage or virtual dataset of the file leads to another file.
-/// To be called under read_isolated(). @throw UnreadableFile
-bool leads_to_other_files(const std::string& path);
 
 }  // namespace tribolog

@@ -14,7 +14,8 @@ namespace tribolog {
 /// complete variables are read, which is noted; one whose compressed variables are damaged is
 /// refused. matio runs in a process of its own, see isolated_reading.h; a 7.3 file that leads to
 /// other files is refused.
-/// @throw InputError: the file cannot be read, is no MAT file, is damaged, or holds no rows.
+/// @throw InputError: matio is not installed; the file cannot be read, is no MAT file, is damaged,
+/// or holds no rows.
 std::vector<LogTable> read_mat(const std::string& path);
 
 }  // namespace tribolog

@@ -1,0 +1,24 @@
+#include <memory>
+#include <string>
+
+#include "archive/sql/postgres_connection.h"
+#include "archive/sql/postgres_module.h"
+#include "modules/program_module.h"
+
+#include "error.h"
+
+namespace tribolog::sql {
+
+std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms) {
+  try {
+    void* const open = function_of({"tribolog_postgres", TRIBOLOG_POSTGRES_PACKAGES},
+                                   "tribolog_postgres_connection");
+    return std::unique_ptr<Connection>(
+        reinterpret_cast<decltype(&tribolog_postgres_connection)>(open)(uri, access, wait_ms));
+  } catch (const MissingModule& missing) {
+    throw ArchiveError(std::string("no archive on a PostgreSQL server can be opened here: ") +
+                       missing.what());
+  }
+}
+
+}  // namespace tribolog::sql
