@@ -2,6 +2,7 @@
 // Bytes into an open descriptor, whatever it leads to.
 
 #include <cerrno>
+#include <cstddef>
 #include <string_view>
 
 #include <poll.h>

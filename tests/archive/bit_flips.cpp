@@ -3,6 +3,7 @@
 //
 //   archive_bit_flips COUNT [SEED]
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

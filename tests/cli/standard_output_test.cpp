@@ -1,5 +1,6 @@
 // Standard output as the place of an output, and as one that takes nothing.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
