@@ -19,8 +19,8 @@ namespace {
 /// An archive that says of itself that nothing was changed knows nothing of the other outputs.
 std::string with_what_was_kept(const Error& error) {
   std::string message = error.what();
-  const bool is_of_outputs = error.status() == ExitStatus::output_failed ||
-                             error.status() == ExitStatus::archive_failed;
+  const bool is_of_outputs =
+      error.status() == ExitStatus::output_failed || error.status() == ExitStatus::archive_failed;
   if (!is_of_outputs || !is_something_kept()) return message;
   constexpr std::string_view nothing = "; nothing was changed";
   if (message.ends_with(nothing)) message.resize(message.size() - nothing.size());

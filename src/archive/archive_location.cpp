@@ -25,6 +25,7 @@ void make_if_missing(const std::string& path, bool is_default) {
   const std::filesystem::path directory = std::filesystem::path(path).parent_path();
   if (is_default) create_directory(directory.string());
   check_output_can_be_written(path);
+  const Uninterrupted together;
   sql::create_sqlite(path, [](sql::Connection& connection) { create_schema(connection); });
   note_kept("the new archive " + printable(path, longest_path));
 }

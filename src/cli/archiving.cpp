@@ -9,7 +9,6 @@
 
 #include "cli/archive/archived_inputs.h"
 #include "error.h"
-#include "files/early_end.h"
 
 namespace tribolog {
 
@@ -56,9 +55,7 @@ std::optional<history::Comparison> Archiving::since_last() {
 
 void Archiving::keep_report(const std::string& html, Console& console) {
   if (!archive_) return;
-  if (archive_->attach_report(id_, html, make_provenance({}).created_utc)) {
-    note_kept("the report in the archive");
-  } else {
+  if (!archive_->attach_report(id_, html, make_provenance({}).created_utc)) {
     console.say("the archive keeps the report it has of " + id_.substr(0, archive::shown_digits));
   }
 }

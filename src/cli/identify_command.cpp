@@ -8,8 +8,7 @@ namespace tribolog {
 
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console) {
-  check_output_can_be_written(options.output, {options.dataset});
-  check_outputs_differ({options.output, options.archiving.file()});
+  check_output_can_be_written(options.output, {options.dataset, options.archiving.file()});
   console.make_way_for(options.output);
   Provenance provenance = make_provenance(arguments);
   Archiving archiving(options.archiving);

@@ -36,10 +36,11 @@ std::string calibration_of(const ReportOptions& options) {
 ExitStatus run_report(const ReportOptions& options, const std::vector<std::string>& arguments,
                       Console& console) {
   const std::string numbers = calibration_of(options);
-  check_output_can_be_written(options.output, {options.dataset});
-  check_output_can_be_written(numbers, {options.dataset});
-  check_outputs_differ({options.output, numbers, options.archiving.file()});
-  for (const std::string& output : {options.output, numbers}) console.make_way_for(output);
+  for (const std::string& output : {options.output, numbers}) {
+    check_output_can_be_written(output, {options.dataset, options.archiving.file()});
+    console.make_way_for(output);
+  }
+  check_outputs_differ({options.output, numbers});
   Provenance provenance = make_provenance(arguments);
   Archiving archiving(options.archiving);
 

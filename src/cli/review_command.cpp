@@ -9,7 +9,6 @@
 #include "cli/archive/archive_commands.h"
 #include "cli/archive/signed_report.h"
 #include "files/atomic_file.h"
-#include "files/early_end.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
 #include "report/embedded_json.h"
@@ -100,7 +99,6 @@ std::function<Run()> add_review(CLI::App& app) {
       AtomicFiles files;
       if (!output.empty()) files.add(output, page);
       kept.add_review(entry, review);
-      note_kept("the decision in the archive");
       files.commit();
       call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, archive::shown_digits),
                                    to_string(review.decision), printable(review.reviewer)));

@@ -93,8 +93,7 @@ void take_back(TemporaryFile& made, const fs::path& target, Placed placed) {
 void check_output_can_be_written(const std::string& path, const std::vector<std::string>& inputs) {
   const OutputTarget target = output_target(path);
   for (const std::string& input : inputs) {
-    std::error_code error;
-    if (fs::exists(input, error) && is_same(target, {Kind::file, input, -1})) {
+    if (!input.empty() && is_same(target, {Kind::file, input, -1})) {
       throw UsageError(shown_output(path) + ": is also an input; it would be overwritten");
     }
   }
@@ -159,10 +158,8 @@ void AtomicFiles::make_directory(const std::string& path) {
 
 void AtomicFiles::add(const std::string& path, std::string_view bytes) {
   const OutputTarget target = output_target(path);
-  for (const Pending& other : pending_) {
-    if (is_same(target, other.target)) {
-      throw UsageError(shown_output(path) + ": is stated for two outputs");
-    }
+  if (target.kind == Kind::file && !names_.insert(full_name(target.path)).second) {
+    throw UsageError(shown_output(path) + ": is stated for two outputs");
   }
   if (target.kind != Kind::file) {
     pending_.push_back({path, target, nullptr, std::string(bytes)});
@@ -221,6 +218,7 @@ void AtomicFiles::commit() {
       note_kept(std::to_string(pending_.size() - most_names) + " more");
     }
     pending_.clear();
+    names_.clear();
   }
   for (const auto& [directory, path] : directories) flush_directory(path, directory);
 }

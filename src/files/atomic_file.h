@@ -6,6 +6,8 @@
 // one, never a part. A run that is killed leaves the old file and at most its temporary file, which
 // a later run of the same name removes once it is a day old.
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +16,8 @@ namespace tribolog {
 
 /// To be called before any computation: can `path` be written at all? "-" is standard output;
 /// /dev/stdout, /dev/fd/3, a named pipe, a terminal and /dev/null are written to as they are.
-/// @param inputs files that must not be overwritten; links to them count as the same file.
+/// @param inputs files that must not be overwritten, whether they exist or not; links to them count
+///        as the same file, and empty ones not at all.
 /// @throw OutputError if the directory is missing or not writable, the file system is read-only, or
 ///        the target is a directory, a device that takes no file, or a link that leads nowhere.
 /// @throw UsageError if the target is one of the inputs.
@@ -68,6 +71,7 @@ class AtomicFiles {
 
   std::vector<NewDirectory> new_directories_;
   std::vector<Pending> pending_;
+  std::set<std::filesystem::path> names_;  ///< Of the files that are pending.
 };
 
 /// Makes a directory and those above it; one that exists is fine.

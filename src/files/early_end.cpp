@@ -1,6 +1,6 @@
 #include "files/early_end.h"
 
-#include <climits>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -122,7 +122,8 @@ Uninterrupted::~Uninterrupted() { outputs().guard.unlock(); }
 
 void note_kept(const std::string& what) {
   const Uninterrupted change;
-  outputs().kept.push_back(what);
+  auto& kept = outputs().kept;
+  if (std::find(kept.begin(), kept.end(), what) == kept.end()) kept.push_back(what);
 }
 
 bool is_something_kept() {

@@ -38,11 +38,12 @@ class Uninterrupted {
   Uninterrupted& operator=(const Uninterrupted&) = delete;
 };
 
-/// Something is on the disk to stay, whatever happens from now on.
+/// Something is on the disk to stay, whatever happens from now on. To be said twice is to be said
+/// once.
 /// @param what safe to print: "out/report.html"
 void note_kept(const std::string& what);
 
-/// "nothing was changed", or "kept: out/report.html, the archive's 0123456789".
+/// "nothing was changed", or "kept: out/report.html, out/report.calibration.json".
 std::string kept_in_words();
 /// Was something noted?
 bool is_something_kept();

@@ -69,15 +69,14 @@ std::optional<struct stat> status_of(const OutputTarget& target) {
   return failed == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// Of a file that need not exist.
+}  // namespace
+
 fs::path full_name(const fs::path& file) {
   std::error_code error;
   const fs::path directory =
       fs::canonical(file.has_parent_path() ? file.parent_path() : fs::path("."), error);
   return error ? file : directory / file.filename();
 }
-
-}  // namespace
 
 std::string shown_output(const std::string& path) {
   return path == "-" ? "standard output" : printable(path, longest_path);

@@ -28,6 +28,9 @@ std::string shown_output(const std::string& path);
 /// descriptor that is not open for writing.
 OutputTarget output_target(const std::string& path);
 
+/// Of a file that need not exist: its name in its directory, which has one name alone.
+std::filesystem::path full_name(const std::filesystem::path& file);
+
 /// Are both the same file, by whatever names, whether it exists or not?
 bool is_same(const OutputTarget& a, const OutputTarget& b);
 

@@ -312,7 +312,12 @@ TEST(CheckOutput, RefusesToOverwriteAnInput) {
               }),
               path + ": is also an input; it would be overwritten");
   }
-  check_output_can_be_written(directory.path("other"), {input});
+  check_output_can_be_written(directory.path("other"), {input, ""});
+  EXPECT_NE(refusal_of<UsageError>([&] {
+              check_output_can_be_written(directory.path("new"), {directory.path() + "/./new"});
+              return 0;
+            }),
+            "");
 }
 
 TEST(CreateDirectory, MakesThoseAboveToo) {

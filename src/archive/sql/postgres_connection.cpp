@@ -17,6 +17,7 @@
 #include "archive/sql/postgres_values.h"
 
 #include "error.h"
+#include "files/early_end.h"
 
 namespace tribolog::sql {
 namespace {
@@ -86,6 +87,7 @@ class PostgresConnection final : public Connection {
       run_script(fmt::format("SELECT pg_advisory_xact_lock({})", writers_lock));
       work();
     });
+    note_kept("changes of the archive " + printable(name_, longest_path));
   }
 
   void read(const std::function<void()>& work) override {

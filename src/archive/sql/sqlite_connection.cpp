@@ -113,8 +113,11 @@ class SqliteConnection final : public Connection {
   void write(const std::function<void()>& work) override {
     transact("BEGIN IMMEDIATE", [&] {
       const Uninterrupted together;
+      const int before = sqlite3_total_changes(database_.get());
       work();
       run_script("COMMIT");
+      if (sqlite3_total_changes(database_.get()) == before) return;
+      note_kept("changes of the archive " + shown(path_));
     });
   }
   void read(const std::function<void()>& work) override { transact("BEGIN", work); }
@@ -286,7 +289,7 @@ void create_sqlite(const std::string& path, const std::function<void(Connection&
         fmt::format("PRAGMA journal_mode=DELETE; PRAGMA synchronous=EXTRA; "
                     "PRAGMA application_id={}",
                     application_id));
-    connection.write([&] { fill(connection); });
+    connection.read([&] { fill(connection); });  // nothing else has it yet
   }
   if (!made.open_to_others() || (!made.link_to(path) && errno != EEXIST)) {
     throw OutputError(shown(path) + ": no archive can be made there: " + strerror(errno));

@@ -59,7 +59,7 @@ Run add_add(CLI::App& archive) {
     for (std::size_t k = 0; k < made.size(); ++k) {
       const archive::Added added = kept.add(made[k], options->again, now);
       if (options->json) {
-        if (added.is_new) note_kept("in the archive " + added.id);
+        if (added.is_new) note_kept("its entry " + added.id);
         print_json(archive::added_json(added, options->calibrations[k]));
       } else {
         tell_added(added, options->calibrations[k], call.console);

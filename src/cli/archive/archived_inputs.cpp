@@ -27,7 +27,7 @@ void tell_added(const archive::Added& added, const std::string& what, Console& c
   const std::string id = added.id.substr(0, archive::shown_digits);
   const std::string file = printable(what, longest_path);
   if (added.is_new) {
-    note_kept("in the archive " + id);
+    note_kept("its entry " + id);
     console.say(fmt::format("archived: {} ({})", id, file));
   } else {
     console.say(fmt::format(

@@ -5,7 +5,6 @@
 #include "provenance.h"
 
 #include "cli/archive/archive_commands.h"
-#include "files/early_end.h"
 
 namespace tribolog::cli {
 
@@ -33,10 +32,7 @@ Run add_remove(CLI::App& archive) {
       const std::string what =
           fmt::format("{} ({}, joint {}, {})", entry.id.substr(0, archive::shown_digits),
                       printable(of.robot), printable(of.joint), entry.facts.measured_at);
-      if (options->is_sure) {
-        kept.remove(entry, now);
-        note_kept("removed " + entry.id.substr(0, archive::shown_digits));
-      }
+      if (options->is_sure) kept.remove(entry, now);
       if (options->json && options->is_sure) continue;
       call.console.say((options->is_sure ? "removed: " : "would be removed: ") + what);
     }
