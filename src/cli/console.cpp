@@ -5,7 +5,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "shown_text.h"
+
+#include "error.h"
+
 namespace tribolog {
+namespace {
+
+constexpr std::size_t longest_line = 1000;
+constexpr std::size_t longest_bar_text = 80;
+
+}  // namespace
 
 Console::Console(bool quiet)
     : quiet_(quiet),
@@ -17,7 +27,7 @@ Console::~Console() { finish(); }
 void Console::progress(const std::string& what, std::size_t done, std::size_t all) {
   if (quiet_ || all == 0) return;
   if (!terminal_) {
-    if (what != last_) std::cerr << "tribolog: " << what << '\n';
+    if (what != last_) std::cerr << "tribolog: " << printable(what, longest_line) << '\n';
     last_ = what;
     return;
   }
@@ -26,7 +36,8 @@ void Console::progress(const std::string& what, std::size_t done, std::size_t al
   constexpr std::size_t width = 30;
   const std::size_t filled = width * done / all;
   std::cerr << fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
-                           std::string(width - filled, '.'), done, all, what)
+                           std::string(width - filled, '.'), done, all,
+                           printable(what, longest_bar_text))
             << std::flush;
   drawn_ = true;
 }
@@ -38,12 +49,12 @@ void Console::finish() {
 
 void Console::say(const std::string& line) {
   finish();
-  if (!quiet_) std::cout << line << '\n' << std::flush;
+  if (!quiet_) std::cout << lines_for_terminal(line) << '\n' << std::flush;
 }
 
 void Console::warn(const std::string& line) {
   finish();
-  std::cerr << "tribolog: " << line << '\n';
+  std::cerr << "tribolog: " << lines_for_terminal(line) << '\n';
 }
 
 }  // namespace tribolog
