@@ -5,6 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "shown_text.h"
+
+#include "cli/options/shared_options.h"
 #include "files/atomic_file.h"
 
 namespace tribolog::cli {
@@ -35,7 +38,7 @@ std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
       });
   command
       .add_option("--wait", options->wait_s, "seconds to wait while another process writes to it")
-      ->check(CLI::Range(0.0, longest_s))
+      ->check(number_between(0, longest_s))
       ->capture_default_str();
   return options;
 }
@@ -66,6 +69,6 @@ std::function<Run()> add_archive(CLI::App& app) {
   };
 }
 
-void print_json(const std::string& json) { std::cout << json << std::flush; }
+void print_json(const std::string& json) { std::cout << json_without_hidden(json) << std::flush; }
 
 }  // namespace tribolog::cli

@@ -23,9 +23,11 @@
 // All tables but [robot] and [joint], and all keys in them, are optional: a plan names what it
 // assumes instead.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "error.h"
 #include "joint/joint_facts.h"
 
 namespace tribolog {
