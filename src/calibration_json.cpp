@@ -1,5 +1,7 @@
 #include "calibration_json.h"
 
+#include "shown_text.h"
+
 #include "calibration_json/parts.h"
 
 namespace tribolog {
@@ -63,7 +65,7 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   all["position_plan"] = position_plan(c.position_plan);
   all["truth_check"] = truth_check(c.truth_check);
   all["provenance"] = provenance_json(provenance);
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "files/hidden_characters.h"
 #include "files/utf8.h"
 
 namespace tribolog {
@@ -10,12 +11,7 @@ namespace {
 constexpr std::size_t longest_part = 2000;
 
 /// Control characters, and what moves or hides other text on a screen.
-bool disturbs_the_terminal(char32_t c) {
-  const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
-  const bool is_invisible = (c >= 0x200b && c <= 0x200f) || (c >= 0x2028 && c <= 0x202e) ||
-                            (c >= 0x2060 && c <= 0x206f) || c == 0xfeff;
-  return is_control || is_invisible;
-}
+bool disturbs_the_terminal(char32_t c) { return is_control_character(c) || is_hidden_character(c); }
 
 std::string escaped(std::string_view bytes) {
   std::string text;

@@ -1,6 +1,7 @@
 // Arguments -> command -> exit status. Every error becomes one clear line and its status.
 
 #include <csignal>
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -15,6 +16,8 @@
 
 namespace tribolog {
 namespace {
+
+constexpr std::size_t longest_message = 10'000;
 
 /// An archive that says of itself that nothing was changed knows nothing of the other outputs.
 std::string with_what_was_kept(const Error& error) {
@@ -33,12 +36,12 @@ int run(int argc, char** argv) {
     finish_printing();
     return static_cast<int>(status);
   } catch (const Error& error) {
-    std::cerr << "tribolog: error: " + with_what_was_kept(error) + "\n";
+    std::cerr << "tribolog: error: " + printable(with_what_was_kept(error), longest_message) + "\n";
     return static_cast<int>(error.status());
   } catch (const std::bad_alloc&) {
     std::cerr << "tribolog: error: out of memory; " << kept_in_words() << '\n';
   } catch (const std::exception& error) {
-    std::cerr << "tribolog: internal error: " << error.what()
+    std::cerr << "tribolog: internal error: " << printable(error.what(), longest_message)
               << "; please report it with the command and its input\n";
   }
   return static_cast<int>(ExitStatus::internal);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "archive/store/entry_rows.h"
+#include "shown_text.h"
 
 namespace tribolog::archive {
 namespace {
@@ -39,7 +40,7 @@ Json json_of(const Entry& e) {
 }
 
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantiti
 
 std::string added_json(const Added& added, const std::string& file) {
   const Json line{{"id", added.id}, {"is_new", added.is_new}, {"file", file}};
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string removed_json(const std::vector<Entry>& entries) {

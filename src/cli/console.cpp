@@ -5,10 +5,18 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "error.h"
 #include "files/atomic_file.h"
 #include "files/standard_output.h"
+#include "shown_text.h"
 
 namespace tribolog {
+namespace {
+
+constexpr std::size_t longest_line = 1000;
+constexpr std::size_t longest_bar_text = 80;
+
+}  // namespace
 
 Console::Console(bool quiet)
     : quiet_(quiet),
@@ -20,7 +28,7 @@ Console::~Console() { finish(); }
 void Console::progress(const std::string& what, std::size_t done, std::size_t all) {
   if (quiet_ || all == 0) return;
   if (!terminal_) {
-    if (what != last_) std::cerr << "tribolog: " << what << '\n';
+    if (what != last_) std::cerr << "tribolog: " << printable(what, longest_line) << '\n';
     last_ = what;
     return;
   }
@@ -29,7 +37,8 @@ void Console::progress(const std::string& what, std::size_t done, std::size_t al
   constexpr std::size_t width = 30;
   const std::size_t filled = width * done / all;
   std::cerr << fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
-                           std::string(width - filled, '.'), done, all, what)
+                           std::string(width - filled, '.'), done, all,
+                           printable(what, longest_bar_text))
             << std::flush;
   drawn_ = true;
 }
@@ -43,9 +52,9 @@ void Console::say(const std::string& line) {
   finish();
   if (quiet_) return;
   if (is_output_elsewhere_) {
-    std::cerr << line + "\n";
+    std::cerr << lines_for_terminal(line) + "\n";
   } else {
-    print(line + "\n");
+    print(lines_for_terminal(line) + "\n");
   }
 }
 
@@ -55,7 +64,7 @@ void Console::make_way_for(const std::string& output) {
 
 void Console::warn(const std::string& line) {
   finish();
-  std::cerr << "tribolog: " << line << '\n';
+  std::cerr << "tribolog: " << lines_for_terminal(line) << '\n';
 }
 
 }  // namespace tribolog

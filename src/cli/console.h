@@ -1,6 +1,7 @@
 #pragma once
 // What the user sees while a command works: a bar on a terminal, plain lines in a pipe, nothing
-// with --quiet. Goes to standard error; results go to standard output.
+// with --quiet. Goes to standard error; results go to standard output. What a terminal would obey
+// in a name from outside is escaped.
 
 #include <chrono>
 #include <cstddef>

@@ -1,4 +1,8 @@
+#include <algorithm>
 #include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/drawing.h"
@@ -10,11 +14,13 @@
 #include "files/atomic_file.h"
 #include "files/file_contents.h"
 #include "ingest/manifest/joint_file.h"
+#include "ingest/manifest/toml_table.h"
 #include "report/plan_page.h"
 
 namespace tribolog {
 namespace {
 
+constexpr double fastest_usual_Hz = 10'000;
 constexpr std::uint64_t largest_calibration_bytes = std::uint64_t{1} << 28;
 
 JointFacts facts_of(const PlanCommandOptions& options, const std::string& text) {
@@ -23,6 +29,52 @@ JointFacts facts_of(const PlanCommandOptions& options, const std::string& text) 
   return with_calibration(std::move(facts),
                           read_file(options.calibration, largest_calibration_bytes),
                           options.calibration);
+}
+
+/// Simulating more would take hours and all memory.
+void refuse_endless(const ExperimentPlan& plan, const std::string& text, const std::string& file) {
+  constexpr double most_samples = 3e6;
+  const double rate_Hz = std::max(plan.joint.sample_rate_Hz, plan.joint.set_point_rate_Hz);
+  if (plan.duration_s() * rate_Hz <= most_samples) return;
+  const bool by_set_points = plan.joint.set_point_rate_Hz > plan.joint.sample_rate_Hz;
+  const bool is_fast = rate_Hz > fastest_usual_Hz;
+  const Location place =
+      is_fast
+          ? place_in_toml(text, file, "log", by_set_points ? "set_point_rate_Hz" : "sample_rate_Hz")
+          : place_in_toml(text, file, "joint", "speed_limit_deg_s");
+  throw InputError(place, {"the plan has too many samples",
+                           fmt::format("{:.4g} s at {:g} Hz", plan.duration_s(), rate_Hz),
+                           fmt::format("no more than {:g} samples", most_samples),
+                           "are sample_rate_Hz and set_point_rate_Hz right, and are range of "
+                           "motion, speed_limit and acceleration_limit in their units?"});
+}
+
+[[noreturn]] void refuse_together(const std::invalid_argument& error, const std::string& text,
+                                  const std::string& file) {
+  throw InputError(place_in_toml(text, file, "joint", ""),
+                   {std::string("no plan can be made of this: ") + error.what(), "", "",
+                    "are all numbers in the units that their keys name?"});
+}
+
+/// @throw InputError: numbers of which each is possible, and of which together no plan comes.
+ExperimentPlan planned(const JointFacts& facts, const std::string& text, const std::string& file) {
+  try {
+    ExperimentPlan plan = plan_experiment(facts);
+    refuse_endless(plan, text, file);
+    return plan;
+  } catch (const std::invalid_argument& error) {
+    refuse_together(error, text, file);
+  }
+}
+
+/// @throw InputError as planned().
+ExpectedIntervals expected(const ExperimentPlan& plan, const PlanCommandOptions& options,
+                           const std::string& text) {
+  try {
+    return expect_intervals(plan, {options.runs, options.seed, options.threads});
+  } catch (const std::invalid_argument& error) {
+    refuse_together(error, text, options.joint);
+  }
 }
 
 }  // namespace
@@ -45,9 +97,9 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
     check_output_can_be_written(in_folder(name), inputs);
   }
   render::FigureRenderer renderer(options.processes);  // starts while the plan is simulated
-  report.plan = plan_experiment(facts);
+  report.plan = planned(facts, report.joint_text, options.joint);
   console.progress("simulating the plan", 0, 1);
-  report.expected = expect_intervals(report.plan, {options.runs, options.seed, options.threads});
+  report.expected = expected(report.plan, options, report.joint_text);
 
   // Also where nothing can be done: those of an older plan must not stay beside this one.
   files.add(in_folder("setpoints.csv"), set_points_csv(report.plan));

@@ -1,8 +1,13 @@
 #include "export/toml_text.h"
 
+#include <cstdint>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include "export/shortest_number.h"
+#include "files/hidden_characters.h"
+#include "files/utf8.h"
 
 namespace tribolog {
 
@@ -14,16 +19,18 @@ std::string toml_number(double value) {
 
 std::string toml_text(std::string_view text) {
   std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
+  while (!text.empty()) {
+    const Utf8Character c = first_utf8_character(text);
+    if (c.bytes == 0) throw std::invalid_argument("a text for TOML is not UTF-8");
+    if (c.code_point == '"' || c.code_point == '\\') {
       quoted += '\\';
-      quoted += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(byte));
+      quoted += text.front();
+    } else if (is_control_character(c.code_point) || is_hidden_character(c.code_point)) {
+      quoted += fmt::format("\\U{:08X}", static_cast<std::uint32_t>(c.code_point));
     } else {
-      quoted += c;
+      quoted += text.substr(0, c.bytes);
     }
+    text.remove_prefix(c.bytes);
   }
   return quoted += '"';
 }

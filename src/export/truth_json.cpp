@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 namespace tribolog {
 namespace {
 
@@ -71,7 +73,7 @@ std::string truth_json(const Scenario& scenario) {
                       {"presliding", friction(*scenario.presliding)},
                       {"sliding", friction(scenario.sliding_model())},
                       {"noise", noise(scenario.noise)}};
-  return truth.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(truth.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog

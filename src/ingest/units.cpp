@@ -158,7 +158,8 @@ std::optional<double> find_si_factor(Quantity quantity, std::string_view unit) {
   double multiple = 0;
   const char* const end = unit.data() + unit.size();
   const auto read = std::from_chars(unit.data(), end, multiple);
-  if (read.ec != std::errc() || !(multiple > 0) || !std::isfinite(multiple)) return std::nullopt;
+  constexpr double least = 1e-12;  // of an encoder's counts, say; far from where products vanish
+  if (read.ec != std::errc() || !(multiple >= least && multiple <= 1 / least)) return std::nullopt;
   const auto factor = factor_of_one(quantity, bare({read.ptr, end}));
   return factor ? std::optional(multiple * *factor) : std::nullopt;
 }

@@ -11,7 +11,9 @@
 
 #include "error.h"
 #include "export/toml_text.h"
+#include "files/utf8.h"
 #include "ingest/closest_match.h"
+#include "ingest/manifest/manifest_file.h"
 
 namespace tribolog {
 namespace {
@@ -71,7 +73,18 @@ class ManifestText {
     const fs::path file = fs::absolute(logs_[log].file).lexically_normal();
     const fs::path base = fs::absolute(options_.directory.empty() ? "." : options_.directory);
     const fs::path relative = file.lexically_relative(base.lexically_normal());
-    return (relative.empty() ? file : relative).generic_string();
+    std::string path = (relative.empty() ? file : relative).generic_string();
+    return path == "-" ? "./-" : path;  // alone it would be standard input
+  }
+
+  /// A text as the manifest has it.
+  /// @throw InputError: a manifest is UTF-8 and cannot hold it.
+  [[nodiscard]] std::string quoted(const std::string& text, const char* what,
+                                   std::size_t log) const {
+    if (!first_broken_utf8(text)) return toml_text(text);
+    throw InputError({logs_[log].file, 0, 0},
+                     {std::string(what) + " is not UTF-8, and no manifest can hold it",
+                      in_quotes(text), "", "rename it"});
   }
 
   void add_identity() {
@@ -79,11 +92,12 @@ class ManifestText {
         "# Proposed by tribolog from the logs alone. Each guess is marked; look at it before use.");
     line("schema = \"tribolog-dataset-1\"");
     text_ += "\n[robot]\n";
-    line("name = " + toml_text(options_.robot.value_or("unnamed robot")),
-         options_.robot ? "" : "the report goes by it");
+    line("name = " + toml_text(robot_name()), options_.robot ? "" : "the report goes by it");
     text_ += "\n[joint]\n";
-    line("name = " + toml_text(choice_.name.empty() ? "joint" : choice_.name),
-         choice_.name.empty() ? "the log names none" : moves_too());
+    const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
+    line("name = " +
+             (has_name ? quoted(choice_.name, "the joint's name", first_.log) : toml_text("joint")),
+         has_name ? moves_too() : "the log names none");
     if (options_.gear_ratio) {
       line(fmt::format("gear_ratio = {}", *options_.gear_ratio));
     } else {
@@ -91,6 +105,16 @@ class ManifestText {
            "not known: everything is then stated at the joint; state motor angle "
            "/ joint angle");
     }
+  }
+
+  /// @throw UsageError: a name that no manifest takes.
+  [[nodiscard]] std::string robot_name() const {
+    if (!options_.robot) return "unnamed robot";
+    const bool is_blank = options_.robot->find_first_not_of(' ') == std::string::npos;
+    if (is_blank || first_broken_utf8(*options_.robot)) {
+      throw UsageError("--robot '" + printable(*options_.robot) + "' is no name in UTF-8");
+    }
+    return *options_.robot;
   }
 
   [[nodiscard]] std::string moves_too() const {
@@ -118,7 +142,8 @@ class ManifestText {
   /// With the table in front where a log has several.
   [[nodiscard]] std::string name_in_log(const JointInLog& of, const std::string& column) const {
     const bool is_only = logs_[of.log].tables.size() == 1 || table(of).group.empty();
-    return toml_text(is_only ? column : table(of).group + "/" + column);
+    return quoted(is_only ? column : table(of).group + "/" + column, "the name of a column",
+                  of.log);
   }
 
   [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
@@ -178,7 +203,7 @@ class ManifestText {
     line("role = " + toml_text(to_string(recording.role)),
          roles_.is_makeshift ? "a stopgap: no sweep, run, oscillation or ramp was recognised"
                              : recording.what);
-    line("file = " + toml_text(path_of(recording.of.log)));
+    line("file = " + quoted(path_of(recording.of.log), "the log's name", recording.of.log));
     if (recording.from_s) line("from_s = " + seconds(recording.of, *recording.from_s));
     if (recording.to_s) line("to_s = " + seconds(recording.of, *recording.to_s));
     const std::vector<std::string> own = columns_of(recording.of, false);
@@ -211,6 +236,7 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
   proposal.moves_too = choice.moves_too;
   proposal.roles = propose_roles(logs, choice.in_logs);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
+  (void)parse_manifest(proposal.text, "the proposed manifest");  // never one that cannot be read
   return proposal;
 }
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 namespace tribolog {
 namespace {
 
@@ -107,7 +109,9 @@ std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& m
   if (!manifest.empty()) all["manifest"] = manifest;
   constexpr int indent = 1;
   // What is no UTF-8 in a log's names is replaced, not refused.
-  return all.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_without_hidden(
+             all.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace)) +
+         "\n";
 }
 
 }  // namespace tribolog

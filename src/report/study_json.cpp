@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 #include "report/study_page.h"
 #include "study/trust.h"
 
@@ -77,7 +79,7 @@ std::string study_json(const StudyReport& report) {
                  {"findings", study_findings(study)},
                  {"factors", std::move(factors)},
                  {"cases", std::move(cases)}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog

@@ -9,9 +9,8 @@ namespace tribolog::report {
 /// Valid UTF-8 in which nothing hides:
 /// - bytes that are not UTF-8 become `\xNN`,
 /// - control characters become `\xNN`, except tab and line feed,
-/// - characters that turn the direction of text, and other invisible ones (U+200B to U+200F,
-///   U+202A to U+202E, U+2060 to U+2069, U+061C, U+FEFF, U+E0000 to U+E007F), non-characters and
-///   U+2028/9 become `[U+202E]`.
+/// - characters that turn the direction of text, and other invisible ones, as
+///   is_hidden_character() says, become `[U+202E]`.
 /// Markup is left as it is: the template engine escapes it for the place where it stands.
 std::string visible_text(std::string_view text);
 

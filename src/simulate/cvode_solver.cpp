@@ -131,7 +131,11 @@ CvodeSolver::Stop CvodeSolver::advance_to(double t, double limit) {
   require(CVodeSetStopTime(parts_->solver, limit), "the stop time");
   const int flag = CVode(parts_->solver, t, parts_->y, &parts_->time, CV_NORMAL);
   if (flag < 0) {
-    throw std::runtime_error(fmt::format("CVODE gave up at t = {} (flag {})", parts_->time, flag));
+    throw std::invalid_argument(
+        fmt::format("its equations of friction and motion are too stiff for a solver, which gave "
+                    "up at t = {} s "
+                    "(CVODE's flag {})",
+                    parts_->time, flag));
   }
   return flag == CV_ROOT_RETURN ? Stop::at_event : Stop::at_time;
 }

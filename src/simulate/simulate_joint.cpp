@@ -121,17 +121,20 @@ Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, st
   require_positive(motor_speed, "motor_speeds_rad_s", "rad/s");
   require_positive(e.largest_travel_rad, "largest_travel_rad", "rad");
   require_positive(e.longest_plateau_s, "longest_plateau_s", "s");
-  const double speed = motor_speed / s.gear_ratio;
-  const double plateau = std::min(e.largest_travel_rad, speed * e.longest_plateau_s);
-  const double half_way = plateau / 2 + TravelMotion::ramp_way_rad(speed, e.acceleration_rad_s2);
-  return travel(s,
-                {e.centre_rad - half_way, e.centre_rad + half_way, speed, e.acceleration_rad_s2,
-                 e.both_directions},
-                e.sample_rate_Hz, fmt::format("constant_speed_{:02}.csv", index + 1),
-                Role::constant_speed);
+  return travel(s, run_at(motor_speed, e, s.gear_ratio), e.sample_rate_Hz,
+                fmt::format("constant_speed_{:02}.csv", index + 1), Role::constant_speed);
 }
 
 }  // namespace
+
+TravelMotion::Plan run_at(double motor_speed_rad_s, const ConstantSpeedExperiment& e,
+                          double gear_ratio) {
+  const double speed = motor_speed_rad_s / gear_ratio;
+  const double plateau = std::min(e.largest_travel_rad, speed * e.longest_plateau_s);
+  const double half_way = plateau / 2 + TravelMotion::ramp_way_rad(speed, e.acceleration_rad_s2);
+  return {e.centre_rad - half_way, e.centre_rad + half_way, speed, e.acceleration_rad_s2,
+          e.both_directions};
+}
 
 std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   if (!scenario.presliding) throw std::invalid_argument("the scenario has no friction model");

@@ -10,9 +10,14 @@
 #include <vector>
 
 #include "joint/recording.h"
+#include "simulate/motion.h"
 #include "simulate/scenario.h"
 
 namespace tribolog {
+
+/// The motion of one run at constant speed.
+TravelMotion::Plan run_at(double motor_speed_rad_s, const ConstantSpeedExperiment& experiment,
+                          double gear_ratio);
 
 /// A recording of true signals, as an ideal drive would log it.
 struct IdealRecording {

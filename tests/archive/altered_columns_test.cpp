@@ -100,7 +100,7 @@ class AlteredArchive {
   /// How many rows a statement changes; the database may refuse it.
   [[nodiscard]] std::size_t change(const std::string& statement) const {
     try {
-      return place_.without_rules()->run(statement + " RETURNING 1").size();
+      return place_.without_rules()->run(statement + " RETURNING CAST(1 AS BIGINT)").size();
     } catch (const Error&) {
       return 0;
     }

@@ -235,7 +235,7 @@ TEST_F(PostgresArchive, ADamagedSchemaIsRefused) {
        {"DROP TABLE review", "DROP INDEX document_of_calibration",
         "ALTER TABLE calibration ADD COLUMN wind text", "ALTER TABLE quantity DROP COLUMN words",
         "ALTER TABLE quantity ALTER COLUMN words DROP NOT NULL",
-        "ALTER TABLE quantity ALTER COLUMN words TYPE varchar(9)",
+        "ALTER TABLE quantity ALTER COLUMN words TYPE varchar(99)",
         "ALTER TABLE calibration DROP CONSTRAINT calibration_gear_ratio_check",
         "ALTER TABLE quantity DROP CONSTRAINT quantity_calibration_fkey",
         "CREATE FUNCTION f() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RETURN NULL; END'; "

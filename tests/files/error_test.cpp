@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shown_text.h"
+
 namespace tribolog {
 namespace {
 
@@ -46,6 +48,23 @@ TEST(Printable, EscapesWhatDisturbsATerminal) {
                       "b"),
             R"(a\xe2\x80\xaeb)");  // right-to-left override
   EXPECT_EQ(printable(std::string("a\0b", 3)), R"(a\x00b)");
+}
+
+TEST(Printable, EscapesWhatTurnsOrHidesText) {
+  for (const char* const hidden :
+       {"\u0085", "\u00AD", "\u061C", "\u180E", "\u200B", "\u200F", "\u2028", "\u2029", "\u202A",
+        "\u202E", "\u2066", "\u2069", "\uFEFF", "\uFFF9", "\uFFFE", "\U000E0041", "\x7f"}) {
+    const std::string shown = printable(hidden);
+    EXPECT_EQ(shown.substr(0, 2), "\\x") << shown;
+    EXPECT_EQ(lines_for_terminal(std::string("a\n") + hidden), "a\n" + shown);
+  }
+}
+
+TEST(JsonWithoutHidden, ReadsBackAsTheSame) {
+  EXPECT_EQ(json_without_hidden("{\n  \"a\": \"N·m\"\n}\n"), "{\n  \"a\": \"N·m\"\n}\n");
+  EXPECT_EQ(json_without_hidden("\"\u0085\u202E\x7f\U000E0041\""),
+            "\"\\u0085\\u202e\\u007f\\udb40\\udc41\"");
+  EXPECT_EQ(json_without_hidden("\"\xff\""), "\"\uFFFD\"");
 }
 
 TEST(Printable, EscapesBytesThatAreNotUtf8) {

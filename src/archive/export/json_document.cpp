@@ -5,6 +5,7 @@
 #include "archive/export/comment_lines.h"
 #include "archive/export/friction_table.h"
 #include "archive/export/gear_side.h"
+#include "shown_text.h"
 
 namespace tribolog::archive {
 namespace {
@@ -66,7 +67,7 @@ std::string json_document(const ArchivedJoint& joint) {
                               {"motor", rows_of(curve)},
                               {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog::archive

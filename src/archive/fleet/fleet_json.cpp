@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 namespace tribolog::archive {
 namespace {
 
@@ -54,7 +56,7 @@ std::string fleet_json(const Fleet& fleet) {
                               {"furthest_z", robot.furthest},
                               {"joints", std::move(joints)}});
   }
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog::archive

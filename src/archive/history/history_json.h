@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 #include "stages/estimate.h"
 
 namespace tribolog::history {
@@ -29,7 +31,8 @@ inline OrderedJson json_of(const std::optional<Estimate>& e) {
 
 /// Bytes that are no UTF-8 become the replacement character.
 inline std::string text_of(const OrderedJson& json) {
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return json_without_hidden(json.dump(2, ' ', false, OrderedJson::error_handler_t::replace)) +
+         "\n";
 }
 
 }  // namespace tribolog::history

@@ -48,6 +48,13 @@ std::string server_type(const std::string& sqlite_type) {
   return sqlite_type == "BLOB" ? "bytea" : "text";
 }
 
+/// Names without quotes are in small letters there.
+std::string as_the_server_folds(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; });
+  return name;
+}
+
 std::int64_t count_of(const std::string& text, const std::string& word) {
   std::int64_t count = 0;
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++count;
@@ -71,7 +78,7 @@ Parts expected_on_server(sql::Connection& model) {
     for (const Row& column :
          model.run("SELECT name, type, \"notnull\", pk FROM pragma_table_info($1)", {name})) {
       const bool is_needed = column[2].integer() != 0 || column[3].integer() != 0;
-      parts["column " + name + "." + column[0].text()] =
+      parts["column " + name + "." + as_the_server_folds(column[0].text())] =
           server_type(column[1].text()) + (is_needed ? " NOT NULL" : "");
     }
   }

@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "shown_text.h"
+
+#include "cli/options/shared_options.h"
 #include "files/atomic_file.h"
 #include "files/standard_output.h"
 
@@ -42,7 +45,7 @@ std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
       });
   command
       .add_option("--wait", options->wait_s, "seconds to wait while another process writes to it")
-      ->check(CLI::Range(0.0, longest_s))
+      ->check(number_between(0, longest_s))
       ->capture_default_str();
   return options;
 }
@@ -73,6 +76,6 @@ std::function<Run()> add_archive(CLI::App& app) {
   };
 }
 
-void print_json(const std::string& json) { print(json); }
+void print_json(const std::string& json) { print(json_without_hidden(json)); }
 
 }  // namespace tribolog::cli

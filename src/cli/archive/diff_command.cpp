@@ -75,7 +75,7 @@ Run add_diff(CLI::App& archive) {
   command
       .add_option("--allowed-kelvin", options->allowed.temperature_K,
                   "friction is compared up to this difference of temperature")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_between(0, 1000))
       ->capture_default_str();
   command.add_flag("--different-joints", options->different_joints,
                    "compare two that are not of one joint");

@@ -8,6 +8,7 @@
 #include "archive/export/urdf_joint.h"
 
 #include "cli/archive/archive_commands.h"
+#include "cli/options/shared_options.h"
 #include "files/atomic_file.h"
 #include "files/standard_output.h"
 
@@ -63,7 +64,7 @@ Run add_export(CLI::App& archive) {
       .add_option("--arm-inertia", options->simulator.arm_inertia_kgm2,
                   "mjcf: inertia of all that the joint moves, about its axis (kg·m²), as in the "
                   "model's bodies; what was identified beyond it is the armature")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_between(0, 1e9));
   const auto where = add_archive_options(command);
   command.footer(
       "\nEach file says in its comments what it is of, and the conversions of units and sides.\n"

@@ -74,6 +74,7 @@ Run add_trend(CLI::App& archive) {
   CLI::Option* const count = command
                                  .add_option("--baseline", options->baseline.count,
                                              "the first so many calibrations are only learned from")
+                                 ->check(whole_number())
                                  ->capture_default_str();
   command
       .add_option("--baseline-from", options->baseline.from,

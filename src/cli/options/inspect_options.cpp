@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cli/options/command_options.h"
+#include "cli/options/shared_options.h"
 
 namespace tribolog {
 namespace {
@@ -14,11 +15,11 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
                      "the joint, by its name in the logs; default: the one "
                      "that moves most");
   command.add_option("--gear-ratio", logs.known.gear_ratio, "motor angle / joint angle")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(1e-3, 1e6));
   command
       .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
                   "N·m per ampere, of a motor current")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(1e-6, 1e6));
   command
       .add_option_function<std::string>(
           "--effort-side",
@@ -34,7 +35,7 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command
       .add_option("--header-line", rules.header_line,
                   "line of the columns' names, where others stand in front of it")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(1, 1e9));
   command.add_flag_callback(
       "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
       "names in text logs are in Latin-1, not UTF-8");

@@ -16,7 +16,9 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
                   "simulations behind the intervals to expect; 0: none are made")
       ->check(CLI::Range(std::size_t{0}, most))
       ->capture_default_str();
-  command.add_option("--seed", plan.seed, "seed of their noise")->capture_default_str();
+  command.add_option("--seed", plan.seed, "seed of their noise")
+      ->check(whole_number())
+      ->capture_default_str();
   add_threads(command, plan.threads);
   add_processes(command, plan.processes);
   add_language(command, plan.language);

@@ -1,8 +1,13 @@
 #include "cli/options/shared_options.h"
 
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace tribolog {
 namespace {
@@ -21,6 +26,29 @@ const std::map<std::string, Language>& languages_by_code() {
 
 }  // namespace
 
+CLI::Validator number_between(double lowest, double highest) {
+  return {[lowest, highest](const std::string& text) {
+            char* end = nullptr;
+            const double number = std::strtod(text.c_str(), &end);
+            const bool is_number = !text.empty() && end == text.c_str() + text.size();
+            if (is_number && number >= lowest && number <= highest) return std::string();
+            return fmt::format("{} is not usable, expected a number from {:g} to {:g}", text,
+                               lowest, highest);
+          },
+          fmt::format("[{:g} - {:g}]", lowest, highest)};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t number = 0;
+            const char* const end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, number);
+            if (read.ec == std::errc() && read.ptr == end) return std::string();
+            return text + " is not usable, expected a whole number from 0 to 18446744073709551615";
+          },
+          "WHOLE NUMBER"};
+}
+
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
   command
       .add_option_function<std::string>(
@@ -31,11 +59,14 @@ void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
 }
 
 void add_intervals(CLI::App& command, IntervalSettings& intervals) {
-  command.add_option("--resamples", intervals.resamples,
-                     "resamples of the bootstrap behind the intervals: " +
-                         allowed_resamples_in_words() + "; default: the manifest's, or 1000");
-  command.add_option("--seed", intervals.seed,
-                     "seed of the resamples; default: the manifest's, or 1");
+  command
+      .add_option("--resamples", intervals.resamples,
+                  "resamples of the bootstrap behind the intervals: " +
+                      allowed_resamples_in_words() + "; default: the manifest's, or 1000")
+      ->check(whole_number());
+  command
+      .add_option("--seed", intervals.seed, "seed of the resamples; default: the manifest's, or 1")
+      ->check(whole_number());
 }
 
 void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
@@ -56,7 +87,7 @@ void add_archiving(CLI::App& command, ArchivingOptions& archiving) {
   command
       .add_option("--wait", archiving.wait_s,
                   "seconds to wait while another process writes to the archive")
-      ->check(CLI::Range(0.0, longest_s))
+      ->check(number_between(0, longest_s))
       ->capture_default_str();
 }
 

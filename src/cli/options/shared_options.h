@@ -13,6 +13,11 @@
 
 namespace tribolog {
 
+/// A finite number from lowest to highest: CLI::Range takes "nan".
+CLI::Validator number_between(double lowest, double highest);
+/// Digits alone: "-5" would become a huge number.
+CLI::Validator whole_number();
+
 /// `--fail-on VERDICT`
 void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);
 /// `--resamples`, `--seed`

@@ -1,4 +1,5 @@
 #include "cli/options/command_options.h"
+#include "cli/options/shared_options.h"
 
 namespace tribolog {
 
@@ -7,7 +8,8 @@ CLI::App& add_simulate(CLI::App& app, SimulateOptions& simulate) {
       *app.add_subcommand("simulate", "simulate a joint: recordings, manifest and the truth");
   command.add_option("SCENARIO", simulate.scenario, "scenario file (TOML)")->required();
   command.add_option("-o,--output", simulate.directory, "directory to write to")->required();
-  command.add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's");
+  command.add_option("--seed", simulate.seed, "seed of the noise, instead of the scenario's")
+      ->check(whole_number());
   command.footer(
       "\nWrites one CSV per recording, dataset.toml (for report) and truth.json.\n"
       "examples/paper/scenario.toml shows every key with its unit.");

@@ -19,7 +19,9 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   command.add_option("--runs", study.runs, "runs of each case")
       ->check(CLI::Range(std::size_t{2}, most))
       ->capture_default_str();
-  command.add_option("--seed", study.seed, "seed of all noise")->capture_default_str();
+  command.add_option("--seed", study.seed, "seed of all noise")
+      ->check(whole_number())
+      ->capture_default_str();
   add_threads(command, study.threads);
   command
       .add_option("--resamples", study.resamples,

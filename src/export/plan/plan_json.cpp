@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shown_text.h"
+
 #include "export/plan/plan_table.h"
 
 namespace tribolog {
@@ -94,7 +96,7 @@ std::string plan_json(const ExperimentPlan& plan, const ExpectedIntervals& expec
                   {{"runs", expected.runs},
                    {"seed", expected.seed},
                    {"quantities", list_json(expected.quantities, expectation_json)}}}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace tribolog

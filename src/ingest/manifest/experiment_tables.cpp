@@ -1,5 +1,6 @@
 #include "ingest/manifest/experiment_tables.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 namespace tribolog {
 namespace {
 
+constexpr double shortest_sweep_rad = 1e-6;
 constexpr std::uint64_t most_positions = 99;  // file names have two digits
 constexpr std::uint64_t most_repeats = 49;    // in each of two directions
 
@@ -58,7 +60,7 @@ SweepExperiment read_sweep(const TomlTable& table) {
   e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
   table.refuse_unknown_keys();
   const std::string to_key = angle_key(table, "to", "").first;
-  if (e.from_rad == e.to_rad) {
+  if (std::abs(e.to_rad - e.from_rad) < shortest_sweep_rad) {
     table.refuse(to_key, {"the sweep ends where it starts", fmt::format("{} rad", e.to_rad),
                           "another angle than from", ""});
   }

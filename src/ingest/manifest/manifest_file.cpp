@@ -13,6 +13,7 @@
 #include "ingest/manifest/limit_tables.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/voltage.h"
+#include "ingest/text/clock_field.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 #include "joint/allowed_resamples.h"
@@ -33,12 +34,27 @@ std::string required_name(const TomlTable& table, const std::string& hint) {
   return name;
 }
 
+/// Of digits and marks alone, as a time is written, but none. What has words in it is a remark.
+bool is_impossible_time(const std::string& text) {
+  const bool is_like_a_time = text.size() >= std::string_view("2026-01-31").size() &&
+                              text.find_first_not_of("0123456789-+:.,TtZz ") == std::string::npos;
+  if (!is_like_a_time) return false;
+  for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
+    if (read_iso_time(text + rest)) return false;
+  }
+  return true;
+}
+
 void read_identity(const TomlTable& top, Manifest& manifest) {
   const TomlTable robot = top.table("robot", "[robot] with the robot's name");
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
   manifest.serial = robot.text_or("serial", "");
   manifest.operator_name = robot.text_or("operator", "");
   manifest.measured_on = robot.text_or_date("measured_on", "");
+  if (is_impossible_time(manifest.measured_on)) {
+    robot.refuse("measured_on", {"is no time that there is", in_quotes(manifest.measured_on),
+                                 "2026-01-31, or 2026-01-31T14:05:09+01:00", ""});
+  }
   manifest.note = robot.text_or("note", "");
   manifest.robot_description = read_description_name(robot);
   robot.refuse_unknown_keys();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "error.h"
 #include "files/file_contents.h"
 #include "ingest/closest_match.h"
@@ -11,12 +13,13 @@
 #include "ingest/manifest/friction_tables.h"
 #include "ingest/manifest/key_guard.h"
 #include "ingest/manifest/robot_file.h"
+#include "simulate/simulate_joint.h"
 
 namespace tribolog {
 namespace {
 
 constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
-constexpr double most_samples = 2e7;  ///< Of one recording; a gigabyte of memory.
+constexpr double most_samples = 2e7;  ///< Of all recordings; a gigabyte of memory.
 
 std::string required_name(const TomlTable& table) {
   std::string name = table.text("name");
@@ -44,29 +47,46 @@ void read_joint(const TomlTable& joint, Scenario& scenario) {
 }
 
 /// A misplaced point in a speed or a rate asks for more samples than there is memory for.
-void refuse_endless(const TomlTable& table, double duration_s, double sample_rate_Hz) {
-  const double samples = duration_s * sample_rate_Hz;
-  if (samples <= most_samples) return;
-  throw InputError(table.where(), {"the experiment has too many samples", "",
-                                   "no more than 20 million in one recording",
-                                   "is it too slow, too long, or sampled too fast?"});
+class SampleCount {
+ public:
+  /// @throw InputError at the key that makes an experiment long, or at its rate.
+  void add(const TomlTable& table, const char* long_by, double duration_s, double sample_rate_Hz) {
+    const double samples = duration_s * sample_rate_Hz;
+    samples_ += samples;
+    if (samples_ <= most_samples) return;
+    constexpr double fast_Hz = 1e5;
+    const bool is_fast = sample_rate_Hz > fast_Hz && table.has("sample_rate_Hz");
+    table.refuse(is_fast ? "sample_rate_Hz" : long_by,
+                 {"the experiment has too many samples",
+                  fmt::format("{:.4g} s at {:g} Hz", duration_s, sample_rate_Hz),
+                  "no more than 20 million in all recordings",
+                  "is it too slow, too long, or sampled too fast?"});
+  }
+
+ private:
+  double samples_{};
+};
+
+const char* in_use(const TomlTable& table, const char* in_deg, const char* in_rad) {
+  return table.has(in_deg) ? in_deg : in_rad;
 }
 
 void read_experiments(const TomlTable& top, Scenario& scenario) {
+  SampleCount count;
   const auto sweep = [&](const char* key) -> std::optional<SweepExperiment> {
     const auto table = top.find_table(key);
     if (!table) return std::nullopt;
     const SweepExperiment e = read_sweep(*table);
     const double strokes = e.both_directions ? 2 : 1;
-    refuse_endless(*table, strokes * std::abs(e.to_rad - e.from_rad) / e.speed_rad_s,
-                   e.sample_rate_Hz);
+    count.add(*table, in_use(*table, "speed_deg_s", "speed_rad_s"),
+              strokes * std::abs(e.to_rad - e.from_rad) / e.speed_rad_s, e.sample_rate_Hz);
     return e;
   };
   scenario.rough_sweep = sweep("rough_sweep");
   scenario.precise_sweep = sweep("precise_sweep");
   for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
     for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
-      refuse_endless(table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+      count.add(table, "frequency_Hz", e.cycles / e.frequency_Hz, e.sample_rate_Hz);
       if (scenario.oscillation) {
         scenario.further_oscillations.push_back(e);
       } else {
@@ -76,16 +96,18 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
   }
   if (const auto table = top.find_table("break_away")) {
     const BreakAwayExperiment e = read_break_away(*table);
-    refuse_endless(*table, e.largest_torque_Nm / e.rate_Nm_s, e.sample_rate_Hz);
+    const double ramps = static_cast<double>(e.repeats) * (e.both_directions ? 2 : 1);
+    count.add(*table, "rate_Nm_s", ramps * e.largest_torque_Nm / e.rate_Nm_s, e.sample_rate_Hz);
     scenario.break_away = e;
   }
   if (const auto table = top.find_table("constant_speed")) {
     scenario.constant_speed = read_constant_speed(*table);
     const ConstantSpeedExperiment& e = *scenario.constant_speed;
     for (const double motor_speed : e.motor_speeds_rad_s) {
-      const double speed = motor_speed / scenario.gear_ratio;
-      const double plateau_s = std::min(e.largest_travel_rad / speed, e.longest_plateau_s);
-      refuse_endless(*table, 2 * plateau_s + 8 * speed / e.acceleration_rad_s2, e.sample_rate_Hz);
+      const TravelMotion motion = guarded(*table, "longest_plateau_s", [&] {
+        return TravelMotion(run_at(motor_speed, e, scenario.gear_ratio));
+      });
+      count.add(*table, "longest_plateau_s", motion.duration_s(), e.sample_rate_Hz);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <toml++/toml.h>
 
 #include "ingest/closest_match.h"
+#include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_precheck.h"
 
 namespace tribolog {
@@ -70,19 +71,29 @@ const char* expectation(Sign sign) {
                                       : "a finite number";
 }
 
-/// Nothing where the node is no number or out of range.
-std::optional<double> number_in(const toml::node& node, Sign sign) {
-  double value = 0;
-  if (const auto* whole = node.as_integer()) {
-    value = static_cast<double>(whole->get());
-  } else if (const auto* number = node.as_floating_point()) {
-    value = number->get();
-  } else {
-    return std::nullopt;
-  }
+std::optional<double> any_number_in(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  if (const auto* number = node.as_floating_point()) return number->get();
+  return std::nullopt;
+}
+
+/// What is wrong with a number, for the key's refusal; nothing where it can be used.
+std::optional<InputError::Problem> problem_of(const toml::node& node, Sign sign,
+                                              const std::string& key) {
+  const auto found = any_number_in(node);
+  const double value = found.value_or(0);
   const bool fits = std::isfinite(value) && !(sign == Sign::positive && value <= 0) &&
                     !(sign == Sign::not_negative && value < 0);
-  return fits ? std::optional(value) : std::nullopt;
+  if (!found || !fits) {
+    return InputError::Problem{"not usable", describe(node), expectation(sign), ""};
+  }
+  const KeyRange range = range_of_key(key);
+  if (range.holds(value)) return std::nullopt;
+  return InputError::Problem{"is out of any joint's range", describe(node),
+                             (sign == Sign::positive || range.smallest == 0 ? "" : "0 or ") +
+                                 range.in_words() +
+                                 (sign == Sign::any ? " to either side of 0" : ""),
+                             "is it in another unit?"};
 }
 
 }  // namespace
@@ -160,9 +171,8 @@ std::string TomlTable::text(const std::string& key, const std::string& hint) con
 
 double TomlTable::number(const std::string& key, Sign sign, const std::string& hint) const {
   const toml::node& node = view_->need(*this, key, hint);
-  const auto value = number_in(node, sign);
-  if (!value) refuse(key, {"not usable", describe(node), expectation(sign), ""});
-  return *value;
+  if (const auto problem = problem_of(node, sign, key)) refuse(key, *problem);
+  return *any_number_in(node);
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, Sign sign) const {
@@ -171,13 +181,11 @@ std::vector<double> TomlTable::numbers(const std::string& key, Sign sign) const 
   if (array == nullptr) refuse(key, {"wrong type", describe(node), "an array of numbers", ""});
   std::vector<double> values;
   for (const toml::node& element : *array) {
-    const auto value = number_in(element, sign);
-    if (!value) {
-      throw InputError(location_of(view_->file, element.source()),
-                       {"key " + in_quotes(view_->path + key) + ": not usable", describe(element),
-                        expectation(sign), ""});
+    if (auto problem = problem_of(element, sign, key)) {
+      problem->what = "key " + in_quotes(view_->path + key) + ": " + problem->what;
+      throw InputError(location_of(view_->file, element.source()), *problem);
     }
-    values.push_back(*value);
+    values.push_back(*any_number_in(element));
   }
   return values;
 }
@@ -277,6 +285,13 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
     tables.push_back(view_->below(*table, key));
   }
   return tables;
+}
+
+Location place_in_toml(std::string_view text, const std::string& file, const std::string& table,
+                       const std::string& key) {
+  const TomlTable top = TomlTable::parse(text, file);
+  const auto found = top.one_or_more_tables(table);
+  return found.empty() ? Location{file, 0, 0} : found.front().where(key);
 }
 
 std::vector<TomlTable> TomlTable::one_or_more_tables(const std::string& key) const {

@@ -16,7 +16,7 @@
 
 namespace tribolog {
 
-/// Which numbers a key takes. Finite in every case.
+/// Which numbers a key takes. In every case finite, and in the range of its unit (key_ranges.h).
 enum class Sign { any, not_negative, positive };
 
 class TomlTable {
@@ -71,5 +71,11 @@ class TomlTable {
   explicit TomlTable(std::shared_ptr<View> view) : view_(std::move(view)) {}
   std::shared_ptr<View> view_;
 };
+
+/// For what shows only when a file's numbers are used together: of the key; of the table, where it
+/// has no such key; of the file, where it has no such table.
+/// @param text a whole document. @param file its name.
+Location place_in_toml(std::string_view text, const std::string& file, const std::string& table,
+                       const std::string& key);
 
 }  // namespace tribolog

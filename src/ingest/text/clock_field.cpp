@@ -53,6 +53,7 @@ class Fields {
     return true;
   }
   void need(std::string_view any_of) { good_ = take(any_of) && good_; }
+  void hold_to(bool rule) { good_ = rule && good_; }
   double digits_behind_the_mark() {
     const std::size_t n = digits_at_start(rest_);
     if (n == 0) good_ = false;
@@ -66,15 +67,20 @@ class Fields {
   bool good_{true};
 };
 
-/// Seconds that the offset is ahead of UTC; 0 for "Z" and for none.
+/// Seconds that the offset is ahead of UTC; 0 for "Z" and for none. No place on Earth is further
+/// ahead than 14 hours.
 std::int64_t offset_s(Fields& fields) {
+  constexpr int most_hours = 14;
   if (fields.at_end() || fields.take("Zz")) return 0;
   const std::int64_t sign = fields.next() == '-' ? -1 : 1;
   fields.need("+-");
   const int hours = fields.number(2);
+  fields.hold_to(hours <= most_hours);
   if (fields.at_end()) return sign * hours * 3600;
   fields.take(":");
-  return sign * (hours * 3600 + fields.number(2) * 60);
+  const int minutes = fields.number(2);
+  fields.hold_to(minutes < 60);
+  return sign * (hours * 3600 + minutes * 60);
 }
 
 }  // namespace

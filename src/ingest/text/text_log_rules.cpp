@@ -21,7 +21,11 @@ TextLogRules read_text_log_rules(const TomlTable& log) {
   }
   if (log.has("header_line")) {
     const std::uint64_t line = log.count_or("header_line", 0);
-    if (line < 1) log.refuse("header_line", {"lines count from 1", "0", "", ""});
+    constexpr std::uint64_t last = 1'000'000'000;
+    if (line < 1 || line > last) {
+      log.refuse("header_line", {"not usable", std::to_string(line),
+                                 "a line's number, from 1 to " + std::to_string(last), ""});
+    }
     rules.header_line = static_cast<long>(line);
   }
   rules.skip_bad_rows = log.flag_or("skip_bad_rows", false);

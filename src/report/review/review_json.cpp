@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shown_text.h"
+
 #include "figures/estimator_style.h"
 #include "report/page_texts.h"
 #include "report/review/review_parts.h"
@@ -68,7 +70,7 @@ std::string review_json(const Calibration& c, Language language) {
     translate_texts(all, *catalogue);
     all["says"] = script_texts(*catalogue);
   }
-  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace tribolog::report

@@ -71,6 +71,26 @@ TEST(Manifest, ADateNeedsNoQuotes) {
   EXPECT_THROW((void)measured_on("20261121"), InputError);
 }
 
+TEST(Manifest, ATimeThatThereIsNotIsRefused) {
+  for (const char* const text :
+       {"\"2026-11-21T08:30:05+99:99\"", "\"2026-11-21T08:30:05-15:00\"",
+        "\"2026-11-21T08:30:05+01:60\"", "\"2026-13-45\"", "2026-11-21T08:30:05+23:59"}) {
+    EXPECT_THROW((void)measured_on(text), InputError) << text;
+  }
+  EXPECT_EQ(measured_on("\"2026-11-21T08:30:05+14:00\""), "2026-11-21T08:30:05+14:00");
+  EXPECT_EQ(measured_on("\"2026-11-21, in the morning\""), "2026-11-21, in the morning");
+}
+
+TEST(Manifest, NumbersOutOfEveryJointsRangeAreRefusedAtTheirPlace) {
+  for (const char* const ratio : {"1e-308", "1e-320", "1e308", "9223372036854775807"}) {
+    const std::string said =
+        refusal(with("gear_ratio = 100", std::string("gear_ratio = ") + ratio));
+    EXPECT_NE(said.find("key 'joint.gear_ratio': is out of any joint's range"), std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("m.toml:"), 0U) << said;
+  }
+}
+
 TEST(Manifest, FullOneIsReadWhole) {
   const ManifestFile m = parse_manifest(R"(schema = "tribolog-dataset-1"
 [robot]

@@ -156,9 +156,15 @@ TEST(ScenarioFile, RefusesExperimentsThatCannotBeCarriedOut) {
   EXPECT_NE(refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 9000"))
                 .find("key 'rough_sweep.to_deg': a way of"),
             std::string::npos);
-  EXPECT_EQ(refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 2e-9")),
-            "the experiment has too many samples, expected no more than 20 million in one "
-            "recording; hint: is it too slow, too long, or sampled too fast?");
+  EXPECT_EQ(
+      refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 2e-5")),
+      "key 'rough_sweep.speed_deg_s': the experiment has too many samples, found 1.4e+07 s at "
+      "1000 Hz, expected no more than 20 million in all recordings; hint: is it too slow, too "
+      "long, or sampled too fast?");
+  EXPECT_EQ(
+      refusal_without_line(with("speed_deg_s = 2", "speed_deg_s = 2e-9")),
+      "key 'rough_sweep.speed_deg_s': is out of any joint's range, found 2e-09, expected 1e-06 "
+      "to 1e+08 deg/s; hint: is it in another unit?");
 }
 
 TEST(ScenarioFile, TakesAnAngleInOneUnit) {

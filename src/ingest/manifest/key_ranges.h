@@ -1,0 +1,25 @@
+#pragma once
+// Which numbers a key may have, by the unit at its name's end: the range of all joints that there
+// are, with room, and far inside the range in which numbers can be multiplied without loss. What
+// lies outside is a slip of the unit or of the decimal point.
+
+#include <string>
+#include <string_view>
+
+namespace tribolog {
+
+/// Magnitudes; 0 is allowed beside them where the key takes it at all.
+struct KeyRange {
+  double smallest{};
+  double largest{};
+  std::string unit;  ///< "N·m"; empty: a pure number.
+
+  [[nodiscard]] bool holds(double value) const;
+  /// "1e-09 to 1e+07 N·m"
+  [[nodiscard]] std::string in_words() const;
+};
+
+/// Of "torque_limit_Nm" that of torques; of a name without a unit that of pure numbers.
+KeyRange range_of_key(std::string_view key);
+
+}  // namespace tribolog
