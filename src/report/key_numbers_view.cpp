@@ -139,6 +139,8 @@ class KeyNumbers {
             stage_reference(StageId::break_away) + ", ramps of the torque");
     } else if (level) {
       sides("Break-away torque", *level, n_, torque_scale, from_loop);
+    } else if (!c_.break_away.ramps.empty()) {
+      see_the_verdict("Break-away torque");
     } else {
       missing("Break-away torque", StageId::hysteresis);
     }

@@ -1,6 +1,7 @@
 #include "stages/level_against_ramps.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +21,18 @@ double surely_held(const BreakAwayResult& ramps, bool is_rising) {
   return held;
 }
 
+/// How friction falls with speed is read relative to the level.
+bool rests_on_level(const std::string& name) {
+  return name == "coulomb_Nm" || name == "stribeck_speed_rad_s" ||
+         name == "speed_weakening_Nms2_rad2";
+}
+
+void withdraw(LuGreParameter& parameter, std::string why_not, std::string experiment) {
+  parameter.estimate.reset();
+  parameter.why_not = std::move(why_not);
+  parameter.experiment = std::move(experiment);
+}
+
 }  // namespace
 
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
@@ -31,16 +44,19 @@ LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   const double falling = surely_held(ramps, false);
   const double held = rising > 0 && falling > 0 ? std::min(rising, falling) : 0;
   if (!(level->high < held)) return fit;
+  const std::string contradiction = fmt::format(
+      "the loops flatten at {:.3g} N·m, but ramps of the torque show that the joint holds "
+      "{:.3g} N·m without sliding: the loops creep, and their level is no break-away torque",
+      level->value, held);
   for (LuGreParameter& p : fit.parameters) {
-    if (p.name != "static_Nm") continue;
-    p.estimate.reset();
-    p.why_not = fmt::format(
-        "the loops flatten at {:.3g} N·m, but ramps of the torque show that the joint holds "
-        "{:.3g} N·m without sliding: the loops creep, and their level is no break-away torque",
-        level->value, held);
-    p.experiment = "the ramps themselves show it, where they end in sliding";
-    fit.reason += (fit.reason.empty() ? "" : "; ") + p.why_not;
+    if (p.name == "static_Nm") {
+      withdraw(p, contradiction, "the ramps themselves show it, where they end in sliding");
+    } else if (p.estimate && rests_on_level(p.name)) {
+      withdraw(p, "it was read from the way friction falls from a level that ramps contradict",
+               "runs at constant speed");
+    }
   }
+  fit.reason += (fit.reason.empty() ? "" : "; ") + contradiction;
   return fit;
 }
 

@@ -212,6 +212,48 @@ const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
   throw std::logic_error("no quantity " + key);
 }
 
+/// Of the quantity's break-away torque: the ramps', while the loops' own level is withdrawn, and
+/// nothing of it is left among the intervals.
+void expect_level_by_ramps_alone(const Calibration& c) {
+  ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
+  EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
+  EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
+  ASSERT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
+  for (const TwoIntervals& q : c.intervals.quantities) {
+    for (const auto* e : {&q.closed_form, &q.bootstrap}) {
+      if (!*e) continue;
+      EXPECT_LE((*e)->low, (*e)->high) << q.name;
+      EXPECT_EQ((*e)->method.find('\0'), std::string::npos) << q.name;
+    }
+  }
+  ASSERT_TRUE(c.break_away.mean_Nm && quantity(c, "break_away_torque").estimate);
+  EXPECT_EQ(quantity(c, "break_away_torque").estimate->value, c.break_away.mean_Nm->value);
+}
+
+TEST(RealLog, CiceseRampsContradictTheSinesOfJoint1) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  expect_level_by_ramps_alone(c);
+  // Published: Coulomb +12.44 and -10.94 N·m.
+  EXPECT_NEAR(c.break_away.mean_Nm->value, (12.44 + 10.94) / 2, 1);
+}
+
+TEST(RealLog, CiceseRampsContradictTheSinesOfJoint2) {
+  TRIBOLOG_NEEDS_REAL_LOG("cicese_joint2/sine_j2_1.csv");
+  Dataset dataset;
+  const Calibration c = identify_manifest("cicese_joint2.toml", dataset);
+  expect_level_by_ramps_alone(c);
+  ASSERT_EQ(c.break_away.ramps.size(), 6U);
+  for (const BreakAwayRamp& ramp : c.break_away.ramps) {
+    EXPECT_TRUE(ramp.broke_away) << ramp.recording;
+    EXPECT_NEAR(ramp.friction_Nm, 1.64, 0.22) << ramp.recording;  // 1.43 to 1.82 N·m by hand
+  }
+  // The sines of 0.8 N·m never slide: nothing above them can be read from them.
+  EXPECT_FALSE(c.hysteresis.lugre->shown("coulomb_Nm"));
+  EXPECT_NE(quantity(c, "bristle_stiffness").verdict, Verdict::usable);
+}
+
 TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {

@@ -35,6 +35,27 @@ TEST(LevelAgainstRamps, IsNoStaticTorqueWhereTheJointHoldsMore) {
   EXPECT_FALSE(fit.parameters[0].experiment.empty());
 }
 
+TEST(LevelAgainstRamps, TakesWhatWasReadFromItAlong) {
+  LuGreFit fit = fit_with_level(5.5);
+  for (const char* name : {"bristle_stiffness_Nm_rad", "coulomb_Nm", "stribeck_speed_rad_s"}) {
+    LuGreParameter p = fit.parameters[0];
+    p.name = name;
+    fit.parameters.push_back(p);
+  }
+  LuGreParameter held;
+  held.name = "speed_weakening_Nms2_rad2";
+  held.why_not = "friction is the same at all speeds of the loops";
+  fit.parameters.push_back(held);
+  fit = against_ramps(fit, ramps_that_held(12, 11));
+  EXPECT_TRUE(fit.shown("bristle_stiffness_Nm_rad"))
+      << "the slope behind a reversal needs no level";
+  EXPECT_FALSE(fit.shown("coulomb_Nm"));
+  EXPECT_FALSE(fit.shown("stribeck_speed_rad_s"));
+  for (const LuGreParameter& p : fit.parameters)
+    EXPECT_EQ(p.estimate.has_value(), p.why_not.empty());
+  EXPECT_EQ(fit.parameters.back().why_not, held.why_not);
+}
+
 TEST(LevelAgainstRamps, StaysWhereTheyAgreeOrSayNothing) {
   EXPECT_TRUE(against_ramps(fit_with_level(5.5), ramps_that_held(5.5, 5.4)).shown("static_Nm"));
   EXPECT_TRUE(against_ramps(fit_with_level(5.5), {}).shown("static_Nm"));

@@ -62,9 +62,12 @@ void add_loop_fit(const ChainResults& r, Quantities& out) {
   if (!fit || !fit->converged || !fit->linearised) return;
   const std::vector<LinearisedReading>& readings = fit->linearised->readings;
   for (std::size_t k = 0; k < readings.size(); ++k) {
+    // Ramps may have contradicted since what the fit read from the loops.
+    const std::optional<Estimate> shown = fit->shown(readings[k].name);
+    if (!shown) continue;
     const double value = readings[k].value;
     const bool logarithmic = readings[k].logarithmic;
-    out.add("lugre." + readings[k].name, *fit->shown(readings[k].name), false,
+    out.add("lugre." + readings[k].name, *shown, false,
             [value, logarithmic, k](const ChainDraw& d) {
               return logarithmic ? value * std::exp(d.lugre[k]) : value + d.lugre[k];
             });
