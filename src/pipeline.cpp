@@ -21,18 +21,71 @@ std::optional<KnownGravity> known_gravity(const Calibration& c) {
   return KnownGravity{mass->gravity_Nm, c.q_peak_rad->value};
 }
 
-/// Simulates what was identified and identifies it again, without such a check within the check.
+using StageBegins = std::function<void(const char* stage)>;
+
+/// The stages from the sweeps to the friction parameters: every number that can be held against a
+/// known truth, and what later stages start from. Needs a torque.
+void identify_quantities(const Dataset& dataset, const StageBegins& begin, Calibration& c) {
+  const Manifest& m = dataset.manifest;
+  const double n = m.drive.gear_ratio();
+
+  begin("centre of gravity, rough sweep");
+  c.rough = identify_cog_sweep("cog_rough", dataset.with_role(Role::rough_sweep), n);
+
+  begin("centre of gravity, precise sweep");
+  std::optional<Estimate> amplitude;
+  if (c.rough.found) amplitude = c.rough.gravity_Nm;
+  c.precise = identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n,
+                                 amplitude, c.rough.ripple);
+  for (const CogSweepResult* sweep : {&c.rough, &c.precise}) {
+    if (!sweep->found) continue;
+    if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
+      c.q_peak_rad = sweep->q_peak_rad;
+      c.q_peak_source = sweep->stage.name;
+    }
+  }
+
+  c.run_gravity = identify_run_gravity(dataset.with_role(Role::constant_speed), n);
+  if (!c.q_peak_rad && c.run_gravity.found) {
+    c.q_peak_rad = c.run_gravity.q_peak_rad;
+    c.q_peak_source = "runs";
+  }
+
+  begin("hysteresis loop");
+  c.hysteresis =
+      identify_hysteresis(dataset.with_role(Role::oscillation), c.rough, n, c.q_peak_rad);
+
+  begin("surrogate masses");
+  c.masses =
+      identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n, m.surrogate_distance_m,
+                                m.gravity_m_s2, {&c.run_gravity, m.known_gravity});
+
+  begin("viscous curves");
+  c.viscous = identify_viscous_curves(dataset.with_role(Role::constant_speed), c.rough, c.masses,
+                                      c.q_peak_rad, n, m.known_gravity);
+
+  begin("quality errors");
+  c.quality = identify_quality_errors(c.viscous, m.reference.get());
+
+  begin("selection");
+  c.selection = select_estimator(c.masses, c.quality, c.hysteresis, c.q_peak_rad);
+
+  begin("friction parameters");
+  c.friction = fit_friction_parameters(c.viscous, c.selection);
+}
+
+/// Simulates what was identified and identifies it again: of the simulations the numbers alone, for
+/// nothing else of them is compared.
 TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& calibration,
                                    const IdentifyOptions& options) {
-  const auto plain = [](const Dataset& simulated, std::uint64_t seed) {
-    IdentifyOptions once;
-    once.resamples = 0;
-    once.seed = seed;
-    once.threads = 1;  // the runs are spread over the cores
-    once.truth_runs = 0;
-    return identify(simulated, once);
+  const auto quantities = [](const Dataset& simulated, std::uint64_t /*seed*/) {
+    Calibration c;
+    c.manifest = simulated.manifest;
+    identify_quantities(
+        simulated, [](const char*) {}, c);
+    return c;
   };
-  return check_known_truth(dataset, calibration, plain,
+  return check_known_truth(dataset, calibration, quantities,
                            {options.truth_runs, options.seed, options.threads});
 }
 
@@ -63,50 +116,8 @@ Calibration identify(const Dataset& dataset, const IdentifyOptions& options,
     return c;
   }
 
-  begin("centre of gravity, rough sweep");
-  c.rough = identify_cog_sweep("cog_rough", dataset.with_role(Role::rough_sweep), n);
-
-  begin("centre of gravity, precise sweep");
-  std::optional<Estimate> amplitude;
-  if (c.rough.found) amplitude = c.rough.gravity_Nm;
-  c.precise = identify_cog_sweep("cog_precise", dataset.with_role(Role::precise_sweep), n,
-                                 amplitude, c.rough.ripple);
-  for (const CogSweepResult* sweep : {&c.rough, &c.precise}) {
-    if (!sweep->found) continue;
-    if (!c.q_peak_rad || sweep->q_peak_rad.half_width() < c.q_peak_rad->half_width()) {
-      c.q_peak_rad = sweep->q_peak_rad;
-      c.q_peak_source = sweep->stage.name;
-    }
-  }
-
-  c.run_gravity = identify_run_gravity(dataset.with_role(Role::constant_speed), n);
-  if (!c.q_peak_rad && c.run_gravity.found) {
-    c.q_peak_rad = c.run_gravity.q_peak_rad;
-    c.q_peak_source = "runs";
-  }
+  identify_quantities(dataset, begin, c);
   add_gravity_checks(dataset, c.rough, c.run_gravity, c.q_peak_rad, c.data_checks);
-
-  begin("hysteresis loop");
-  c.hysteresis =
-      identify_hysteresis(dataset.with_role(Role::oscillation), c.rough, n, c.q_peak_rad);
-
-  begin("surrogate masses");
-  c.masses =
-      identify_surrogate_masses(c.rough, c.hysteresis, c.q_peak_rad, n, m.surrogate_distance_m,
-                                m.gravity_m_s2, {&c.run_gravity, m.known_gravity});
-
-  begin("viscous curves");
-  c.viscous = identify_viscous_curves(dataset.with_role(Role::constant_speed), c.rough, c.masses,
-                                      c.q_peak_rad, n, m.known_gravity);
-
-  begin("quality errors");
-  c.quality = identify_quality_errors(c.viscous, m.reference.get());
-
-  begin("selection");
-  c.selection = select_estimator(c.masses, c.quality, c.hysteresis, c.q_peak_rad);
-
-  begin("friction parameters");
-  c.friction = fit_friction_parameters(c.viscous, c.selection);
   if (c.hysteresis.lugre && c.friction.waiboer && c.friction.waiboer->converged) {
     c.hysteresis.lugre = with_experiments(std::move(*c.hysteresis.lugre), n,
                                           c.friction.waiboer->stribeck_speed_rad_s.value);

@@ -44,7 +44,7 @@ struct FiguresOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureStyleChoice style{FigureStyleChoice::report};
   Language language{Language::english};
-  std::size_t truth_runs{20};
+  std::size_t truth_runs{0};  ///< Of the known-truth check, which has a figure of its own.
   int processes{2};
 };
 

@@ -120,13 +120,14 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   }
   const Eigen::VectorXd norms =
       x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });
-  const Eigen::MatrixXd scaled = x * norms.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
+  Eigen::MatrixXd scaled = x * norms.cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(scaled);  // takes its place
   const Eigen::MatrixXd r = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r);
 
   BlockRegression out;
   const Eigen::VectorXd c = qr.solve(y);
+  scaled = x * norms.cwiseInverse().asDiagonal();
   const auto& s = svd.singularValues();
   out.condition = s(columns - 1) > 0 ? s(0) / s(columns - 1) : INFINITY;
   out.coefficients = c.cwiseQuotient(norms);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "stages/median.h"
 #include "stages/student_t.h"
+#include "stages/summits.h"
 
 namespace tribolog {
 namespace {
@@ -39,21 +41,21 @@ double usual_step_rad(const std::vector<double>& q_rad) {
 }
 
 /// Where the joint has moved `need` on from sample i, or the end.
-std::size_t moved_on(const std::vector<double>& travel, std::size_t i, double need) {
-  std::size_t j = i + 1;
-  while (j < travel.size() && travel[j] - travel[i] < need) ++j;
-  return j;
+std::size_t moved_on(const Summits& travel, std::size_t i, double need) {
+  const double here = travel.signal()[i];
+  return travel.first(i + 1, [&](double there) { return there - here >= need; });
 }
 
 /// Travel from break-away at sample `at` to where the joint has slowed down to a third of the speed
 /// by which break-away was told.
-std::optional<double> slip_until_stop(const Recording& r, const std::vector<double>& travel,
-                                      std::size_t at, std::size_t end, double least) {
+std::optional<double> slip_until_stop(const Recording& r, const Summits& summits, std::size_t at,
+                                      std::size_t end, double least) {
+  const std::vector<double>& travel = summits.signal();
   const double need = std::max(least, share_of_travel * travel[at]);
   const double mean_speed = std::max(travel[at], least) / (r.t_s[at] - r.t_s.front());
   const double stopped = yield_at_break_away / 3 * mean_speed;
   for (std::size_t i = at + 1; i < end; ++i) {
-    const std::size_t j = std::min(moved_on(travel, i, need), end);
+    const std::size_t j = std::min(moved_on(summits, i, need), end);
     if (need <= stopped * (r.t_s[j] - r.t_s[i])) return travel[i] - travel[at];
   }
   return std::nullopt;
@@ -69,17 +71,19 @@ BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& g
   const double sign = direction_of(r);
   ramp.is_rising = sign > 0;
   ramp.q_start_rad = r.q_rad.front();
-  std::vector<double> travel(r.size());
+  std::vector<double> way(r.size());
   std::size_t furthest = 0;  // the largest torque in the ramp's direction, where it never slips
   for (std::size_t i = 0; i < r.size(); ++i) {
-    travel[i] = sign * (r.q_rad[i] - r.q_rad.front());
+    way[i] = sign * (r.q_rad[i] - r.q_rad.front());
     if (sign * (r.torque_Nm[i] - r.torque_Nm[furthest]) > 0) furthest = i;
   }
+  const Summits summits(std::move(way));
+  const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r.q_rad);
   std::size_t at = furthest;
   for (std::size_t i = 1; i < furthest; ++i) {
     const double need = std::max(least, share_of_travel * travel[i]);
-    const std::size_t j = moved_on(travel, i, need);
+    const std::size_t j = moved_on(summits, i, need);
     if (j == r.size()) break;
     const double mean_speed = std::max(travel[i], least) / (r.t_s[i] - r.t_s.front());
     if (!(mean_speed > 0)) continue;
@@ -94,7 +98,7 @@ BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& g
   ramp.torque_Nm = r.torque_Nm[at];
   ramp.friction_Nm = sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at]));
   ramp.travel_rad = travel[at];
-  if (ramp.broke_away) ramp.first_slip_rad = slip_until_stop(r, travel, at, furthest, least);
+  if (ramp.broke_away) ramp.first_slip_rad = slip_until_stop(r, summits, at, furthest, least);
   const double duration = r.t_s[at] - r.t_s.front();
   ramp.rate_Nm_s = duration > 0 ? sign * (ramp.torque_Nm - r.torque_Nm.front()) / duration : 0.0;
   ramp.samples_used = at + 1;

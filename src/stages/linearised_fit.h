@@ -25,6 +25,8 @@ struct LinearisedFit {
   Eigen::VectorXd parameters;  ///< p0, the solution; their meaning is the fit's own.
   Eigen::MatrixXd jacobian;    ///< J of the residuals there: one row per sample, one column each.
   Eigen::VectorXd residuals;   ///< r0 = model - measured.
+  /// Neighbouring samples that a row is the mean of.
+  std::size_t samples_in_row{1};
   /// Block of each row, counted from 0, never falling: residuals of one block hang together.
   std::vector<std::size_t> block_of_row;
   /// Errors that residuals do not show: each column, times a normal number of its own, moves the

@@ -51,7 +51,10 @@ double extremum_time(const std::vector<double>& t, const std::vector<double>& y,
 TraceReader::TraceReader(const LoopTrace& trace, double period_s)
     : trace_(trace),
       window_s_(0.01 * period_s),
-      noise_Nm_(white_sd_beside_jumps(third_differences(trace.torque_Nm))) {}
+      noise_Nm_(white_sd_beside_jumps(third_differences(trace.torque_Nm))) {
+  const auto [low, high] = std::minmax_element(trace.torque_Nm.begin(), trace.torque_Nm.end());
+  is_clean_ = noise_Nm_ < 1e-4 * (*high - *low);
+}
 
 std::size_t TraceReader::interval_of(double t_s) const {
   const auto& t = trace_.t_s;
@@ -84,12 +87,10 @@ double TraceReader::smooth_torque(double t_s) const {
 }
 
 TorqueReading TraceReader::torque(double t_s) const {
-  const auto [low, high] = std::minmax_element(trace_.torque_Nm.begin(), trace_.torque_Nm.end());
-  const bool clean = noise_Nm_ < 1e-4 * (*high - *low);
+  if (is_clean_) return {smooth_torque(t_s), 0.0};
   const auto& t = trace_.t_s;
   const auto begin = std::lower_bound(t.begin(), t.end(), t_s - window_s_) - t.begin();
   const auto end = std::upper_bound(t.begin(), t.end(), t_s + window_s_) - t.begin();
-  if (clean) return {smooth_torque(t_s), 0.0};
   if (end - begin < 6) return {interpolate(trace_.torque_Nm, t_s), normal_975 * noise_Nm_};
   Eigen::MatrixXd x(end - begin, 3);
   Eigen::VectorXd y(end - begin);

@@ -31,6 +31,7 @@ class TraceReader {
   const LoopTrace& trace_;
   double window_s_;
   double noise_Nm_;
+  bool is_clean_;  ///< The noise is next to nothing of the torque's range.
 };
 
 /// The six points of the turn that begins at the first upward zero of z at or after `first`, in the

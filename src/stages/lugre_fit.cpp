@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include <Eigen/Dense>
@@ -26,25 +27,84 @@ std::size_t stride_of(const Recording& r, double frequency_Hz) {
   return static_cast<std::size_t>(std::max(1.0, std::floor(per_cycle / thinned_per_cycle)));
 }
 
+using GrainOf = LuGreGrain (*)(const LuGreInput& loop);
+
+/// Of many cycles the first hundred or two.
+LuGreGrain thinned(const LuGreInput& loop) {
+  constexpr std::size_t most_samples = 10'000;
+  return {stride_of(*loop.recording, loop.frequency_Hz()), 1, most_samples};
+}
+
+/// Of long recordings so many samples lead close to where all of them lead.
+LuGreGrain halfway(const LuGreInput& loop) {
+  constexpr std::size_t long_from = 100'000;
+  constexpr std::size_t most_samples = 20'000;
+  const std::size_t size = loop.recording->size();
+  if (size < long_from) return {};
+  return {std::clamp<std::size_t>(size / most_samples, 1, thinned(loop).stride), 1, most_samples};
+}
+
+/// All samples; of a long recording some neighbours together, which hold nothing that their mean
+/// does not. Rows bound the room that the fit takes.
+LuGreGrain all_samples(const LuGreInput& loop) {
+  constexpr std::size_t enough_rows = 100'000;
+  constexpr std::size_t fewest_thinned = 4;  // rows where the thinned problem has one sample
+  const std::size_t together = loop.recording->size() / enough_rows;
+  return {1, std::clamp<std::size_t>(
+                 together, 1, std::max<std::size_t>(1, thinned(loop).stride / fewest_thinned))};
+}
+
 LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                        bool thinned) {
+                        GrainOf grain) {
   std::vector<LuGreLoopModel> models;
   for (const LuGreInput& loop : loops) {
-    const std::size_t stride = thinned ? stride_of(*loop.recording, loop.frequency_Hz()) : 1;
     models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
-                        stride);
+                        grain(loop));
   }
   return LuGreProblem(std::move(models));
 }
 
-/// Half loops of all recordings, counted on, in which residuals of a misfitted loop hang together.
-std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops) {
+std::optional<LuGreProblem> problem_halfway(const std::vector<LuGreInput>& loops, double gear_ratio,
+                                            double q_peak_rad) {
+  const bool is_worth_it = std::any_of(loops.begin(), loops.end(),
+                                       [](const LuGreInput& l) { return halfway(l).stride > 1; });
+  if (!is_worth_it) return std::nullopt;
+  return problem_of(loops, gear_ratio, q_peak_rad, halfway);
+}
+
+/// Half loops of all recordings, counted on, in which residuals of a misfitted loop hang together;
+/// of each row that of its first sample.
+std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
+                                          const LuGreProblem& problem) {
   std::vector<std::size_t> blocks;
-  for (const LuGreInput& loop : loops) {
+  for (std::size_t r = 0; r < loops.size(); ++r) {
     const std::size_t first = blocks.empty() ? 0 : blocks.back() + 1;
-    for (const std::size_t half : loop.half_loops()) blocks.push_back(first + half);
+    const std::vector<std::size_t> halves = loops[r].half_loops();
+    const std::size_t in_row = problem.models()[r].samples_in_row();
+    for (std::size_t i = 0; i < halves.size(); i += in_row) blocks.push_back(first + halves[i]);
   }
   return blocks;
+}
+
+/// At each sample of all recordings.
+Eigen::VectorXd residuals_of(const LuGreClimb& climb, const LuGreProblem& problem) {
+  const std::vector<LuGreLoopModel>& models = problem.models();
+  Eigen::VectorXd residuals(std::accumulate(
+      models.begin(), models.end(), Eigen::Index{0},
+      [](Eigen::Index sum, const LuGreLoopModel& model) { return sum + model.samples(); }));
+  Eigen::Index row = 0;
+  Eigen::Index sample = 0;
+  for (std::size_t r = 0; r < models.size(); ++r) {
+    auto part = residuals.segment(sample, models[r].samples());
+    if (models[r].samples_in_row() == 1) {
+      part = climb.linear.fit.residuals.segment(row, models[r].rows());
+    } else {
+      part = models[r].residuals(climb.point.shared, climb.point.locals[r]);
+    }
+    row += models[r].rows();
+    sample += models[r].samples();
+  }
+  return residuals;
 }
 
 void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
@@ -80,7 +140,10 @@ void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const
 /// Gravity of each recording, and the fit's bristle in it.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
                     const LuGreClimb& climb, double gear_ratio, LuGreFit& fit) {
-  const Eigen::VectorXd& residuals = climb.linear.fit.residuals;
+  const Eigen::VectorXd residuals = residuals_of(climb, problem);
+  const Eigen::Index freedom = residuals.size() - climb.linear.r_factor.cols();
+  fit.residual_Nm =
+      std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
   Eigen::Index top = 0;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
     const Recording& recording = *inputs[r].recording;
@@ -132,9 +195,10 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
 
 /// All that resampling needs.
 LinearisedFit linearised(const LuGreClimb& climb, std::vector<LinearisedReading> shown,
-                         std::size_t recordings) {
+                         std::size_t recordings, std::size_t samples_in_row) {
   LinearisedFit out = climb.linear.fit;
   out.readings = std::move(shown);
+  out.samples_in_row = samples_in_row;
   for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
     out.gravity_columns.push_back(LuGreProblem::gravity_column(climb.free, r));
   }
@@ -179,6 +243,16 @@ std::string what_is_not_shown(const LuGreFit& fit) {
   }
 }
 
+/// Says where neighbouring samples were taken together.
+void add_grain(const LuGreProblem& problem, LuGreFit& fit) {
+  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+    const std::size_t together = problem.models()[r].samples_in_row();
+    if (together == 1) continue;
+    fit.reason += fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
+                              fit.reason.empty() ? "" : "; ", fit.loops[r].recording, together);
+  }
+}
+
 /// Of the loop that noise explains worst, in words; empty where it explains all of them.
 std::string worst_misfit(const LuGreFit& fit) {
   const LuGreLoop* worst = nullptr;
@@ -213,14 +287,16 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
                    const Ripple& ripple) {
   if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
   LuGreFit fit;
-  const LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, false);
+  const LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
   describe_excitation(loops, problem, fit);
   if (!(fit.height_Nm > 0)) {
     fit.reason = "the torque is the same all over the loop: there is no friction in it to fit";
     return fit;
   }
-  const LuGreProblem thinned = problem_of(loops, gear_ratio, q_peak_rad, true);
-  LuGreClimb climb = climb_lugre_ladder(problem, thinned, half_loop_blocks(loops));
+  const LuGreProblem coarse = problem_of(loops, gear_ratio, q_peak_rad, thinned);
+  const std::optional<LuGreProblem> between = problem_halfway(loops, gear_ratio, q_peak_rad);
+  LuGreClimb climb = climb_lugre_ladder({coarse, between ? &*between : nullptr, problem},
+                                        half_loop_blocks(loops, problem));
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
@@ -231,8 +307,6 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
   by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
   climb.around.covariance += by_motion * by_motion.transpose();
-  const auto freedom = static_cast<double>(problem.samples() - climb.linear.r_factor.cols());
-  fit.residual_Nm = std::sqrt(climb.linear.fit.residuals.squaredNorm() / std::max(1.0, freedom));
   const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
   LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);
   fit.parameters = std::move(readings.parameters);
@@ -253,10 +327,11 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
         "extrapolated: a larger amplitude would show it",
         100 * fit.motor_amplitude_rad * stiffness->value / level->value);
   }
+  add_grain(problem, fit);
   const std::string misfit = worst_misfit(fit);
   if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
-  fit.linearised =
-      std::make_shared<LinearisedFit>(linearised(climb, std::move(readings.shown), loops.size()));
+  fit.linearised = std::make_shared<LinearisedFit>(linearised(
+      climb, std::move(readings.shown), loops.size(), problem.models().front().samples_in_row()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);
 }
 

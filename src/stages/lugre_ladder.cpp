@@ -37,10 +37,12 @@ std::vector<Shared::Index> without(std::vector<Shared::Index> some, Shared::Inde
 
 class Climber {
  public:
-  Climber(const LuGreProblem& problem, const LuGreProblem& thinned,
-          const std::vector<std::size_t>& blocks)
-      : problem_(problem), thinned_(thinned), blocks_(blocks) {
-    for (const LuGreLoopModel& model : problem.models()) {
+  Climber(const LuGreProblems& problems, const std::vector<std::size_t>& blocks)
+      : problem_(problems.whole),
+        halfway_(problems.halfway),
+        thinned_(problems.thinned),
+        blocks_(blocks) {
+    for (const LuGreLoopModel& model : problem_.models()) {
       height_ = std::max(height_, model.height_Nm());
       amplitude_ = std::max(amplitude_, model.motor_amplitude_rad());
       peak_speed_ = std::max(peak_speed_, model.peak_speed_rad_s());
@@ -124,7 +126,16 @@ class Climber {
     out.rung = rung;
     out.free = free;
     out.height_Nm = height_;
-    const LuGreProblem::Solution s = problem_.solve(free, guess);
+    LuGrePoint start = guess;
+    LeastSquaresLimits limits;
+    if (halfway_ != nullptr) {
+      const LuGreProblem::Solution nearby = halfway_->solve(free, guess);
+      evaluations_ += nearby.evaluations;
+      if (!nearby.converged) return out;  // all samples would not lead anywhere either
+      start = nearby.point;
+      limits.evaluations = 15;  // what shows is a few steps away; what does not, wanders
+    }
+    const LuGreProblem::Solution s = problem_.solve(free, start, limits);
     evaluations_ += s.evaluations;
     out.point = s.point;
     out.converged = s.converged;
@@ -210,6 +221,7 @@ class Climber {
   }
 
   const LuGreProblem& problem_;
+  const LuGreProblem* halfway_;
   const LuGreProblem& thinned_;
   const std::vector<std::size_t>& blocks_;
   double height_{0}, amplitude_{0}, peak_speed_{0};
@@ -248,9 +260,9 @@ bool LuGreClimb::stands(Shared::Index parameter, double widest) const {
   return s.relative < widest && s.effect_Nm > smallest_effect * height_Nm;
 }
 
-LuGreClimb climb_lugre_ladder(const LuGreProblem& problem, const LuGreProblem& thinned,
+LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
                               const std::vector<std::size_t>& block_of_row) {
-  return Climber(problem, thinned, block_of_row).climb();
+  return Climber(problems, block_of_row).climb();
 }
 
 }  // namespace tribolog

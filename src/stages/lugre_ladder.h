@@ -67,10 +67,15 @@ inline constexpr double held_share = 0.6;
 /// Ts is held at this many heights of the loop where it does not bend.
 inline constexpr double elastic_heights = 1e3;
 
-/// @param problem all samples.
-/// @param thinned the same recordings, a few hundred samples each: first guesses are tried on it.
-/// @param block_of_row of the samples of `problem`.
-LuGreClimb climb_lugre_ladder(const LuGreProblem& problem, const LuGreProblem& thinned,
+/// The same recordings, coarse to fine.
+struct LuGreProblems {
+  const LuGreProblem& thinned;           ///< A few hundred samples each, to try first guesses on.
+  const LuGreProblem* halfway{nullptr};  ///< Of long recordings: where the last fit starts from.
+  const LuGreProblem& whole;             ///< All samples.
+};
+
+/// @param block_of_row of the rows of the whole problem.
+LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
                               const std::vector<std::size_t>& block_of_row);
 
 }  // namespace tribolog

@@ -60,10 +60,11 @@ Deflection deflection_of(const Shared::Vector& p) {
 }  // namespace
 
 LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
-                               double gear_ratio, double q_peak_rad, std::size_t stride)
-    : motion_(std::move(motion)) {
+                               double gear_ratio, double q_peak_rad, const LuGreGrain& grain)
+    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
   std::vector<double> t;
-  for (std::size_t i = 0; i < recording.size(); i += stride) {
+  for (std::size_t i = 0; i < recording.size() && t.size() < grain.most_samples;
+       i += grain.stride) {
     const double time = recording.t_s[i] - recording.t_s.front();
     t.push_back(time);
     measured_Nm_.push_back(recording.torque_Nm[i]);
@@ -143,11 +144,13 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   const double s1 = p(Shared::damping);
   const double s2 = p(Shared::viscous);
   const double inertia = p(Shared::inertia);
+  const auto in_row = static_cast<Eigen::Index>(samples_in_row_);
   run<Dual<N>>(deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
-               [&](Eigen::Index row, const Dual<N>& z, const Dual<N>& dz) {
-                 const auto i = static_cast<std::size_t>(row);
-                 residuals(row) = local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
-                                  s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
+               [&](Eigen::Index sample, const Dual<N>& z, const Dual<N>& dz) {
+                 const auto i = static_cast<std::size_t>(sample);
+                 const Eigen::Index row = sample / in_row;
+                 residuals(row) += local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
+                                   s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
                  const auto by = [&](int k) {
                    const auto at = static_cast<std::size_t>(k);
                    return s0 * z.by[at] + s1 * dz.by[at];
@@ -155,31 +158,48 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
                  const auto shared = [&](Shared::Index k) -> double& {
                    return derivatives(row, local_count + k);
                  };
-                 derivatives(row, 0) = cosine_[i];
-                 derivatives(row, 1) = by(by_start);
-                 shared(Shared::log_stiffness) = s0 * z.value - by(by_log_rest);
-                 shared(Shared::log_static) = by(by_log_rest);
+                 derivatives(row, 0) += cosine_[i];
+                 derivatives(row, 1) += by(by_start);
+                 shared(Shared::log_stiffness) += s0 * z.value - by(by_log_rest);
+                 shared(Shared::log_static) += by(by_log_rest);
                  if constexpr (N == at_any_speed) {
-                   shared(Shared::log_share) = by(by_log_share);
-                   shared(Shared::fall) = by(by_fall);
-                 } else {
-                   shared(Shared::log_share) = shared(Shared::fall) = 0;
+                   shared(Shared::log_share) += by(by_log_share);
+                   shared(Shared::fall) += by(by_fall);
                  }
-                 shared(Shared::damping) = dz.value;
-                 shared(Shared::viscous) = speed_[i];
-                 shared(Shared::inertia) = acceleration_[i];
+                 shared(Shared::damping) += dz.value;
+                 shared(Shared::viscous) += speed_[i];
+                 shared(Shared::inertia) += acceleration_[i];
                });
+  if (in_row == 1) return;
+  for (Eigen::Index row = 0; row < residuals.size(); ++row) {
+    const auto count = static_cast<double>(std::min(in_row, samples() - row * in_row));
+    residuals(row) /= count;
+    derivatives.row(row) /= count;
+  }
 }
 
 void LuGreLoopModel::evaluate(const Shared::Vector& shared, const LuGreLocal& local, bool bends,
                               Eigen::VectorXd& residuals, Rows& derivatives) const {
-  residuals.resize(samples());
-  derivatives.resize(samples(), columns);
+  residuals.setZero(rows());
+  derivatives.setZero(rows(), columns);
   if (bends) {
     evaluate_with<at_any_speed>(shared, local, residuals, derivatives);
   } else {
     evaluate_with<at_micro_speed>(shared, local, residuals, derivatives);
   }
+}
+
+Eigen::VectorXd LuGreLoopModel::residuals(const Shared::Vector& p, const LuGreLocal& local) const {
+  Eigen::VectorXd out(samples());
+  run<double>(deflection_of<PlainDeflection>(p), local.start_rad,
+              [&](Eigen::Index sample, double z, double dz) {
+                const auto i = static_cast<std::size_t>(sample);
+                out(sample) = local.gravity_Nm * cosine_[i] +
+                              std::exp(p(Shared::log_stiffness)) * z + p(Shared::damping) * dz +
+                              p(Shared::viscous) * speed_[i] +
+                              p(Shared::inertia) * acceleration_[i] - measured_Nm_[i];
+              });
+  return out;
 }
 
 void LuGreLoopModel::bristle(const Shared::Vector& shared, double start_rad,

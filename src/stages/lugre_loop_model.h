@@ -12,6 +12,8 @@
 // At speeds far below ws only b (1 - c) shows, the curvature of g; b = 0 is the level of
 // micro-speed, and a derivative by b is to be had there too.
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -35,6 +37,13 @@ struct LuGreLocal {
   double start_rad{};   ///< z at the first sample.
 };
 
+/// How finely a recording is compared with the model.
+struct LuGreGrain {
+  std::size_t stride{1};          ///< Every so many samples; the others are passed over.
+  std::size_t samples_in_row{1};  ///< Neighbours that are compared as their mean, of the model too.
+  std::size_t most_samples{std::numeric_limits<std::size_t>::max()};  ///< From the first on.
+};
+
 class LuGreLoopModel {
  public:
   /// Columns of the derivatives: G, start, then the shared ones in their order.
@@ -43,18 +52,27 @@ class LuGreLoopModel {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, columns>;
 
   /// @param motion of the motor shaft, by the time since the recording's first sample.
-  /// @param stride every stride-th sample is compared; the others are passed over.
+  /// @param grain how the samples are compared.
   LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
-                 double gear_ratio, double q_peak_rad, std::size_t stride = 1);
+                 double gear_ratio, double q_peak_rad, const LuGreGrain& grain = {});
 
   [[nodiscard]] Eigen::Index samples() const {
     return static_cast<Eigen::Index>(measured_Nm_.size());
   }
-  /// Residuals T_model - T_measured, and their derivatives, one row per sample.
+  /// One for each of the samples, or for so many of them together.
+  [[nodiscard]] Eigen::Index rows() const {
+    const auto in_row = static_cast<Eigen::Index>(samples_in_row_);
+    return (samples() + in_row - 1) / in_row;
+  }
+  [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
+  /// Residuals T_model - T_measured, and their derivatives.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
   /// level of micro-speed is integrated at half the work.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
+  /// Residuals at each of the samples.
+  [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
+                                          const LuGreLocal& local) const;
   /// z and dz/dt of the model at the samples.
   void bristle(const LuGreShared::Vector& shared, double start_rad, std::vector<double>& z_rad,
                std::vector<double>& dz_rad_s) const;
@@ -81,6 +99,7 @@ class LuGreLoopModel {
                      Eigen::VectorXd& residuals, Rows& derivatives) const;
 
   std::shared_ptr<const Motion> motion_;
+  std::size_t samples_in_row_;
   std::vector<Piece> pieces_;
   std::vector<double> distance_rad_;  // of each piece
   std::vector<double> measured_Nm_;

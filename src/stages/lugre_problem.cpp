@@ -118,9 +118,9 @@ Eigen::Index LuGreProblem::gravity_column(const LuGreFreedom& free, std::size_t 
   return Layout(free, 0).first_of(recording);
 }
 
-Eigen::Index LuGreProblem::samples() const {
+Eigen::Index LuGreProblem::rows() const {
   Eigen::Index n = 0;
-  for (const LuGreLoopModel& model : models_) n += model.samples();
+  for (const LuGreLoopModel& model : models_) n += model.rows();
   return n;
 }
 
@@ -153,21 +153,21 @@ LuGreProblem::Linearisation LuGreProblem::linearise(
   Linearisation out;
   out.fit.parameters = layout.vector_of(at);
   out.fit.block_of_row = block_of_row;
-  out.fit.residuals.resize(samples());
-  out.fit.jacobian.setZero(samples(), layout.size());
+  out.fit.residuals.resize(rows());
+  out.fit.jacobian.setZero(rows(), layout.size());
   Eigen::VectorXd residuals;
   LuGreLoopModel::Rows derivatives;
   Eigen::Index top = 0;
   for (std::size_t r = 0; r < models_.size(); ++r) {
     models_[r].evaluate(at.shared, at.locals[r], layout.bends(at), residuals, derivatives);
-    const Eigen::Index rows = residuals.size();
-    out.fit.residuals.segment(top, rows) = residuals;
+    const Eigen::Index count = residuals.size();
+    out.fit.residuals.segment(top, count) = residuals;
     for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(columns.size()); ++k) {
       const Eigen::Index column = k < layout.local() ? layout.first_of(r) + k : k - layout.local();
-      out.fit.jacobian.col(column).segment(top, rows) =
+      out.fit.jacobian.col(column).segment(top, count) =
           derivatives.col(columns[static_cast<std::size_t>(k)]);
     }
-    top += rows;
+    top += count;
   }
   Reduced reduced;
   reduce(models_, layout, at, reduced);

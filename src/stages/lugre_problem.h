@@ -52,14 +52,15 @@ class LuGreProblem {
     LinearisedFit fit;
     Eigen::MatrixXd r_factor;  ///< Triangular factor of the Jacobian.
   };
-  /// @param block_of_row of all recordings' samples, one recording after the other.
+  /// @param block_of_row of all recordings' rows, one recording after the other.
   [[nodiscard]] Linearisation linearise(const LuGreFreedom& free, const LuGrePoint& at,
                                         const std::vector<std::size_t>& block_of_row) const;
   /// Column of a recording's G.
   [[nodiscard]] static Eigen::Index gravity_column(const LuGreFreedom& free, std::size_t recording);
 
   [[nodiscard]] const std::vector<LuGreLoopModel>& models() const { return models_; }
-  [[nodiscard]] Eigen::Index samples() const;
+  /// Of all recordings' residuals.
+  [[nodiscard]] Eigen::Index rows() const;
 
  private:
   std::vector<LuGreLoopModel> models_;

@@ -5,6 +5,9 @@
 // at another phase, or other white noise), traced anew, and the fit takes one step from its
 // solution. Steps of several such recordings show the error that no scatter of the torque shows:
 // motion that is smoothed too much at every turn is wrong in the same way in all half loops.
+//
+// Of long recordings a part shows it: the shift by the noise of the part, over the root of how many
+// parts there are. The deflection at the start, which the first strokes alone tell, keeps its own.
 
 #include <vector>
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -74,15 +76,13 @@ class Smoother {
     for (std::size_t k = 0; k + 1 < h_.size(); ++k) {
       bend_.push_back((y_[k + 2] - y_[k + 1]) / h_[k + 1] - (y_[k + 1] - y_[k]) / h_[k]);
     }
-    double mean = 0;
-    for (const double e : p.error) mean += e / static_cast<double>(p.error.size());
-    for (const double e : p.error) variance_.push_back(e * e / (mean * mean));
+    for (const double e : p.error) mean_error_ += e / static_cast<double>(p.error.size());
+    for (const double e : p.error) variance_.push_back(e * e / (mean_error_ * mean_error_));
   }
 
   /// Solves (R + weight Q'VQ) curvature = Q'y, V the errors' squares, and leaves the residuals
   /// weight V Q curvature.
-  /// @return the score of generalised cross-validation.
-  double solve_with(double weight) {
+  void solve_with(double weight) {
     const std::size_t m = bend_.size();
     Band a(m);
     for (std::size_t k = 0; k < m; ++k) {
@@ -108,13 +108,21 @@ class Smoother {
       if (k + 2 < m) left_ += 2 * inverse.second[k] * product(k, k + 2);
     }
     left_ *= weight;
-    double squares = 0;
+    squares_ = 0;
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      squares += residuals_[i] * residuals_[i] / variance_[i];
+      squares_ += residuals_[i] * residuals_[i] / variance_[i];
     }
-    return squares / (left_ * left_);
   }
 
+  /// Of the residuals in mean errors.
+  [[nodiscard]] double squares() const { return squares_; }
+  /// Trace of 1 less the smoother.
+  [[nodiscard]] double left() const { return left_; }
+  [[nodiscard]] double mean_error() const { return mean_error_; }
+  /// What one unit of the weight is, in the points' own units.
+  [[nodiscard]] double unit_of_weight() const {
+    return unit_ * unit_ * unit_ / (mean_error_ * mean_error_);
+  }
   [[nodiscard]] double freedom() const { return static_cast<double>(y_.size()) - left_; }
   [[nodiscard]] std::vector<double> values() const {
     std::vector<double> out = y_;
@@ -148,8 +156,10 @@ class Smoother {
 
   std::vector<double> y_;
   double unit_;
+  double mean_error_{};
   std::vector<double> h_, bend_, variance_, curvature_, residuals_;
-  double left_{};  // trace of 1 less the smoother
+  double squares_{};
+  double left_{};
 };
 
 /// Powers of ten between which the weight is looked for: next to nothing is smoothed, all but a
@@ -158,9 +168,41 @@ constexpr int lowest_power = -4;
 constexpr int highest_power = 16;
 constexpr double resolution = 0.05;  // of the power
 
+/// From so many points on the weight is found on some stretches of the curve, spread over it and
+/// as many points together: they tell it as well as all of them.
+constexpr std::size_t most_points_to_weigh = 50'000;
+constexpr std::size_t stretches_to_weigh = 10;
+
+std::vector<Smoother> stretches_of(const CurvePoints& p) {
+  std::vector<Smoother> stretches;
+  constexpr std::size_t size = most_points_to_weigh / stretches_to_weigh;
+  for (std::size_t k = 0; k < stretches_to_weigh; ++k) {
+    const auto first =
+        static_cast<std::ptrdiff_t>((p.t.size() - size) * k / (stretches_to_weigh - 1));
+    const auto cut = [&](const std::vector<double>& v) {
+      return std::vector<double>(v.begin() + first, v.begin() + first + size);
+    };
+    stretches.emplace_back(CurvePoints{cut(p.t), cut(p.y), cut(p.error)});
+  }
+  return stretches;
+}
+
+/// The score of generalised cross-validation over all parts.
+/// @param weight in units of the whole.
+double score_of(std::span<Smoother> parts, const Smoother& whole, double weight) {
+  double squares = 0;
+  double left = 0;
+  for (Smoother& part : parts) {
+    part.solve_with(weight * (whole.unit_of_weight() / part.unit_of_weight()));
+    squares += part.squares() * std::pow(whole.mean_error() / part.mean_error(), 2);
+    left += part.left();
+  }
+  return squares / (left * left);
+}
+
 /// The score may have several valleys: the deepest on a grid, then down into it.
-void choose_weight(Smoother& smoother) {
-  const auto score = [&](double power) { return smoother.solve_with(std::pow(10, power)); };
+double best_weight(std::span<Smoother> parts, const Smoother& whole) {
+  const auto score = [&](double power) { return score_of(parts, whole, std::pow(10, power)); };
   double best = lowest_power;
   double least = score(best);
   for (int power = lowest_power + 1; power <= highest_power; ++power) {
@@ -179,7 +221,7 @@ void choose_weight(Smoother& smoother) {
       }
     }
   }
-  score(best);
+  return std::pow(10, best);
 }
 
 void require_points(const CurvePoints& p) {
@@ -207,7 +249,12 @@ void require_points(const CurvePoints& p) {
 SmoothingSpline::SmoothingSpline(const CurvePoints& points) : t_(points.t) {
   require_points(points);
   Smoother smoother(points);
-  choose_weight(smoother);
+  if (points.t.size() <= most_points_to_weigh) {
+    smoother.solve_with(best_weight({&smoother, 1}, smoother));
+  } else {
+    std::vector<Smoother> stretches = stretches_of(points);
+    smoother.solve_with(best_weight(stretches, smoother));
+  }
   freedom_ = smoother.freedom();
   value_ = smoother.values();
   curvature_ = smoother.curvatures();

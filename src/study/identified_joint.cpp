@@ -235,6 +235,31 @@ std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
   return kept;
 }
 
+/// Of a recording so long that repeating it would take longer than the identification itself, what
+/// tells as much: an oscillation's first cycles, of any other every so many samples.
+Recording shortened(const Recording& r) {
+  constexpr std::size_t long_from = 200'000;
+  constexpr std::size_t enough = 50'000;
+  if (r.size() < long_from) return r;
+  const std::size_t stride = r.role == Role::oscillation ? 1 : r.size() / enough;
+  const auto picked = [&](const std::vector<double>& whole) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < whole.size() && out.size() < enough; i += stride) {
+      out.push_back(whole[i]);
+    }
+    return out;
+  };
+  Recording out;
+  out.name = r.name;
+  out.role = r.role;
+  out.t_s = picked(r.t_s);
+  out.q_rad = picked(r.q_rad);
+  out.dq_rad_s = picked(r.dq_rad_s);
+  out.torque_Nm = picked(r.torque_Nm);
+  out.temperature_C = picked(r.temperature_C);
+  return out;
+}
+
 }  // namespace
 
 IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
@@ -248,7 +273,8 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
   const double gravity = mass->gravity_Nm.value;
   const Maker maker(c, gravity);
   for (const Recording& recorded : dataset.recordings) {
-    Recording r = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
+    const Recording whole = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
+    Recording r = shortened(whole);
     std::string why_not;
     std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
     if (torque.empty()) {
@@ -256,12 +282,17 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
           fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
       continue;
     }
-    const double step = common_step(r.torque_Nm);
+    const double step = common_step(whole.torque_Nm);
     // A rounded number is uniform within its step: that part comes back with the rounding.
     const double rounding = step / std::sqrt(12.0);
-    const double white = white_torque_Nm(r.torque_Nm);
+    const double white = white_torque_Nm(whole.torque_Nm);
     out.white_Nm.push_back(std::sqrt(std::max(0.0, white * white - rounding * rounding)));
     out.torque_step_Nm.push_back(step);
+    if (r.size() < whole.size()) {
+      out.left_out.push_back(
+          fmt::format("{}: {} of its {} samples are simulated, {}", r.name, r.size(), whole.size(),
+                      r.role == Role::oscillation ? "from the first on" : "evenly spread"));
+    }
     r.torque_Nm = std::move(torque);
     r.z_rad.clear();
     r.dz_rad_s.clear();

@@ -19,7 +19,8 @@ namespace tribolog {
 
 struct IdentifiedJoint;
 
-/// Identifies a dataset without a known-truth check of its own.
+/// Identifies a dataset without a known-truth check of its own. Its numbers, readings_of it, are
+/// all that is compared: what else a calibration holds may be left out.
 using PlainIdentification = std::function<Calibration(const Dataset&, std::uint64_t seed)>;
 
 struct TruthCheckOptions {

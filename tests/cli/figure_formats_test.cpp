@@ -20,7 +20,7 @@ std::set<std::string> names_in(const std::string& directory) {
 
 TEST(FigureFormats, AreFilesBesideEachOther) {
   const SmallDataset dataset;
-  const ProgramRun run = dataset.run("figures --truth-runs 0 --format pdf,png,svg", "figures");
+  const ProgramRun run = dataset.run("figures --format pdf,png,svg", "figures");
   ASSERT_EQ(run.status, 0) << run.err;
   const std::set<std::string> names = names_in(dataset.file("figures"));
   for (const char* ending : {".png", ".svg", ".pdf"}) {
@@ -36,17 +36,27 @@ TEST(FigureFormats, AreFilesBesideEachOther) {
 
 TEST(FigureFormats, ArePngUnlessAskedFor) {
   const SmallDataset dataset;
-  ASSERT_EQ(dataset.run("figures --truth-runs 0", "figures").status, 0);
+  ASSERT_EQ(dataset.run("figures", "figures").status, 0);
   for (const std::string& name : names_in(dataset.file("figures"))) {
     EXPECT_NE(name.find(".png"), std::string::npos) << name;
   }
 }
 
+TEST(FigureFormats, KnownTruthIsAmongThemWhereItIsAskedFor) {
+  const SmallDataset dataset;
+  ASSERT_EQ(dataset.run("figures --format svg", "plain").status, 0);
+  ASSERT_EQ(dataset.run("figures --format svg --truth-runs 2", "checked").status, 0);
+  std::set<std::string> plain = names_in(dataset.file("plain"));
+  EXPECT_EQ(plain.count("fig-known-truth.svg"), 0U) << "no picture pays for the check";
+  plain.insert("fig-known-truth.svg");
+  EXPECT_EQ(names_in(dataset.file("checked")), plain);
+}
+
 TEST(FigureFormats, ChartsAsVectorsNeedNoGraphicsStack) {
   const SmallDataset dataset;
-  const std::string without = "TRIBOLOG_TEST_CRASH_FIGURE=warm-up " + program +
-                              "figures --truth-runs 0 '" + dataset.file("dataset.toml") + "' -o '" +
-                              dataset.file("figures") + "' --format ";
+  const std::string without = "TRIBOLOG_TEST_CRASH_FIGURE=warm-up " + program + "figures '" +
+                              dataset.file("dataset.toml") + "' -o '" + dataset.file("figures") +
+                              "' --format ";
   EXPECT_EQ(run_shell(without + "svg,pdf").status, 0);
   EXPECT_FALSE(names_in(dataset.file("figures")).empty());
   const ProgramRun run = run_shell(without + "svg,png");
@@ -56,8 +66,8 @@ TEST(FigureFormats, ChartsAsVectorsNeedNoGraphicsStack) {
 
 TEST(FigureFormats, OfThePaperAreAColumnWide) {
   const SmallDataset dataset;
-  ASSERT_EQ(dataset.run("figures --truth-runs 0 --format svg --style paper", "paper").status, 0);
-  ASSERT_EQ(dataset.run("figures --truth-runs 0 --format svg --style report", "report").status, 0);
+  ASSERT_EQ(dataset.run("figures --format svg --style paper", "paper").status, 0);
+  ASSERT_EQ(dataset.run("figures --format svg --style report", "report").status, 0);
   const std::string title = ">Rough sweep: driving torque against angle</text>";
   const std::string paper = read_text(dataset.file("paper/fig-13-rough-torque.svg"));
   const bool one_column = paper.find("width=\"84mm\"") != std::string::npos;

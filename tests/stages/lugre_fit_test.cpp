@@ -53,6 +53,27 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
   EXPECT_LT(worst, 0.005 * largest);
 }
 
+TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
+  Scenario s = test::noisy_paper_joint(3);
+  s.oscillation->sample_rate_Hz = 50'000;  // 500,000 samples
+  const LuGreFit f = test::fit_loops(s);
+  ASSERT_TRUE(f.converged) << f.reason;
+  EXPECT_NE(f.reason.find("the mean of each 5 neighbouring samples is fitted"), std::string::npos)
+      << f.reason;
+  EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 2e-3);
+  EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-3);
+  // Of each sample, not of the means.
+  EXPECT_NEAR(f.residual_Nm, 0.02, 0.001);
+  // A tenth of the samples at a tenth of the rate tell the same, within what they can tell.
+  s.oscillation->sample_rate_Hz = 5'000;
+  const LuGreFit fewer = test::fit_loops(s);
+  const Estimate here = *f.shown("static_Nm");
+  const Estimate there = *fewer.shown("static_Nm");
+  EXPECT_EQ(fewer.reason.find("neighbouring"), std::string::npos);
+  EXPECT_LT(std::abs(here.value - there.value), 2 * there.half_width());
+  EXPECT_LT(here.half_width(), there.half_width());
+}
+
 TEST(LuGreFit, AtMicroSpeedSaysWhatDoesNotShowAndWhatWouldShowIt) {
   const LuGreFit f = test::fit_loops(test::paper_joint());
   EXPECT_EQ(f.rung, "level");

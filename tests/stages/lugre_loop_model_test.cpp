@@ -40,6 +40,30 @@ Shared::Vector shared_of(const LuGreFriction::Parameters& p) {
   return v;
 }
 
+TEST(LuGreLoopModel, ARowOfSeveralSamplesIsTheMeanOfTheirs) {
+  const Loop loop = loop_of(0.3, 1.0);
+  const double q_peak = test::true_q_peak_rad();
+  const LuGreLoopModel each(loop.recording, loop.motion, 100, q_peak);
+  const LuGreLoopModel together(loop.recording, loop.motion, 100, q_peak, {1, 7});
+  const Shared::Vector p = shared_of({400, 0.6, 0.05, 0.5, 0.8, 4.0});
+  const LuGreLocal local{3.8, 1e-3};
+  Eigen::VectorXd fine;
+  Eigen::VectorXd coarse;
+  LuGreLoopModel::Rows fine_rows;
+  LuGreLoopModel::Rows coarse_rows;
+  each.evaluate(p, local, true, fine, fine_rows);
+  together.evaluate(p, local, true, coarse, coarse_rows);
+  ASSERT_EQ(together.samples(), each.samples());
+  ASSERT_EQ(coarse.size(), (fine.size() + 6) / 7);
+  for (Eigen::Index row = 0; row < coarse.size(); ++row) {
+    const Eigen::Index count = std::min<Eigen::Index>(7, fine.size() - 7 * row);
+    EXPECT_NEAR(coarse(row), fine.segment(7 * row, count).mean(), 1e-12);
+    EXPECT_TRUE(coarse_rows.row(row).isApprox(fine_rows.middleRows(7 * row, count).colwise().mean(),
+                                              1e-12));
+  }
+  EXPECT_TRUE(together.residuals(p, local).isApprox(fine, 1e-9));
+}
+
 class DerivativesOfTheLoop : public testing::TestWithParam<double> {};
 
 // From micro-speed to three times the Stribeck velocity.

@@ -34,6 +34,19 @@ TEST(OscillationMotion, FindsFrequencyAndHarmonics) {
   }
 }
 
+TEST(OscillationMotion, OfALongRecordingTheLastRoundsSeeEverySample) {
+  const HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
+  Recording r = sampled(truth, 120, 2000);
+  const auto clean = fit_oscillation_motion(r);
+  ASSERT_TRUE(clean);
+  EXPECT_NEAR(clean->frequency_Hz, 1.37, 1e-11);
+  EXPECT_NEAR(clean->centre_rad, 0.7, 1e-12);
+  EXPECT_NEAR(clean->amplitude_rad, std::hypot(0.002, 0.010), 1e-12);
+  // Between the samples that the first rounds see.
+  for (std::size_t i = 1; i < r.size(); i += 4) r.q_rad[i] += 1e-4;
+  EXPECT_NEAR(fit_oscillation_motion(r)->centre_rad, 0.7 + 0.25e-4, 1e-9);
+}
+
 TEST(OscillationMotion, OneCycleIsEnoughHalfIsNot) {
   const auto truth = HarmonicMotion::sine(0, 1e-4, 1);
   EXPECT_TRUE(fit_oscillation_motion(sampled(truth, 1.0, 1000)));

@@ -61,6 +61,25 @@ TEST(SmoothingSpline, NoiseIsSmoothedAway) {
   EXPECT_GT(s.degrees_of_freedom(), 4);
 }
 
+TEST(SmoothingSpline, AnyNumberOfPointsIsSmoothedAlike) {
+  // More points over the same motion, each with its share of noise: from some number on stretches
+  // choose the weight, and what is left is what a tenth of the points leave, over the root of ten.
+  constexpr double noise = 0.1;
+  const auto many_turns = [](double t) { return std::sin(200 * std::numbers::pi * t); };
+  const auto left = [&](std::size_t n) {
+    const SmoothingSpline s(sampled(many_turns, n, noise));
+    double squares = 0;
+    for (int i = 0; i < 10000; ++i) {
+      squares += std::pow(s.at(i / 9999.0).value - many_turns(i / 9999.0), 2);
+    }
+    return std::sqrt(squares / 10000);
+  };
+  const double few = left(20'000);
+  const double many = left(200'000);
+  EXPECT_LT(few, 0.3 * noise);
+  EXPECT_NEAR(few / many, std::sqrt(10.0), 0.8);
+}
+
 TEST(SmoothingSpline, PointsKnownBadlyCountLess) {
   CurvePoints p = sampled(sine, 200, 1e-3);
   p.y[100] += 1;

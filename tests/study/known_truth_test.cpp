@@ -76,6 +76,26 @@ TEST(KnownTruth, ThreadsChangeNoNumber) {
   }
 }
 
+TEST(KnownTruth, OfTheChainIsThatOfWholeIdentifications) {
+  // The chain makes its simulations go through the compared stages alone.
+  const Dataset dataset = simulated_dataset(test::small_scenario());
+  IdentifyOptions options;
+  options.resamples = 0;
+  options.truth_runs = 4;
+  const TruthCheckResult of_chain = identify(dataset, options).truth_check;
+  const TruthCheckResult of_whole = checked(dataset, 4);
+  ASSERT_FALSE(of_whole.quantities.empty());
+  ASSERT_EQ(of_chain.quantities.size(), of_whole.quantities.size());
+  for (std::size_t i = 0; i < of_whole.quantities.size(); ++i) {
+    const ReturnedQuantity& a = of_chain.quantities[i];
+    const ReturnedQuantity& b = of_whole.quantities[i];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.came_back, b.came_back) << a.name;
+    EXPECT_EQ(a.half_width, b.half_width) << a.name;
+    EXPECT_EQ(a.in_half_widths, b.in_half_widths) << a.name;
+  }
+}
+
 TEST(KnownTruth, AWrongTruthIsCaught) {
   const Dataset dataset = simulated_dataset(test::small_scenario());
   IdentifiedJoint joint = identified_joint(dataset, plain(dataset, 1));

@@ -47,7 +47,8 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   add_processes(command, figures.processes);
   add_language(command, figures.language);
   command.footer(
-      "\nSVG and PDF keep text as text and carry the letters they use. Charts in them need no\n"
+      "\nThe figure of the known-truth check comes with --truth-runs 20, as in a report.\n"
+      "SVG and PDF keep text as text and carry the letters they use. Charts in them need no\n"
       "graphics stack; the solid parts of the robot's drawings are a picture below the lines.\n"
       "--style paper leaves the title to the caption; letters are 7 to 8 pt in print.");
   return command;

@@ -107,31 +107,39 @@ std::vector<std::string> repeated_names(const std::vector<Field>& header) {
   return repeated;
 }
 
-bool has_column(const std::vector<Field>& header, const std::string& name) {
-  return std::any_of(header.begin(), header.end(), [&](const Field& field) {
-    return field.text == name || read_header_field(field.text).name == name;
-  });
+ColumnNames::ColumnNames(const std::vector<Field>& header) : header_(header) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    add(header[i].text, i, by_text_);
+    add(read_header_field(header[i].text).name, i, by_bare_name_);
+  }
 }
 
-std::size_t find_column(const std::vector<Field>& header, const std::string& name,
-                        const std::string& hint_if_missing, const Location& line) {
-  std::vector<std::size_t> by_bare_name;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    if (header[i].text == name) {
-      refuse_repeated_name(header, i, line);
-      return i;
-    }
-    if (read_header_field(header[i].text).name == name) by_bare_name.push_back(i);
+void ColumnNames::add(const std::string& name, std::size_t place, Index& index) {
+  ++index.try_emplace(name, Places{place, 0}).first->second.count;
+}
+
+bool ColumnNames::has(const std::string& name) const {
+  return by_text_.contains(name) || by_bare_name_.contains(name);
+}
+
+std::size_t ColumnNames::find(const std::string& name, const std::string& hint_if_missing,
+                              const Location& line) const {
+  if (const auto exact = by_text_.find(name); exact != by_text_.end()) {
+    const auto [first, count] = exact->second;
+    if (count > 1) refuse_repeated_name(header_, first, line);
+    return first;
   }
-  if (by_bare_name.size() == 1) return by_bare_name.front();
-  if (const auto position = position_in(name); position && by_bare_name.empty()) {
-    if (*position >= 1 && *position <= header.size()) return *position - 1;
+  const auto bare = by_bare_name_.find(name);
+  const Places by_bare_name = bare == by_bare_name_.end() ? Places{} : bare->second;
+  if (by_bare_name.count == 1) return by_bare_name.first;
+  if (const auto position = position_in(name); position && by_bare_name.count == 0) {
+    if (*position >= 1 && *position <= header_.size()) return *position - 1;
     throw InputError({line.file, line.line, 0},
                      {"there is no column " + in_quotes(name),
-                      fmt::format("{} columns", header.size()), "", hint_if_missing});
+                      fmt::format("{} columns", header_.size()), "", hint_if_missing});
   }
-  const std::vector<std::string> names = names_of(header);
-  if (by_bare_name.size() > 1) {
+  const std::vector<std::string> names = names_of(header_);
+  if (by_bare_name.count > 1) {
     throw InputError({line.file, line.line, 0},
                      {"column " + in_quotes(name) + " is ambiguous", list_of_names(names), "",
                       "name it with what stands in its brackets, or by its position: \"#2\""});

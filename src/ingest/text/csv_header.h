@@ -1,7 +1,10 @@
 #pragma once
 // The header row of a log.
 
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "error.h"
@@ -28,15 +31,33 @@ void refuse_other_encodings(const std::vector<Field>& header, const Location& li
 /// Those that stand more than once.
 std::vector<std::string> repeated_names(const std::vector<Field>& header);
 
-/// Whether a column has this name, with or without its unit.
-bool has_column(const std::vector<Field>& header, const std::string& name);
+/// The columns of a header by their names.
+class ColumnNames {
+ public:
+  /// @param header outlives the names.
+  explicit ColumnNames(const std::vector<Field>& header);
 
-/// Index of the column with this name; the full text counts first, then the name without its unit,
-/// then, of "#2", the position.
-/// @throw InputError if there is none (listing those that are, and the closest) or several, also of
-///        the same name.
-std::size_t find_column(const std::vector<Field>& header, const std::string& name,
-                        const std::string& hint_if_missing, const Location& line);
+  /// Whether a column has this name, with or without its unit.
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// Index of the column with this name; the full text counts first, then the name without its
+  /// unit, then, of "#2", the position.
+  /// @throw InputError if there is none (listing those that are, and the closest) or several, also
+  ///        of the same name.
+  [[nodiscard]] std::size_t find(const std::string& name, const std::string& hint_if_missing,
+                                 const Location& line) const;
+
+ private:
+  struct Places {
+    std::size_t first{};
+    std::size_t count{};
+  };
+  using Index = std::unordered_map<std::string, Places>;
+  static void add(const std::string& name, std::size_t place, Index& index);
+
+  const std::vector<Field>& header_;
+  Index by_text_;       ///< With the unit.
+  Index by_bare_name_;  ///< Without.
+};
 
 /// Under blanks as delimiter "tau [Nm]" falls into two fields; joins them again.
 std::vector<Field> join_units(std::vector<Field> header);

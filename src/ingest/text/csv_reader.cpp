@@ -84,7 +84,7 @@ std::string line_with(const std::string& name, RowCursor cursor, const CsvTable&
          {table.delimiter, Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
       try {
         const auto fields = split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
-        if (fields.size() < 2 || !has_column(fields, name)) continue;
+        if (fields.size() < 2 || !ColumnNames(fields).has(name)) continue;
       } catch (const InputError&) {
         continue;
       }
@@ -105,12 +105,13 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   layout.skip_bad_rows = rules.skip_bad_rows;
   layout.slots.assign(layout.header.size(), -1);
   for (const Field& field : layout.header) table.header.push_back(field.text);
+  const ColumnNames names(layout.header);
   for (const WantedColumn& wanted : columns) {
-    if (wanted.is_optional && !has_column(layout.header, wanted.name)) continue;
+    if (wanted.is_optional && !names.has(wanted.name)) continue;
     const std::string elsewhere =
-        has_column(layout.header, wanted.name) ? "" : line_with(wanted.name, cursor, table);
-    const std::size_t index = find_column(layout.header, wanted.name,
-                                          elsewhere.empty() ? wanted.if_missing : elsewhere, line);
+        names.has(wanted.name) ? "" : line_with(wanted.name, cursor, table);
+    const std::size_t index =
+        names.find(wanted.name, elsewhere.empty() ? wanted.if_missing : elsewhere, line);
     if (layout.slots[index] >= 0) {
       throw InputError({table.file, line.line, static_cast<long>(layout.header[index].column)},
                        {"column " + in_quotes(wanted.name) + " is asked for twice", "", "", ""});

@@ -28,7 +28,10 @@ class PlainRowReader {
       slot_of_.push_back(static_cast<std::size_t>(std::max(column.slot, 0)));
     }
     constexpr std::size_t usual_row_bytes = 32;
-    make_room(text.size() / usual_row_bytes + 1);
+    constexpr std::size_t usual_field_bytes = 4;  // at the least, or a wide log takes all memory
+    const std::size_t row_bytes =
+        std::max(usual_row_bytes, usual_field_bytes * layout.columns.size());
+    make_room(text.size() / row_bytes + 1);
   }
 
   void read() {

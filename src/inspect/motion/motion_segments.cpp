@@ -129,9 +129,10 @@ class MotionCutter {
     std::vector<MotionSegment> taken = segments_;
     std::sort(taken.begin(), taken.end(),
               [](const MotionSegment& a, const MotionSegment& b) { return a.first < b.first; });
+    const TorqueRampFinder ramps(trace_, floor_);
     std::size_t first = 0;
     const auto look_until = [&](std::size_t last) {
-      for (const TorqueRamp& ramp : find_torque_ramps(trace_, first, last, floor_)) {
+      for (const TorqueRamp& ramp : ramps.between(first, last)) {
         if (starts_a_motion(ramp)) continue;
         MotionSegment s = segment(MotionKind::break_away_ramp, ramp.first, ramp.last);
         s.effort_rate = ramp.rate;

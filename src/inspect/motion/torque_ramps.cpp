@@ -142,20 +142,25 @@ std::size_t next_jump(const std::vector<double>& effort, std::size_t from, std::
 
 }  // namespace
 
-std::vector<TorqueRamp> find_torque_ramps(const AngleTrace& trace, std::size_t first,
-                                          std::size_t last, double floor_rad) {
-  std::vector<TorqueRamp> ramps;
-  if (trace.effort.empty() || last < first + fewest_samples) return ramps;
+TorqueRampFinder::TorqueRampFinder(const AngleTrace& trace, double floor_rad)
+    : trace_(trace), floor_rad_(floor_rad) {
+  if (trace.effort.empty()) return;
   const auto [low, high] = std::minmax_element(trace.effort.begin(), trace.effort.end());
-  const double floor = noise_floor(trace.effort);
-  const double threshold = std::max(smallest_rise * (*high - *low), 2 * floor);
+  floor_ = noise_floor(trace.effort);
+  range_ = *high - *low;
+}
+
+std::vector<TorqueRamp> TorqueRampFinder::between(std::size_t first, std::size_t last) const {
+  std::vector<TorqueRamp> ramps;
+  if (trace_.effort.empty() || last < first + fewest_samples) return ramps;
+  const double threshold = std::max(smallest_rise * range_, 2 * floor_);
   if (!(threshold > 0)) return ramps;
-  const RampLimits limits{floor, floor_rad, smallest_unyielding * (*high - *low)};
+  const RampLimits limits{floor_, floor_rad_, smallest_unyielding * range_};
   for (std::size_t begin = first; begin < last;) {
-    const std::size_t end = next_jump(trace.effort, begin, last, threshold);
-    const auto turns = turning_points(trace.effort, begin, end, threshold);
+    const std::size_t end = next_jump(trace_.effort, begin, last, threshold);
+    const auto turns = turning_points(trace_.effort, begin, end, threshold);
     for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
-      const auto ramp = ramp_in(trace, {begin, end}, turns[k], turns[k + 1], limits);
+      const auto ramp = ramp_in(trace_, {begin, end}, turns[k], turns[k + 1], limits);
       if (ramp) ramps.push_back(*ramp);
     }
     begin = end + 1;

@@ -16,11 +16,23 @@ struct TorqueRamp {
   bool joint_slid{};  ///< It moved far more in the second half than in the first.
 };
 
-/// @param first, last stretch looked at.
-/// @param floor_rad noise floor of the angle.
-/// @return ramps of a second or longer that rise by 3 % of the effort's range or more, and by a
-/// tenth where the joint does not move; none without effort.
-std::vector<TorqueRamp> find_torque_ramps(const AngleTrace& trace, std::size_t first,
-                                          std::size_t last, double floor_rad);
+/// The ramps of a log's effort.
+class TorqueRampFinder {
+ public:
+  /// @param trace outlives the finder.
+  /// @param floor_rad noise floor of the angle.
+  TorqueRampFinder(const AngleTrace& trace, double floor_rad);
+
+  /// @param first, last stretch looked at.
+  /// @return ramps of a second or longer that rise by 3 % of the effort's range or more, and by a
+  /// tenth where the joint does not move; none without effort.
+  [[nodiscard]] std::vector<TorqueRamp> between(std::size_t first, std::size_t last) const;
+
+ private:
+  const AngleTrace& trace_;
+  double floor_rad_;
+  double floor_{};  ///< Noise floor of the effort.
+  double range_{};  ///< Of the effort.
+};
 
 }  // namespace tribolog

@@ -12,13 +12,14 @@
 namespace tribolog::bootstrap {
 namespace {
 
-/// The cycle of each sample; what is left over at the end belongs to the last.
-std::vector<std::size_t> cycle_of_sample(const std::vector<double>& t_s, double frequency_Hz,
-                                         std::size_t cycles) {
-  std::vector<std::size_t> cycle(t_s.size());
-  for (std::size_t i = 0; i < t_s.size(); ++i) {
-    cycle[i] =
-        std::min(cycles - 1, static_cast<std::size_t>((t_s[i] - t_s.front()) * frequency_Hz));
+/// The cycle of each row, that of its first sample; what is left over at the end belongs to the
+/// last.
+std::vector<std::size_t> cycle_of_row(const std::vector<double>& t_s, std::size_t samples_in_row,
+                                      double frequency_Hz, std::size_t cycles) {
+  std::vector<std::size_t> cycle;
+  for (std::size_t i = 0; i < t_s.size(); i += samples_in_row) {
+    cycle.push_back(
+        std::min(cycles - 1, static_cast<std::size_t>((t_s[i] - t_s.front()) * frequency_Hz)));
   }
   return cycle;
 }
@@ -64,13 +65,14 @@ void LoopResampler::prepare_fit() {
   const LinearisedFit& fit = *lugre->linearised;
   const LoopTrace& trace = hysteresis_.traces.front();
   // A loop that a torque drove has strokes, not cycles: its fit keeps its own blocks.
+  const std::size_t rows = (trace.t_s.size() + fit.samples_in_row - 1) / fit.samples_in_row;
   fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->loops.front().traced &&
-                   fit.residuals.size() == static_cast<Eigen::Index>(trace.t_s.size());
+                   fit.residuals.size() == static_cast<Eigen::Index>(rows);
   const BlockRegression around = block_regression(
       fit.jacobian, -fit.residuals,
-      fit_by_cycles_
-          ? cycle_of_sample(trace.t_s, hysteresis_.oscillations.front().frequency_Hz, cycles_)
-          : fit.block_of_row);
+      fit_by_cycles_ ? cycle_of_row(trace.t_s, fit.samples_in_row,
+                                    hysteresis_.oscillations.front().frequency_Hz, cycles_)
+                     : fit.block_of_row);
   const auto readings = static_cast<Eigen::Index>(fit.readings.size());
   reading_shifts_.resize(readings, around.block_shifts.cols());
   further_shifts_.resize(readings, fit.further_shifts.cols());

@@ -178,5 +178,22 @@ TEST(PlainRows, BlanksBetweenColumnsAndClocksFrom1970) {
   }
 }
 
+TEST(PlainRows, OfAWideLogTakeNoMoreRoomThanItsTextAsksFor) {
+  constexpr std::size_t columns = 5000;
+  std::string text;
+  for (int row = 0; row < 50; ++row) {
+    for (std::size_t k = 0; k < columns; ++k) text += k + 1 < columns ? "0.125," : "0.125\n";
+  }
+  PlainLayout layout{Delimiter::comma, DecimalMark::point, {}, columns};
+  for (std::size_t k = 0; k < columns; ++k) layout.columns.push_back({static_cast<int>(k), {}, {}});
+  PlainRows rows;
+  read_plain_rows(text, layout, rows);
+  EXPECT_EQ(rows.rows, 50U);
+  EXPECT_TRUE(rows.is_whole);
+  std::size_t numbers = 0;
+  for (const std::vector<double>& values : rows.values) numbers += values.capacity();
+  EXPECT_LT(numbers, text.size());
+}
+
 }  // namespace
 }  // namespace tribolog
