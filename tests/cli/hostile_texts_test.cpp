@@ -2,6 +2,7 @@
 // a scenario, an archive and the command line, for every command that prints. What is printed is
 // UTF-8 in which nothing hides, and JSON is JSON.
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>

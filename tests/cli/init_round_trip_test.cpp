@@ -1,6 +1,8 @@
 // What init writes, identify reads: whatever characters the names of columns and files have. Names
 // that no manifest can hold are refused.
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <random>
 #include <string>

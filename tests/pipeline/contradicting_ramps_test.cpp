@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
