@@ -5,6 +5,7 @@
 #include <chrono>
 #include <exception>
 #include <memory>
+#include <numeric>
 
 #include <poll.h>
 
@@ -26,12 +27,20 @@ class DrawingCrew {
  public:
   DrawingCrew(DrawingServer& server, int processes, const std::vector<Figure>& figures,
               const DrawOptions& options)
-      : server_(server), figures_(figures), options_(options), drawn_(figures.size()) {
+      : server_(server),
+        figures_(figures),
+        options_(options),
+        drawn_(figures.size()),
+        order_(figures.size()) {
     for (std::size_t i = 0; i < figures.size(); ++i) {
       drawn_[i].id = figures[i].id;
       drawn_[i].width_px = figures[i].width_px;
       drawn_[i].height_px = figures[i].height_px;
     }
+    // Scenes take longest: begun last, one would keep a worker busy while the others wait.
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_partition(order_.begin(), order_.end(),
+                          [&](std::size_t i) { return figures[i].scene.has_value(); });
     const auto wanted = static_cast<std::size_t>(std::max(1, processes));
     members_.resize(std::min(wanted, figures.size()));
   }
@@ -55,7 +64,7 @@ class DrawingCrew {
   void give_next(Member& member) {
     member.busy = false;
     while (next_ < figures_.size() && !member.busy) {
-      member.figure = next_++;
+      member.figure = order_[next_++];
       try {
         if (!member.worker) {
           member.reader = MessageReader();
@@ -141,6 +150,7 @@ class DrawingCrew {
   const DrawOptions& options_;
   std::vector<DrawnFigure> drawn_;
   std::vector<Member> members_;
+  std::vector<std::size_t> order_;  ///< In which figures are begun.
   std::size_t next_{0};
   std::size_t done_{0};
 };

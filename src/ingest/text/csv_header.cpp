@@ -122,6 +122,11 @@ bool ColumnNames::has(const std::string& name) const {
   return by_text_.contains(name) || by_bare_name_.contains(name);
 }
 
+bool ColumnNames::has_or_counts(const std::string& name) const {
+  const auto position = position_in(name);
+  return has(name) || (position && *position >= 1 && *position <= header_.size());
+}
+
 std::size_t ColumnNames::find(const std::string& name, const std::string& hint_if_missing,
                               const Location& line) const {
   if (const auto exact = by_text_.find(name); exact != by_text_.end()) {

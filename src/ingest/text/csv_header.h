@@ -39,6 +39,8 @@ class ColumnNames {
 
   /// Whether a column has this name, with or without its unit.
   [[nodiscard]] bool has(const std::string& name) const;
+  /// Whether it has, or this is the position of one, "#2".
+  [[nodiscard]] bool has_or_counts(const std::string& name) const;
   /// Index of the column with this name; the full text counts first, then the name without its
   /// unit, then, of "#2", the position.
   /// @throw InputError if there is none (listing those that are, and the closest) or several, also

@@ -76,6 +76,12 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   return header;
 }
 
+bool stands_in(const std::vector<Field>& row, const std::string& name) {
+  return std::any_of(row.begin(), row.end(), [&](const Field& field) {
+    return field.text == name || read_header_field(field.text).name == name;
+  });
+}
+
 /// Where a column's name stands further down, if it does: other lines stand in front of the header.
 std::string line_with(const std::string& name, RowCursor cursor, const CsvTable& table) {
   constexpr std::size_t looked_at = 100;
@@ -84,7 +90,7 @@ std::string line_with(const std::string& name, RowCursor cursor, const CsvTable&
          {table.delimiter, Delimiter::comma, Delimiter::semicolon, Delimiter::tab}) {
       try {
         const auto fields = split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
-        if (fields.size() < 2 || !ColumnNames(fields).has(name)) continue;
+        if (fields.size() < 2 || !stands_in(fields, name)) continue;
       } catch (const InputError&) {
         continue;
       }
@@ -109,7 +115,7 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   for (const WantedColumn& wanted : columns) {
     if (wanted.is_optional && !names.has(wanted.name)) continue;
     const std::string elsewhere =
-        names.has(wanted.name) ? "" : line_with(wanted.name, cursor, table);
+        names.has_or_counts(wanted.name) ? "" : line_with(wanted.name, cursor, table);
     const std::size_t index =
         names.find(wanted.name, elsewhere.empty() ? wanted.if_missing : elsewhere, line);
     if (layout.slots[index] >= 0) {
