@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "shown_text.h"
+
 #include "error.h"
 #include "files/atomic_file.h"
 #include "files/standard_output.h"
-#include "shown_text.h"
 
 namespace tribolog {
 namespace {
