@@ -38,16 +38,16 @@ double chart_height_mm(const Figure& figure, bool two_columns) {
                   panels * (heights.plot_mm + heights.head_mm) + axes * heights.axis_mm);
 }
 
-double diagram_height_mm(const Figure& figure) {
+double diagram_height_mm(const Diagram& diagram, const Figure& figure) {
   const FigureStyle style(figure);
-  const double scale = std::min(style.most_diagram_scale, figure.width_mm / figure.diagram->width);
-  return scale * figure.diagram->height + 1.5 * style.margin / px_per_mm;
+  const double scale = std::min(style.most_diagram_scale, figure.width_mm / diagram.width);
+  return scale * diagram.height + 1.5 * style.margin / px_per_mm;
 }
 
 Figure in_columns(Figure figure, bool two_columns, double shape) {
   figure.width_mm = two_columns ? double_column_mm : single_column_mm;
   figure.width_px = pixels(figure.width_mm);
-  const double height_mm = figure.diagram ? diagram_height_mm(figure)
+  const double height_mm = figure.diagram ? diagram_height_mm(*figure.diagram, figure)
                            : figure.scene ? shape * figure.width_mm
                                           : chart_height_mm(figure, two_columns);
   figure.height_px = pixels(height_mm);

@@ -76,10 +76,11 @@ std::string name_in_diagram(const Diagram& diagram, const Owner& owner) {
 }
 
 std::string name_of(const Figure& figure, const Owner& owner) {
-  if (owner.role == Role::block || owner.role == Role::wire) {
+  const bool is_in_diagram = owner.role == Role::block || owner.role == Role::wire;
+  if (is_in_diagram && figure.diagram) {
     return name_in_diagram(*figure.diagram, owner);
   }
-  if (owner.role == Role::scene_line) {
+  if (owner.role == Role::scene_line && figure.scene) {
     const auto index = static_cast<std::size_t>(owner.index);
     const std::string text = annotation_labels(*figure.scene)[index];
     return text.empty() ? "line " + std::to_string(index + 1) : "line '" + text + "'";

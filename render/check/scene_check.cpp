@@ -43,6 +43,7 @@ struct Count {
 }  // namespace
 
 void check_parts(const DrawList& list, const Picture& picture, PictureFindings& findings) {
+  if (!list.scene) return;
   const auto& meshes = list.scene->meshes;
   const PartMap parts(*list.scene, list.width, list.height);
   const PixelBox whole{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};

@@ -107,7 +107,8 @@ AxisRange choose_range(const DataExtent& extent, const Axis& axis, double margin
   };
   const bool fixed_low = usable(axis.minimum);
   const bool fixed_high = usable(axis.maximum);
-  AxisRange range{fixed_low ? *axis.minimum : free.low, fixed_high ? *axis.maximum : free.high};
+  AxisRange range{fixed_low ? axis.minimum.value_or(free.low) : free.low,
+                  fixed_high ? axis.maximum.value_or(free.high) : free.high};
   const double magnitude = std::max(std::abs(range.low), std::abs(range.high));
   const double least = std::max(resolved_steps * spacing_at(magnitude), negligible);
   if (range.high - range.low >= least) return range;

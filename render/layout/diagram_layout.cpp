@@ -9,6 +9,7 @@ namespace tribolog::render {
 
 void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
                      const FigureStyle& style, double title_bottom, TextFaults& faults) {
+  if (!figure.diagram) return;
   const Diagram& diagram = *figure.diagram;
   const PixelBox room{0, title_bottom, static_cast<double>(figure.width_px),
                       figure.height_px - style.margin / 2};

@@ -22,6 +22,7 @@ std::optional<PixelPoint> walk(const PanelFrame& frame, const Series& series, st
                                int step, double distance) {
   const auto start = pixel_of(frame, series, from);
   std::optional<PixelPoint> last;
+  if (!start) return last;
   const auto count = static_cast<std::ptrdiff_t>(std::min(series.x.size(), series.y.size()));
   for (auto i = static_cast<std::ptrdiff_t>(from) + step; i >= 0 && i < count; i += step) {
     const auto here = pixel_of(frame, series, static_cast<std::size_t>(i));

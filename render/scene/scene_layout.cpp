@@ -1,5 +1,6 @@
 #include "render/scene/scene_layout.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "error.h"
@@ -52,12 +53,14 @@ std::vector<Caption> captions_of(const Scene& scene, const SceneView& view) {
 /// Texts keep off solid parts and lines, but may stand on the floor and in a filled sector.
 Obstacles obstacles_of(const DrawList& list, const PixelBox& room) {
   Obstacles taken{Occupancy(room), Occupancy(room)};
+  if (!list.scene) return taken;
+  const std::vector<SceneMesh>& meshes = list.scene->meshes;
   const PartMap parts(*list.scene, list.width, list.height);
   constexpr int step = static_cast<int>(Occupancy::cell_px);
   for (int y = 0; y < list.height; y += step) {
     for (int x = 0; x < list.width; x += step) {
       const std::uint16_t part = parts.at(x, y);
-      if (part == 0 || list.scene->meshes[part - 1U].finish == SceneMesh::Finish::flat) continue;
+      if (part == 0 || meshes[part - 1U].finish == SceneMesh::Finish::flat) continue;
       taken.solid.mark(PixelBox{x + 0.0, y + 0.0, x + 1.0, y + 1.0});
     }
   }
@@ -70,6 +73,7 @@ Obstacles obstacles_of(const DrawList& list, const PixelBox& room) {
 }  // namespace
 
 DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& faults) {
+  if (!figure.scene) throw std::logic_error("a figure without a scene is laid out as one");
   const Scene& scene = *figure.scene;
   const FigureStyle style(figure);
   DrawList list;

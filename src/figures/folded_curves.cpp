@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "present.h"
+
 #include "figures/estimator_style.h"
 #include "figures/run_curves.h"
 
@@ -108,7 +110,8 @@ void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& frict
     std::vector<double> y;
     for (std::size_t i = 0; i < std::min(friction.fit_speed_rad_s.size(), friction.fit_Nm.size());
          ++i) {
-      if (panel.x.logarithmic && !(friction.fit_speed_rad_s[i] >= *panel.x.minimum)) continue;
+      if (panel.x.logarithmic && !(friction.fit_speed_rad_s[i] >= present(panel.x.minimum)))
+        continue;
       x.push_back(friction.fit_speed_rad_s[i]);
       y.push_back(scale(friction.fit_Nm[i]));
     }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "figures/axis_scale.h"
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
@@ -22,7 +24,7 @@ void add_intervals(render::Panel& panel, const std::vector<CrossCheck>& checks, 
   std::vector<double> y;
   for (std::size_t k = 0; k < checks.size(); ++k) {
     if (resampled && !checks[k].resampled_kg) continue;
-    const Estimate& mass = resampled ? *checks[k].resampled_kg : checks[k].mass_kg;
+    const Estimate& mass = resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
     if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
     const double at = static_cast<double>(k + 1) + (resampled ? apart : -apart);
     x.push_back(at);

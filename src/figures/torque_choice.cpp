@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "figures/chosen_point.h"
 #include "figures/estimator_style.h"
 #include "figures/loop_panels.h"
@@ -89,7 +91,7 @@ render::Panel whole_loop(const Calibration& calibration, LoopView view, const Ch
               render::PointLabel{x, torque(choice.chosen->torque_Nm), name + ", the paper's choice",
                                  render::palette::black, style.marker});
   if (!at_peak || !std::isfinite(x)) return panel;
-  const double peak = view.angle(calibration.q_peak_rad->value);
+  const double peak = view.angle(present(calibration.q_peak_rad).value);
   panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, x,
                                    "q_{" + name + "}", style.colour, render::LineStyle::dot});
   const Extent torques = extent_of(view.trace->torque_Nm);
@@ -159,7 +161,7 @@ std::optional<ReportFigure> torque_choice_figure(const Calibration& calibration)
   out.stage = "selection";
   render::Panel probe;
   if (add_gravity_peak(probe, calibration, *view)) {
-    view->angle.offset = calibration.q_peak_rad->value;
+    view->angle.offset = present(calibration.q_peak_rad).value;
   }
   out.figure.panels.push_back(whole_loop(calibration, *view, choice, torque));
   if (choice.midline != nullptr && std::isfinite(choice.midline->value)) {

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "error.h"
 #include "ingest/clock_steps.h"
 #include "ingest/closest_match.h"
@@ -75,8 +77,9 @@ void refuse_other_times(const RecordingEntry& entry, const LogColumn& own, const
   const LogColumn& other = table.columns.back();
   const double allowed = largest_time_difference * median_clock_step(own.values);
   const double later = other.origin - own.origin;
-  const bool is_iso = entry.columns.time->reading == ColumnReading::iso_time;
-  const std::string unit = is_iso ? "s" : printable(entry.columns.time->unit);
+  const ColumnEntry& time = present(entry.columns.time);
+  const bool is_iso = time.reading == ColumnReading::iso_time;
+  const std::string unit = is_iso ? "s" : printable(time.unit);
   for (std::size_t row = 0; row < table.rows; ++row) {
     const double found = other.values[row] + later;
     if (!(std::abs(found - own.values[row]) > allowed)) continue;
@@ -150,7 +153,7 @@ std::vector<RecordingEntry> companions_of(const RecordingEntry& entry) {
     companion.where = column.entry->where;
     companion.columns = entry.columns;
     keep_if(companion.columns, [&](const ColumnEntry& other) { return other.file == file; });
-    companion.time_to_compare = time_to_compare(*entry.columns.time, companion.columns);
+    companion.time_to_compare = time_to_compare(present(entry.columns.time), companion.columns);
     companions.push_back(std::move(companion));
   }
   return companions;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "error.h"
 #include "files/file_contents.h"
 #include "files/sha256.h"
@@ -112,7 +114,8 @@ void add_recording(const RecordingEntry& entry, const ManifestFile& manifest, Ke
   count_rows(recording, input);
   input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
   if (entry.columns.effort) {
-    input.logged_effort = known_effort(entry.columns.angle->name, entry.columns.effort->name);
+    input.logged_effort =
+        known_effort(present(entry.columns.angle).name, entry.columns.effort->name);
   }
   dataset.inputs.push_back(std::move(input));
   for (const auto& companion : companions) {

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "ingest/closest_match.h"
 #include "ingest/units.h"
 
@@ -88,7 +90,7 @@ void note_wrapped_angle(const ColumnEntry& angle, const Drive& drive, const Reco
 
 void judge_rate(const RecordingEntry& entry, const LogTable& table, const Recording& r,
                 RecordingNotes& notes) {
-  const ColumnEntry& time = *entry.columns.time;
+  const ColumnEntry& time = present(entry.columns.time);
   if (time.any_rate) return;
   const double rate_Hz = median_rate_Hz(r.t_s);
   if (!(rate_Hz >= slowest_possible_Hz && rate_Hz <= fastest_possible_Hz)) {
@@ -141,15 +143,15 @@ void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive
   const double angle_rad = largest(recording.q_rad);
   if (angle_rad > likely_largest_angle_rad) {
     notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", angle_rad,
-                          printable(entry.columns.angle->unit)));
+                          printable(present(entry.columns.angle).unit)));
   }
-  note_wrapped_angle(*entry.columns.angle, drive, recording, notes);
+  note_wrapped_angle(present(entry.columns.angle), drive, recording, notes);
   const double torque_Nm = largest(recording.torque_Nm) * drive.gear_ratio();
   if (torque_Nm > likely_largest_torque_Nm) {
     notes.add(fmt::format(
         "the joint's torque reaches {:.3g} N·m, read as {}: another unit, or the other side of "
         "the gear?",
-        torque_Nm, printable(entry.columns.effort->unit)));
+        torque_Nm, printable(present(entry.columns.effort).unit)));
   }
   judge_rate(entry, table, recording, notes);
 }

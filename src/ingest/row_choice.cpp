@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "ingest/closest_match.h"
 
 namespace tribolog {
@@ -21,7 +23,10 @@ constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
 class RowChooser {
  public:
   RowChooser(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes)
-      : entry_(entry), table_(table), notes_(notes), to_seconds_(entry.columns.time->si_factor) {}
+      : entry_(entry),
+        table_(table),
+        notes_(notes),
+        to_seconds_(present(entry.columns.time).si_factor) {}
 
   RowChoice choose() {
     refuse_long_steps_back();

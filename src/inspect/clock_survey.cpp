@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "present.h"
+
 #include "ingest/clock_steps.h"
 #include "ingest/units.h"
 
@@ -18,7 +20,7 @@ constexpr std::array units = {"s", "ms", "us", "ns"};
 
 std::string unit_by_magnitude(double interval) {
   for (const char* unit : units) {
-    const double seconds = interval * *find_si_factor(Quantity::time, unit);
+    const double seconds = interval * present(find_si_factor(Quantity::time, unit));
     if (seconds > 0 && 1 / seconds >= slowest_Hz && 1 / seconds <= fastest_Hz) return unit;
   }
   return "s";
@@ -40,7 +42,7 @@ ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, 
   clock.unit = is_iso                   ? "iso8601"
                : meaning.unit_is_stated ? meaning.unit
                                         : unit_by_magnitude(interval);
-  if (!is_iso) clock.seconds_per_unit = *find_si_factor(Quantity::time, clock.unit);
+  if (!is_iso) clock.seconds_per_unit = present(find_si_factor(Quantity::time, clock.unit));
   clock.interval_s = interval * clock.seconds_per_unit;
   if (values.empty()) return clock;
   clock.first_s = *std::min_element(values.begin(), values.end()) * clock.seconds_per_unit;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "ingest/closest_match.h"
 #include "ingest/layout/name_words.h"
 
@@ -66,8 +68,8 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
       const TableSurvey& in = logs[of.log].tables[of.table];
       const JointSurvey& j = in.joints[of.joint];
       if (column != nullptr || (is_target ? j.targets.empty() : !j.effort)) continue;
-      const ColumnSurvey& found = in.columns[is_target ? j.targets.front() : *j.effort];
-      if (is_target && found.meaning->quantity != Quantity::torque) continue;
+      const ColumnSurvey& found = in.columns[is_target ? j.targets.front() : present(j.effort)];
+      if (is_target && present(found.meaning).quantity != Quantity::torque) continue;
       table = &in;
       column = &found;
       proposal.is_target = is_target;
@@ -77,7 +79,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     propose_none(*table, proposal);
     return proposal;
   }
-  const ColumnMeaning& meaning = *column->meaning;
+  const ColumnMeaning& meaning = present(column->meaning);
   const bool is_current = meaning.quantity == Quantity::current;
   EffortKind guess = says_motor(column->name) ? EffortKind::motor_torque : EffortKind::joint_torque;
   if (is_current) guess = EffortKind::motor_current;

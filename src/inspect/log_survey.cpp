@@ -5,6 +5,7 @@
 #include <set>
 
 #include "inspect/column_guess.h"
+#include "present.h"
 
 #include "files/byte_source.h"
 #include "ingest/log_reader.h"
@@ -88,7 +89,7 @@ std::optional<std::size_t> of_joint(const TableSurvey& table, Quantity quantity,
 
 /// Time and angle in SI, in the order of time, gaps and repeated stamps left out.
 AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointSurvey& joint) {
-  const std::vector<double>& t = data.columns[*table.time].values;
+  const std::vector<double>& t = data.columns[present(table.time)].values;
   const std::vector<double>& q = data.columns[joint.angle].values;
   const std::vector<double>* effort = joint.effort ? &data.columns[*joint.effort].values : nullptr;
   std::vector<std::size_t> rows;
@@ -100,10 +101,10 @@ AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointS
   std::stable_sort(rows.begin(), rows.end(),
                    [&](std::size_t a, std::size_t b) { return t[a] < t[b]; });
   const double angle_factor =
-      *find_si_factor(Quantity::angle, table.columns[joint.angle].meaning->unit);
+      present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
   AngleTrace trace;
   for (const std::size_t i : rows) {
-    const double time_s = t[i] * table.clock->seconds_per_unit;
+    const double time_s = t[i] * present(table.clock).seconds_per_unit;
     if (!trace.t_s.empty() && time_s <= trace.t_s.back()) continue;
     trace.t_s.push_back(time_s);
     trace.q_rad.push_back(q[i] * angle_factor);
@@ -124,7 +125,7 @@ void add_joints(const LogTable& data, TableSurvey& table) {
     const bool is_only = names.size() == 1;
     JointSurvey joint;
     joint.name = name;
-    joint.angle = *first_of(table, Quantity::angle, name, false);
+    joint.angle = present(first_of(table, Quantity::angle, name, false));
     if (std::isnan(table.columns[joint.angle].lowest)) continue;
     joint.speed = of_joint(table, Quantity::angular_speed, name, is_only);
     joint.effort = of_joint(table, Quantity::torque, name, is_only);
@@ -136,7 +137,7 @@ void add_joints(const LogTable& data, TableSurvey& table) {
     }
     if (joint.effort && std::isnan(table.columns[*joint.effort].lowest)) joint.effort.reset();
     const double factor =
-        *find_si_factor(Quantity::angle, table.columns[joint.angle].meaning->unit);
+        present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
     joint.lowest_rad = factor * table.columns[joint.angle].lowest;
     joint.highest_rad = factor * table.columns[joint.angle].highest;
     if (table.clock && table.clock->interval_s > 0) {
@@ -156,9 +157,9 @@ void look_at_angle_units(const LogTable& data, TableSurvey& table) {
     if (!looks_like_degrees(data.columns[k].values)) continue;
     meaning->unit = "deg";
     const auto speed = first_of(table, Quantity::angular_speed, meaning->joint, false);
-    if (speed && !table.columns[*speed].meaning->unit_is_stated) {
-      table.columns[*speed].meaning->unit = "deg/s";
-    }
+    if (!speed) continue;
+    ColumnMeaning& of_speed = present(table.columns[*speed].meaning);
+    if (!of_speed.unit_is_stated) of_speed.unit = "deg/s";
   }
 }
 
@@ -195,8 +196,9 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
     } else if (!is_iso) {
       read_clock_again(path, rules, *table.time, data);
     }
-    table.clock = survey_clock(column, *table.columns[*table.time].meaning, is_iso);
-    table.columns[*table.time].meaning->unit = table.clock->unit;
+    ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
+    table.clock = survey_clock(column, meaning, is_iso);
+    meaning.unit = table.clock->unit;
   }
   add_joints(data, table);
   return table;

@@ -8,6 +8,7 @@
 
 #include "inspect/effort_proposal.h"
 #include "inspect/joint_choice.h"
+#include "present.h"
 
 #include "error.h"
 #include "export/toml_text.h"
@@ -149,7 +150,7 @@ class ManifestText {
   [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
                                    bool turns, bool with_comments) const {
     const ColumnSurvey& column = table(of).columns[index];
-    const ColumnMeaning& meaning = *column.meaning;
+    const ColumnMeaning& meaning = present(column.meaning);
     std::string entry = fmt::format("{} = {{ name = {}, unit = {}", key,
                                     name_in_log(of, column.name), toml_text(meaning.unit));
     const bool at_motor =
@@ -166,7 +167,7 @@ class ManifestText {
   }
 
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
-    const ClockSurvey& clock = *table(of).clock;
+    const ClockSurvey& clock = present(table(of).clock);
     std::string entry = fmt::format("time = {{ name = {}, unit = {} }}",
                                     name_in_log(of, clock.column), toml_text(clock.unit));
     if (!with_comments || clock.unit_is_stated) return entry;
@@ -183,14 +184,15 @@ class ManifestText {
     if (j.speed) lines.push_back(column(of, "speed", *j.speed, true, with_comments));
     const auto effort = effort_.column_of(j);
     if (effort) lines.push_back(column(of, "effort", *effort, false, with_comments));
-    if (j.temperature && t.columns[*j.temperature].meaning->quantity == Quantity::temperature) {
+    if (j.temperature &&
+        present(t.columns[*j.temperature].meaning).quantity == Quantity::temperature) {
       lines.push_back(column(of, "temperature", *j.temperature, false, with_comments));
     }
     return lines;
   }
 
   [[nodiscard]] std::string seconds(const JointInLog& of, double value_s) const {
-    const double interval_s = table(of).clock->interval_s;
+    const double interval_s = present(table(of).clock).interval_s;
     const double fine = std::ceil(-std::log10(interval_s / shares_of_interval));
     const auto decimals = std::clamp(static_cast<int>(fine), static_cast<int>(usual_decimals), 9);
     std::string text = fmt::format("{:.{}f}", value_s, decimals);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "present.h"
+
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
@@ -89,7 +91,7 @@ class Follower {
   }
 
   void replace_ramp(const PlannedSegment& segment, std::size_t first, std::size_t last) {
-    const PlannedRamp& ramp = *segment.ramp;
+    const PlannedRamp& ramp = present(segment.ramp);
     BreakAwayExperiment e;
     e.centre_rad = segment.motion->angle(0);
     e.rate_Nm_s = ramp.rate_Nm_s;

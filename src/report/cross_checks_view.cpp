@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "present.h"
+
 #include "report/units.h"
 #include "report/view_parts.h"
 
@@ -109,7 +111,7 @@ Table plan_table(const PositionPlan& plan, const Calibration& c) {
           fixed((plan.further_rad[k] - first) * c.manifest.drive.gear_ratio() * to_degrees, 1)},
          false});
   }
-  const double g = c.hysteresis.midline_Nm->value;
+  const double g = present(c.hysteresis.midline_Nm).value;
   const auto percent = [&](double half_width_Nm) {
     return "±" + significant(100 * half_width_Nm / g, 2) + " %";
   };

@@ -85,8 +85,8 @@ Table manifest_table(const Manifest& m) {
   add(table, "Gear ratio n", as_stated(m.drive.gear_ratio()));
   add(table, "Effort column",
       effort_in_words(m.drive) + (m.effort_is_confirmed ? "" : ": proposed, nobody confirmed it"));
-  if (m.drive.torque_constant_Nm_A()) {
-    add(table, "Torque constant", with_unit(as_stated(*m.drive.torque_constant_Nm_A()), "N·m/A"));
+  if (const auto constant = m.drive.torque_constant_Nm_A()) {
+    add(table, "Torque constant", with_unit(as_stated(*constant), "N·m/A"));
   }
   if (m.drive.kind() != EffortKind::none) {
     add(table, "Motor torque per unit of effort",

@@ -59,10 +59,11 @@ void add_change(const history::Comparison& since_last, const QuantityVerdict& q,
   if (found == since_last.quantities.end()) return;
   row.change_word = history::to_string(found->word);
   row.is_changed = found->word == history::ChangeWord::changed;
-  if (!found->change) return;
-  const Estimate& absolute = found->change->absolute;
+  const history::ComparedQuantity& compared = *found;
+  if (!compared.change) return;
+  const Estimate& absolute = compared.change->absolute;
   const Scale scale =
-      quantity_scale(found->unit, found->second ? found->second->value : absolute.value);
+      quantity_scale(compared.unit, compared.second ? compared.second->value : absolute.value);
   const RoundedEstimate text = round_by_interval(absolute, scale);
   row.change = with_unit(with_plus_sign(text.estimate), scale.unit);
   row.change_range = text.half_width.empty() ? text.range() : "± " + text.half_width;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "stages/median.h"
 #include "stages/plateaus.h"
@@ -56,7 +58,7 @@ double print_step_rad(std::vector<double> angles, double gear_ratio) {
 /// Travels of one recording, one per reversal.
 void add_travels(const Recording& r, const std::vector<bool>& steady, const CogSweepResult& sweep,
                  double gear_ratio, std::vector<double>& travels) {
-  const double coulomb = sweep.coulomb_Nm->value;
+  const double coulomb = present(sweep.coulomb_Nm).value;
   // At a reversal acceleration is largest: without inertia friction would seem to turn over early.
   const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
   const std::vector<double> acceleration = find_plateaus(r).acceleration_rad_s2;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "stages/encoder_resolution.h"
 #include "stages/loop_midline.h"
 #include "stages/loop_points.h"
@@ -116,7 +118,8 @@ void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple
     angle.push_back(gear_ratio * loop.oscillation.centre_rad);
   }
   if (loops.size() == 1) {
-    if (loops.front().midline) out.midline_Nm = loops.front().midline->torque_Nm;
+    const std::optional<LoopMidline>& midline = loops.front().midline;
+    if (midline) out.midline_Nm = midline->torque_Nm;
   } else if (!at_peak.empty()) {
     out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
     out.midline_Nm = out.positions->gravity_Nm;
@@ -149,10 +152,11 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
             0,
             encoder_step};
   }
-  return {loop.traced->centre_rad,
-          loop.traced->amplitude_rad,
-          loop.traced->frequency_Hz,
-          std::floor(static_cast<double>(loop.traced->strokes()) / 2),
+  const TracedMotion& traced = present(loop.traced);
+  return {traced.centre_rad,
+          traced.amplitude_rad,
+          traced.frequency_Hz,
+          std::floor(static_cast<double>(traced.strokes()) / 2),
           0,
           encoder_step};
 }

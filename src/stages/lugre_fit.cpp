@@ -9,6 +9,8 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "stages/linearised_fit.h"
 #include "stages/lugre_experiments.h"
 #include "stages/lugre_identifiability.h"
@@ -187,7 +189,7 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
   std::vector<Estimate> each;
   std::vector<double> angle;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
-    each.push_back(*fit.loops[r].gravity_Nm);
+    each.push_back(present(fit.loops[r].gravity_Nm));
     angle.push_back(gear_ratio * inputs[r].centre_rad());
   }
   return mean_over_positions(each, angle, ripple, "half cycles");
@@ -262,8 +264,9 @@ std::string worst_misfit(const LuGreFit& fit) {
   for (const LuGreLoop& loop : fit.loops) {
     if (loop.traced && (worst == nullptr || share(loop) > share(*worst))) worst = &loop;
   }
-  return worst == nullptr ? ""
-                          : misfit_in_words(worst->recording, *worst->traced, worst->residual_Nm);
+  return worst == nullptr
+             ? ""
+             : misfit_in_words(worst->recording, present(worst->traced), worst->residual_Nm);
 }
 
 }  // namespace

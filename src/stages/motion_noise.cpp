@@ -100,9 +100,10 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
     std::vector<LuGreInput> again = inputs;
     for (std::size_t r = 0; r < inputs.size(); ++r) {
       if (inputs[r].traced == nullptr) continue;
-      traces[r] = trace_motion(recorded_again(*inputs[r].recording, *inputs[r].traced, random));
+      MotionTrace& trace = traces[r];
+      trace = trace_motion(recorded_again(*inputs[r].recording, *inputs[r].traced, random));
       // Refused by chance, at the edge of what can be traced: the motion stays as it was.
-      if (traces[r].motion) again[r].traced = &*traces[r].motion;
+      if (trace.motion) again[r].traced = &*trace.motion;
     }
     shifts.col(static_cast<Eigen::Index>(k)) = step_along(again, climb, gear_ratio, q_peak_rad);
   });

@@ -74,6 +74,7 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
     const auto [torque_up, width_up] = up[bin].torque();
     const auto [torque_down, width_down] = down[bin].torque();
     const double difference = (torque_up - torque_down) / 2;
+    const double mean = (torque_up + torque_down) / 2;
     const double half_width = std::hypot(width_up, width_down) / 2;
     const auto index = static_cast<int>(runs.size());
     const auto make = [&](const Bin& b, double torque, double torque_width, int partner,
@@ -93,7 +94,7 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
       run.partner = partner;
       run.direction_difference_Nm = sign * difference;
       run.direction_difference_half_width_Nm = half_width;
-      run.direction_mean_Nm = (torque_up + torque_down) / 2;
+      run.direction_mean_Nm = mean;
       run.direction_mean_cos =
           (up[bin].cosine / up[bin].samples + down[bin].cosine / down[bin].samples) / 2;
       return run;

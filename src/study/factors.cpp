@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 namespace tribolog {
 namespace {
 
@@ -133,7 +135,7 @@ StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
   Scenario start = without_unneeded(base);
   start.further_oscillations.clear();
   if (!is_one) {
-    const auto all = spread_over_motor_turn(*base.oscillation, positions, base.gear_ratio);
+    const auto all = spread_over_motor_turn(present(base.oscillation), positions, base.gear_ratio);
     start.further_oscillations.assign(all.begin() + 1, all.end());
   }
   const Scale scale{usual_noise_share * motor_gravity_Nm(base),
@@ -173,7 +175,7 @@ StudyFactor amplitude_factor(const Scenario& base) {
       true,
       {}};
   add_levels(without_unneeded(base), short_base,
-             {base.oscillation->amplitude_rad,
+             {present(base.oscillation).amplitude_rad,
               {0.1, 0.3, 1, 3, 10},
               for_each_oscillation(&OscillationExperiment::amplitude_rad),
               [](double v) { return fmt::format("{:.4g} µrad", 1e6 * v); },
@@ -191,7 +193,7 @@ StudyFactor cycles_factor(const Scenario& base) {
       true,
       {}};
   // Two cycles are the fewest that leave one behind the start-up stroke.
-  const double stated = base.oscillation->cycles;
+  const double stated = present(base.oscillation).cycles;
   std::vector<double> multiples{1};
   for (const double cycles : {2.0, 3.0, 5.0, 10.0, 20.0}) {
     if (cycles != stated) multiples.push_back(cycles / stated);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
 #include "simulate/bristle_integrator.h"
@@ -106,7 +108,7 @@ class Maker {
   /// Friction that grows with the gravity torque.
   void add_load_friction(const Recording& r, const MotionSegments& motion,
                          const CogSweepResult& sweep, std::vector<double>& torque) const {
-    const SlidingFriction per_load(sweep.load_coulomb_Nm->value, 0.0, rest_speed(motion));
+    const SlidingFriction per_load(present(sweep.load_coulomb_Nm).value, 0.0, rest_speed(motion));
     for (std::size_t i = 0; i < r.size(); ++i) {
       torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
                    std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "archive/export/gear_side.h"
+#include "present.h"
 
 #include "report/visible_text.h"
 
@@ -47,7 +48,7 @@ std::vector<std::string> comment_lines(const ArchivedJoint& joint) {
 
 std::string estimate_line(const Quantity& quantity, double gear_ratio, Side side) {
   const bool at_motor = side == Side::motor;
-  const Estimate e = at_motor ? quantity.estimate.value() : at_joint(quantity, gear_ratio);
+  const Estimate e = at_motor ? present(quantity.estimate) : at_joint(quantity, gear_ratio);
   const int power = at_motor ? 0 : gear_power(quantity.name).value_or(0);
   return one_line(fmt::format("{} at the {}: {:.6g} {} (95 %: {:.6g} to {:.6g}), {}; {}",
                               without_side(quantity.words), to_string(side), e.value, quantity.unit,

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "present.h"
+
 namespace tribolog::archive {
 namespace {
 
@@ -72,9 +74,9 @@ FrictionTable straight_line(const ArchivedJoint& joint, const Json& whole) {
   if (coulomb == nullptr || viscous == nullptr || !fastest.is_number()) {
     return {{}, "the calibration holds no friction curve"};
   }
-  const double c_Nm = coulomb->estimate->value;
+  const double c_Nm = present(coulomb->estimate).value;
   const double w_rad_s = fastest.get<double>();
-  return {{{0, c_Nm}, {w_rad_s, c_Nm + viscous->estimate->value * w_rad_s}},
+  return {{{0, c_Nm}, {w_rad_s, c_Nm + present(viscous->estimate).value * w_rad_s}},
           "straight line of Coulomb and viscous friction up to the fastest motion"};
 }
 

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "present.h"
+
 #include "joint/acceptance_limit.h"
 
 namespace tribolog::archive {
@@ -43,7 +45,7 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
 
 Estimate at_joint(const Quantity& quantity, double gear_ratio) {
   const int power = gear_power(quantity.name).value_or(0);
-  return scaled(quantity.estimate.value(), std::pow(gear_ratio, power));
+  return scaled(present(quantity.estimate), std::pow(gear_ratio, power));
 }
 
 std::string conversion_words(int power) {

@@ -9,6 +9,7 @@
 #include "archive/export/gear_side.h"
 #include "archive/export/simulator_number.h"
 #include "archive/export/xml_text.h"
+#include "present.h"
 
 #include "error.h"
 
@@ -40,7 +41,7 @@ std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions
       if_usable(joint, "break_away_torque", options.doubtful_too, why_not);
   if (break_away != nullptr) {
     const double static_Nm =
-        at_motor ? break_away->estimate->value : at_joint(*break_away, f.gear_ratio).value;
+        at_motor ? present(break_away->estimate).value : at_joint(*break_away, f.gear_ratio).value;
     peak = std::max(peak, static_Nm / table.rows.front().friction_Nm);
     lines.push_back("peak: break-away torque by the torque of the first row, at least 1. " +
                     estimate_line(*break_away, f.gear_ratio, options.side));

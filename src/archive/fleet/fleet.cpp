@@ -7,6 +7,7 @@
 #include "archive/entry_of_calibration.h"
 #include "archive/fleet/fleet_distances.h"
 #include "archive/fleet/robust_statistics.h"
+#include "present.h"
 
 namespace tribolog::archive {
 namespace {
@@ -53,7 +54,7 @@ FleetJoint joint_of(std::vector<Measured>::const_iterator first,
     for (FleetCell& cell : joint.cells) {
       for (const Quantity& q : at->quantities) {
         if (!is_result(q) || q.name != columns.all[cell.column].name) continue;
-        cell.results.push_back({time_s, *q.estimate});
+        cell.results.push_back({time_s, present(q.estimate)});
         break;
       }
     }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "archive/history/normal_score.h"
+#include "present.h"
 
 namespace tribolog::history {
 namespace {
@@ -121,7 +122,7 @@ class Charting {
   }
 
   void end_excursion(std::size_t k) {
-    const std::size_t back = way_back_->first();
+    const std::size_t back = present(way_back_).first();
     chart_.excursions.back().back = back;
     for (std::size_t i = back; i <= k; ++i) members_.push_back(i);
     way_back_.reset();

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 
 namespace tribolog {
@@ -153,7 +155,7 @@ std::vector<std::string> plan_instructions(const ExperimentPlan& plan) {
         "takes the angle over, holds it there until torque_mode is 0, and returns to the set "
         "point within the rest that follows. A drive that cannot be led by torque leaves the ramps "
         "out, with their entries in dataset.toml.",
-        ramp->ramp->largest_travel_rad * degrees_per_rad));
+        present(ramp->ramp).largest_travel_rad * degrees_per_rad));
   }
   return all;
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "figures/history/history_axes.h"
 #include "figures/plot_data.h"
 
@@ -56,12 +58,12 @@ void add_reference(const QuantityTrend& trend, const AxisScale& scale, render::P
   const double scatter = wide * trend.reference->scatter();
   render::Band band;
   band.label = "reference ± 2 standard deviations of a calibration";
-  band.x = {*panel.x.minimum, *panel.x.maximum};
+  band.x = {present(panel.x.minimum), present(panel.x.maximum)};
   band.low = {scale(level - scatter), scale(level - scatter)};
   band.high = {scale(level + scatter), scale(level + scatter)};
   band.colour = {colour::green.red, colour::green.green, colour::green.blue, 45};
   panel.bands.push_back(std::move(band));
-  panel.series.push_back(line("", {*panel.x.minimum, *panel.x.maximum},
+  panel.series.push_back(line("", {present(panel.x.minimum), present(panel.x.maximum)},
                               {scale(level), scale(level)}, colour::green, 2.5,
                               render::LineStyle::dash));
 }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
 #include "ingest/text/plain_stretches.h"
@@ -61,8 +63,9 @@ class SlotReadings {
   void set_start(const ClockReading& first, std::size_t slot, LogTable& table) {
     const bool is_epoch = layout_.readings[slot] == ColumnReading::iso_time ||
                           std::abs(static_cast<double>(first.whole)) >= counts_from_1970;
-    starts_[slot] = ClockReading{is_epoch ? first.whole : 0, 0.0};
-    table.columns[slot].origin = static_cast<double>(starts_[slot]->whole);
+    const ClockReading start{is_epoch ? first.whole : 0, 0.0};
+    starts_[slot] = start;
+    table.columns[slot].origin = static_cast<double>(start.whole);
   }
 
   const RowLayout& layout_;
@@ -113,7 +116,7 @@ class RowReader {
     const std::size_t before = table_.rows;
     for (bool goes_on = true; goes_on;) {
       cursor_.read_on(stretch_bytes);
-      const auto round = stretches_.read(cursor_.rest(), *slots_.plain_layout(table_),
+      const auto round = stretches_.read(cursor_.rest(), present(slots_.plain_layout(table_)),
                                          [&] { cursor_.read_ahead(stretch_bytes); });
       for (const PlainRows& part : round.parts) pass(part);
       goes_on = round.is_whole;
@@ -193,9 +196,9 @@ class RowReader {
   void judge_bad_rows() {
     const std::size_t all = table_.rows + table_.bad_rows;
     const std::string count = fmt::format("{} of {} rows cannot be used", table_.bad_rows, all);
-    const std::string first = fmt::format("the first: {}", first_bad_row_->what());
+    const std::string first = fmt::format("the first: {}", present(first_bad_row_).what());
     if (static_cast<double>(table_.bad_rows) > most_bad_rows * static_cast<double>(all)) {
-      throw InputError({table_.file, first_bad_row_->where().line, 0},
+      throw InputError({table_.file, present(first_bad_row_).where().line, 0},
                        {count, "", fmt::format("no more than {} %", 100 * most_bad_rows), first});
     }
     table_.notes.push_back(count + " and are left out; " + first);

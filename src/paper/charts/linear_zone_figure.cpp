@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "parameter_rules.h"
+#include "present.h"
 
 #include "figures/number_text.h"
 #include "figures/plot_data.h"
@@ -53,8 +54,8 @@ render::Panel close_up(const StaticLaw& law, double threshold) {
   const AxisScale speeds = prefixed("rad/s", largest);
   render::Panel panel = static_law_panel(largest, at_threshold);
   panel.title = "The linear zone";
-  const double low = *panel.y.minimum;
-  const double high = *panel.y.maximum;
+  const double low = present(panel.y.minimum);
+  const double high = present(panel.y.maximum);
   render::Band band;
   band.label = fmt::format("linear zone, slope T_{{f}}(ω_{{th}})/ω_{{th}} = {}",
                            slope_text(at_threshold / threshold));

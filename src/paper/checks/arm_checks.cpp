@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
@@ -25,9 +27,9 @@ Checks check_robot(const PapersJoint& joint) {
 Checks check_mass_model(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
   const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
-  const Eigen::Vector3d towards = arm.towards_mass(0, drawn.q_peak_rad.value().value);
+  const Eigen::Vector3d towards = arm.towards_mass(0, present(drawn.q_peak_rad).value);
   const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
-  const scenes::DrivenMass mass = drawn.mass.value();
+  const scenes::DrivenMass mass = present(drawn.mass);
   return {
       printed_value("q_c, elevation of the mass centre as drawn at q = 0",
                     printed::precise_angle_rad, 5, q_c, 1e-5, "rad",
@@ -37,7 +39,7 @@ Checks check_mass_model(const PapersJoint& joint) {
       printed_value("The surrogate's distance as drawn: r (printed as 500 m)", printed::distance_m,
                     1, drawn.surrogate_distance_m, rounding_m, "m", "rounding"),
       law_value("Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
-                drawn.surrogate_mass_kg.value().value * drawn.surrogate_distance_m /
+                present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
                     (mass.mass_kg * mass.distance_m),
                 rounding_m, "", "rounding")};
 }
@@ -45,12 +47,12 @@ Checks check_mass_model(const PapersJoint& joint) {
 Checks check_motion_range(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
   const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
-  const AngleRange range = drawn.range.value();
+  const AngleRange range = present(drawn.range);
   const double at = -printed::precise_angle_deg * rad_per_degree;
-  const SweepExperiment& sweep = joint.scenario.rough_sweep.value();
+  const SweepExperiment& sweep = present(joint.scenario.rough_sweep);
   return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
-                    drawn.mass.value().distance_m *
-                        arm.towards_mass(at, drawn.q_peak_rad.value().value).z(),
+                    present(drawn.mass).distance_m *
+                        arm.towards_mass(at, present(drawn.q_peak_rad).value).z(),
                     1e-9, "m", "the printed angle's rounding"),
           law_value("The drawn range begins where the rough sweep does",
                     sweep.from_rad * degrees_per_rad, range.lowest_rad * degrees_per_rad, 1e-9, "°",

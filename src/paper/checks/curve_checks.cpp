@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "present.h"
+
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
 
@@ -27,7 +29,7 @@ std::string nearest_to_the_truth(const PapersJoint& joint) {
 
 Checks check_candidate_curves(const PapersJoint& joint) {
   const ViscousCurvesResult& viscous = joint.calibration.viscous;
-  const auto& speeds = joint.scenario.constant_speed.value().motor_speeds_rad_s;
+  const auto& speeds = present(joint.scenario.constant_speed).motor_speeds_rad_s;
   double apart = 0;
   for (const char name : loop_point_names) {
     const ViscousCurve* curve = viscous.find(std::string(1, name));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "present.h"
+
 #include "paper/bristle_sketch.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/drive_diagram.h"
@@ -24,7 +26,7 @@ double between(RandomStream& random, double low, double high) {
 }  // namespace
 
 Checks check_bristle_sketch(const ReportFigure& drawn) {
-  const render::Diagram& diagram = drawn.figure.diagram.value();
+  const render::Diagram& diagram = present(drawn.figure.diagram);
   double sum = 0;
   int bristles = 0;
   double enlarged = 0;

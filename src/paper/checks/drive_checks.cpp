@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/checks/equation_checks.h"
 #include "paper/drive_diagram.h"
@@ -63,11 +65,12 @@ Checks check_equation_9(const PapersJoint& joint) {
   const JointUnderTest& arm = joint.robot.under_test;
   const double q_c = printed::precise_angle_deg * rad_per_degree;
   double apart = 0;
-  const AngleRange range = joint.robot.range.value();
+  const AngleRange range = present(joint.robot.range);
   for (double q = range.lowest_rad; q <= range.highest_rad; q += rad_per_degree / 4) {
     const double printed =
         load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
-    apart = std::max(apart, std::abs(arm.holding_torque_Nm(q, joint.robot.load.value()) - printed));
+    apart =
+        std::max(apart, std::abs(arm.holding_torque_Nm(q, present(joint.robot.load)) - printed));
   }
   return {vanishing("Equation against lever and weight of the arm in space (figure 12), "
                     "over its range of motion: largest difference",
@@ -105,7 +108,7 @@ Checks check_equation_11(const PapersJoint& joint) {
 Checks check_equation_13(const PapersJoint& joint) {
   const Scenario& s = joint.scenario;
   const CogSweepResult& rough = joint.calibration.rough;
-  const double speed = s.gear_ratio * s.rough_sweep.value().speed_rad_s;
+  const double speed = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
   const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
   return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
                     rough.argmax_torque_Nm, 1e-7, "N·m", "the peak lies between two samples"),

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/checks/plain_loop.h"
 #include "paper/printed_paper.h"
@@ -28,7 +30,7 @@ void add_table_2(Checks& out) {
 void add_ratios(const PapersJoint& joint, Checks& out) {
   const Scenario& s = joint.scenario;
   const LuGreFriction::Parameters& p = bristles_of(s).parameters();
-  const OscillationExperiment& e = s.oscillation.value();
+  const OscillationExperiment& e = present(s.oscillation);
   const double swing = s.gear_ratio * e.amplitude_rad;
   const double swing_speed = swing * 2 * std::numbers::pi * e.frequency_Hz;
   const char* digits = "digits of the scenario's parameters";
@@ -36,8 +38,8 @@ void add_ratios(const PapersJoint& joint, Checks& out) {
                                     joint.true_gravity_Nm(), 5e-9, "N·m", digits));
   out.push_back(
       reconstructed_value("True surrogate mass at 0.5 m", 79.1679, 4,
-                          scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value, 5e-5,
-                          "kg", "digits of the method's number"));
+                          present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value,
+                          5e-5, "kg", "digits of the method's number"));
   out.push_back(reconstructed_value("T_s", 0.88437633, 8, p.static_Nm, 5e-9, "N·m", digits));
   out.push_back(reconstructed_value("σ₀ n a / T_s", 5.26269819, 8,
                                     p.bristle_stiffness_Nm_rad * swing / p.static_Nm, 1e-4, "",
@@ -146,10 +148,10 @@ void add_pairs(const PapersJoint& joint, Checks& out) {
 
 void add_angles(const PapersJoint& joint, Checks& out) {
   out.push_back(printed_value("q_peak", -printed::precise_angle_deg, 5,
-                              joint.calibration.q_peak_rad.value().value * degrees_per_rad, 1e-5,
+                              present(joint.calibration.q_peak_rad).value * degrees_per_rad, 1e-5,
                               "°", "the last printed place"));
   out.push_back(reconstructed_value("q_c = −q_peak", 0.388019, 6,
-                                    joint.calibration.selection.q_c_rad.value().value, 1e-6, "rad",
+                                    present(joint.calibration.selection.q_c_rad).value, 1e-6, "rad",
                                     "the last digit"));
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/checks/golden_numbers.h"
 #include "paper/printed_paper.h"
@@ -31,7 +33,7 @@ void add_joint(const Scenario& s, Given& given) {
   given.add("Scenario: J of motor and gear", 1e-4, 4, s.motor_inertia_kgm2, "kg·m²");
   given.add("Scenario: m", 98.96, 2, s.load.mass_kg(), "kg");
   given.add("Scenario: r", 0.4, 1, s.load.distance_m(), "m");
-  const OscillationExperiment& e = s.oscillation.value();
+  const OscillationExperiment& e = present(s.oscillation);
   given.add("Scenario: swing of the motor, n a", 0.01, 2, s.gear_ratio * e.amplitude_rad, "rad");
   given.add("Scenario: f", 1, 0, e.frequency_Hz, "Hz");
 }
@@ -47,14 +49,15 @@ void add_sliding(const Scenario& s, Given& given) {
 }
 
 void add_experiments(const Scenario& s, Given& given) {
-  const SweepExperiment& sweep = s.rough_sweep.value();
+  const SweepExperiment& sweep = present(s.rough_sweep);
   given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * degrees_per_rad, "°");
   given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * degrees_per_rad, "°");
   given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * degrees_per_rad, "°/s");
-  const auto& speeds = s.constant_speed.value().motor_speeds_rad_s;
+  const ConstantSpeedExperiment& runs = present(s.constant_speed);
+  const auto& speeds = runs.motor_speeds_rad_s;
   const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
   given.add("Scenario: number of constant speeds, in both directions", 20, 0,
-            s.constant_speed->both_directions ? static_cast<double>(speeds.size()) : NAN, "");
+            runs.both_directions ? static_cast<double>(speeds.size()) : NAN, "");
   given.add("Scenario: slowest of them", 1, 0, *slowest, "rad/s");
   given.add("Scenario: fastest of them", 300, 0, *fastest, "rad/s");
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "present.h"
+
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/solved_bristle.h"
 #include "paper/printed_paper.h"
@@ -26,7 +28,7 @@ Checks check_equation_12(const PapersJoint& joint) {
                                             printed::distance_m, load.gravity_m_s2(), 1.0),
                           5e-5, "kg", "digits of the method's number"),
       law_value("The same torque at every angle: its m r by that of the arm", 1.0,
-                scenes::stated_numbers(joint.robot).surrogate_mass_kg.value().value *
+                present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
                     printed::distance_m / (load.mass_kg() * load.distance_m()),
                 1e-12, "", "rounding")};
   if (midline != nullptr) {
@@ -38,7 +40,7 @@ Checks check_equation_12(const PapersJoint& joint) {
 }
 
 Checks check_equation_14(const PapersJoint& joint) {
-  const OscillationExperiment& e = joint.scenario.oscillation.value();
+  const OscillationExperiment& e = present(joint.scenario.oscillation);
   const double t_B = solved_time_of_B_s(joint);
   const double q_3 = e.amplitude_rad * std::sin(2 * std::numbers::pi * e.frequency_Hz * t_B);
   const double q_c = -joint.scenario.load.q_peak_rad();

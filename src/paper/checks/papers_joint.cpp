@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "present.h"
+
 #include "paper/charts/joint_scale.h"
 #include "pipeline.h"
 #include "simulate/simulate_joint.h"
@@ -63,13 +65,13 @@ double PapersJoint::true_gravity_Nm() const {
 }
 
 double PapersJoint::oscillation_speed_rad_s(double t_s) const {
-  const OscillationExperiment& e = scenario.oscillation.value();
+  const OscillationExperiment& e = present(scenario.oscillation);
   const double omega = 2 * std::numbers::pi * e.frequency_Hz;
   return scenario.gear_ratio * e.amplitude_rad * omega * std::cos(omega * t_s);
 }
 
 double PapersJoint::oscillation_acceleration_rad_s2(double t_s) const {
-  const OscillationExperiment& e = scenario.oscillation.value();
+  const OscillationExperiment& e = present(scenario.oscillation);
   const double omega = 2 * std::numbers::pi * e.frequency_Hz;
   return -scenario.gear_ratio * e.amplitude_rad * omega * omega * std::sin(omega * t_s);
 }

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "present.h"
+
 namespace tribolog::paper {
 
 std::array<double, 6> plain_loop_torques_Nm(const Scenario& scenario) {
   const LuGreFriction::Parameters& p = bristles_of(scenario).parameters();
-  const OscillationExperiment& e = scenario.oscillation.value();
+  const OscillationExperiment& e = present(scenario.oscillation);
   const double g = p.static_Nm / p.bristle_stiffness_Nm_rad;
   const double swing = scenario.gear_ratio * e.amplitude_rad;
   const double top_speed = 2 * std::numbers::pi * e.frequency_Hz * swing;

@@ -3,6 +3,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "present.h"
+
 #include "simulate/cvode_solver.h"
 
 namespace tribolog::paper {
@@ -17,7 +19,7 @@ std::unique_ptr<CvodeSolver> solver_of(const PapersJoint& joint) {
   CvodeSolver::Options options;
   options.relative_tolerance = tolerance;
   options.absolute_tolerances = {tolerance * p.static_Nm / p.bristle_stiffness_Nm_rad};
-  options.largest_step = 0.005 / joint.scenario.oscillation.value().frequency_Hz;
+  options.largest_step = 0.005 / present(joint.scenario.oscillation).frequency_Hz;
   options.events = 2;
   return std::make_unique<CvodeSolver>(
       std::vector<double>{0.0},
@@ -52,7 +54,7 @@ std::vector<double> solved_deflection_rad(const PapersJoint& joint) {
 
 double solved_time_of_B_s(const PapersJoint& joint) {
   const auto solver = solver_of(joint);
-  const double end = 1 / joint.scenario.oscillation.value().frequency_Hz;
+  const double end = 1 / present(joint.scenario.oscillation).frequency_Hz;
   while (solver->time() < end && solver->advance_to(end) == CvodeSolver::Stop::at_event) {
     const bool is_dropping = joint.oscillation_speed_rad_s(solver->time()) < 0;
     if (solver->happened(1) && is_dropping) return solver->time();

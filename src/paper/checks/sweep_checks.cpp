@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/printed_paper.h"
@@ -27,7 +29,7 @@ Checks check_sweep_motion(const PapersJoint& joint) {
     least_friction = std::min(least_friction, friction);
     most_friction = std::max(most_friction, friction);
   }
-  const double planned = s.gear_ratio * s.rough_sweep.value().speed_rad_s;
+  const double planned = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
   return {
       law_value("Motor speed of the samples used: n times 2°/s", planned,
                 std::abs(fastest - planned) > std::abs(slowest - planned) ? fastest : slowest,

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
@@ -28,7 +30,7 @@ struct Model {
 
   [[nodiscard]] double far_m() const { return numbers.surrogate_distance_m; }
   [[nodiscard]] Eigen::Vector3d towards_mass() const {
-    return test.towards_mass(q_rad, numbers.q_peak_rad->value);
+    return test.towards_mass(q_rad, present(numbers.q_peak_rad).value);
   }
   [[nodiscard]] Eigen::Vector3d mass_centre_m(double distance_m) const {
     return test.place_m() + distance_m * towards_mass();
@@ -141,7 +143,8 @@ void add_masses(render::Scene& scene, const Model& model) {
     ball(mass->distance_m, "m_{" + model.n + "} = " + kilogram_text(mass->mass_kg), paint::mass);
   }
   ball(model.far_m(),
-       "m_{" + model.n + "}^{REPL} = " + mass_text(model.numbers, *model.numbers.surrogate_mass_kg),
+       "m_{" + model.n +
+           "}^{REPL} = " + mass_text(model.numbers, present(model.numbers.surrogate_mass_kg)),
        surrogate_colour);
 }
 
@@ -197,7 +200,7 @@ render::Scene draw(const Model& model) {
 std::string numbers_in_words(const Model& model) {
   const TestNumbers& numbers = model.numbers;
   const std::string surrogate =
-      fmt::format("surrogate mass {} at {}", mass_text(numbers, *numbers.surrogate_mass_kg),
+      fmt::format("surrogate mass {} at {}", mass_text(numbers, present(numbers.surrogate_mass_kg)),
                   millimetres_text(model.far_m()));
   const std::string side = side_text(numbers, model.q_c_rad);
   const std::string& joint = model.test.joint().name;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "archive/history/quantity_traits.h"
+#include "present.h"
 
 #include "figures/number_text.h"
 #include "report/rounding.h"
@@ -19,7 +20,7 @@ using history::ComparedQuantity;
 using history::Comparison;
 
 Scale scale_of(const ComparedQuantity& q) {
-  const Estimate& e = q.first ? *q.first : *q.second;
+  const Estimate& e = q.first ? *q.first : present(q.second);
   return quantity_scale(q.unit, e.value);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "present.h"
+
 #include "stages/block_regression.h"
 #include "stages/bootstrap/block_draw.h"
 #include "stages/linearised_fit.h"
@@ -131,7 +133,7 @@ void LoopResampler::draw_gravity(RandomStream& random, const std::vector<double>
   const double own = random.normal();
   double few_positions = 1;
   if (hysteresis_.positions_hold_ripple()) {
-    const double f = hysteresis_.positions->freedom;
+    const double f = present(hysteresis_.positions).freedom;
     few_positions = few_blocks_scale(random, f);
     shift.midline_Nm = half_width / student_t_975(f) * common * few_positions;
   } else if (means.size() >= 3 && hysteresis_.oscillations.size() == 1) {
@@ -144,8 +146,8 @@ void LoopResampler::draw_gravity(RandomStream& random, const std::vector<double>
   const double fit_half_width = fit->gravity_Nm.half_width();
   if (fit->freedom > 0) {
     const double r = position_correlation_;
-    const bool same =
-        hysteresis_.positions_hold_ripple() && hysteresis_.positions->freedom == fit->freedom;
+    const bool same = hysteresis_.positions_hold_ripple() &&
+                      present(hysteresis_.positions).freedom == fit->freedom;
     const double few = same ? few_positions : few_blocks_scale(random, fit->freedom);
     shift.fit_gravity_Nm = fit_half_width / student_t_975(fit->freedom) * few *
                            (r * common + std::sqrt(std::max(0.0, 1 - r * r)) * own);

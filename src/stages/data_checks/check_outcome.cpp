@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 namespace tribolog {
 
 DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
@@ -30,12 +32,12 @@ DataCheck passed_by_all(DataCheck check, std::string found) {
 }
 
 CheckState passed_or_fails(const DataCheck& check) {
-  return passed_or_warns_up_to(check.at_most.value(), check);
+  return passed_or_warns_up_to(present(check.at_most), check);
 }
 
 CheckState passed_or_warns_up_to(double most, const DataCheck& check) {
-  const double measured = check.measured.value();
-  if (measured <= check.at_most.value()) return CheckState::passed;
+  const double measured = present(check.measured);
+  if (measured <= present(check.at_most)) return CheckState::passed;
   return measured <= most ? CheckState::warns : CheckState::fails;
 }
 

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "stages/data_checks/check_list.h"
 #include "stages/median.h"
 #include "stages/student_t.h"
@@ -136,7 +138,7 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
     const auto drift = drift_of(r);
     if (!drift) continue;
     const double percent = drift->is_certain ? drift->percent : 0.0;
-    if (worst && percent <= *check.measured) continue;
+    if (worst && percent <= present(check.measured)) continue;
     worst = drift;
     check.measured = percent;
     check.recording = r.recording->name;

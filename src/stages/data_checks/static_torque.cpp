@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "present.h"
+
 #include "joint/degrees.h"
 #include "stages/data_checks/check_outcome.h"
 #include "stages/data_checks/checked_recordings.h"
@@ -25,7 +27,7 @@ constexpr double noticeable_turn_deg = 20;
 void judge(DataCheck& check, double factor, double half_width, const Drive& drive) {
   const double low = std::abs(factor) - half_width;
   const double high = std::abs(factor) + half_width;
-  const bool too_small = high < *check.at_least;
+  const bool too_small = high < present(check.at_least);
   const bool too_large = check.at_most && low > *check.at_most;
   const bool is_reversed = factor < 0;
   if (!too_small && !too_large && !is_reversed) {
