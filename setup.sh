@@ -2,6 +2,7 @@
 # Installs what is missing from the distribution's packages, and builds. Called by examples/run.sh
 # and tests/run.sh; not meant to be called by hand.
 #   ./setup.sh program        what the program needs; builds it into build/
+#   ./setup.sh package        the same, and packs it: build/tribolog_*.deb
 #   ./setup.sh tests          that and what the tests need; builds them too
 #   ./setup.sh bench          all of it and what the benchmarks need
 # Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
@@ -16,6 +17,7 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
+  package) needed+=(dpkg-dev file) ;;
   tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
@@ -25,7 +27,7 @@ esac
 
 # A browser and its driver for the report's tests, where the distribution packages them as such (in
 # Ubuntu, Chromium is a snap): without them these tests say so. Node may come from elsewhere, with npm.
-if [ "$goal" != program ] && grep -q '^ID=debian$' /etc/os-release 2>/dev/null; then
+if [[ $goal == tests || $goal == bench ]] && grep -q '^ID=debian$' /etc/os-release 2>/dev/null; then
   command -v chromium >/dev/null || needed+=(chromium)
   command -v npm >/dev/null || needed+=(nodejs npm)
 fi
@@ -83,9 +85,9 @@ install_missing() {
     fi
   done
   # Debian 12 has MuJoCo, Ubuntu 22.04 has not: without it, the test that loads MJCF says so.
-  if [ "$goal" != program ] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
+  if [[ $goal == tests || $goal == bench ]] && offers libmujoco-dev; then wanted+=(libmujoco-dev); fi
   (
-    [ "$goal" = program ] || start_no_service
+    [[ $goal == program || $goal == package ]] || start_no_service
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
       --no-install-recommends -o Dpkg::Use-Pty=0 "${wanted[@]}" >/dev/null
   )
@@ -106,6 +108,7 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_TESTS=$tes
   -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 rm -f "$build.log"
-target=(tribolog)
-[ "$goal" != program ] && target=(all)
-cmake --build "$build" --target "${target[@]}"
+target=all
+[[ $goal == program || $goal == package ]] && target=tribolog
+cmake --build "$build" --target "$target"
+if [ "$goal" = package ]; then (cd "$build" && cpack); fi

@@ -23,7 +23,7 @@ void write_simulation(const Scenario& scenario, const std::vector<Recording>& re
   check_output_can_be_written(manifest);
   AtomicFiles files;
   for (const Recording& recording : recordings) {
-    files.add((folder / recording.name).string(), recording_csv(recording));
+    files.add((folder / recording.name).string(), recording_csv(recording, scenario.log));
   }
   if (!scenario.robot_description.empty()) {
     files.add((folder / description_beside(scenario)).string(), scenario.robot_description_text);

@@ -1,5 +1,6 @@
 // Which libraries a command loads, and what it does where one is missing.
 
+#include <cstddef>
 #include <filesystem>
 #include <set>
 #include <sstream>
