@@ -2,6 +2,7 @@
 # Installs what is missing from the distribution's packages, and builds. Called by examples/run.sh
 # and tests/run.sh; not meant to be called by hand.
 #   ./setup.sh program        what the program needs; builds it into build/
+#   ./setup.sh package        the same, and packs it: build/tribolog_*.deb
 #   ./setup.sh tests          that and what the tests need; builds them too
 #   ./setup.sh lint           all of it and what looks at the source: clang-tidy, a second compiler
 #   ./setup.sh bench          the tests' and what the benchmarks need
@@ -17,6 +18,7 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
+  package) needed+=(dpkg-dev file) ;;
   tests | lint | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
@@ -32,7 +34,7 @@ esac
 
 # A browser and its driver for the report's tests, where the distribution packages them as such (in
 # Ubuntu, Chromium is a snap): without them these tests say so. Node may come from elsewhere, with npm.
-if [ "$goal" != program ] && grep -q '^ID=debian$' /etc/os-release 2>/dev/null; then
+if [[ $goal != program && $goal != package ]] && grep -q '^ID=debian$' /etc/os-release 2>/dev/null; then
   command -v chromium >/dev/null || needed+=(chromium)
   command -v npm >/dev/null || needed+=(nodejs npm)
 fi
@@ -103,7 +105,7 @@ install_missing() {
   local offered_here=()
   for package in "${extra[@]}"; do offers "$package" && offered_here+=("$package"); done
   (
-    [ "$goal" = program ] || start_no_service
+    [[ $goal == program || $goal == package ]] || start_no_service
     [ ${#wanted[@]} -eq 0 ] || install "${wanted[@]}"
     [ ${#offered_here[@]} -eq 0 ] || install "${offered_here[@]}" ||
       say "not installed: ${offered_here[*]}; the tests that need them will say so"
@@ -125,6 +127,7 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_TESTS=$tes
   -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 rm -f "$build.log"
-target=(tribolog)
-[ "$goal" != program ] && target=(all)
-cmake --build "$build" --target "${target[@]}"
+target=all
+[[ $goal == program || $goal == package ]] && target=tribolog
+cmake --build "$build" --target "$target"
+if [ "$goal" = package ]; then (cd "$build" && cpack); fi

@@ -21,7 +21,7 @@ effort column is, and the recordings by role. From it tribolog finds the centre
 of gravity, the surrogate mass, the friction hysteresis and the viscous curve,
 says how sure it is of each, and writes one HTML report.
 
-  tribolog simulate examples/paper/scenario.toml -o out/paper
+  tribolog simulate examples/paper/scenario_noise.toml -o out/paper
   tribolog report out/paper/dataset.toml -o out/paper/report.html
 )";
 

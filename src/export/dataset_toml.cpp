@@ -69,7 +69,13 @@ std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>&
   text += fmt::format("note = {}\n", toml_text("simulated: " + scenario.name));
   text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", toml_text(scenario.joint),
                       toml_number(scenario.gear_ratio));
-  text += "\n[effort]\nkind = \"motor_torque\"\nside = \"motor\"\n";
+  const bool is_current = scenario.log.torque_constant_Nm_A > 0;
+  text += fmt::format("\n[effort]\nkind = \"{}\"\nside = \"motor\"\n",
+                      is_current ? "motor_current" : "motor_torque");
+  if (is_current) {
+    text +=
+        fmt::format("torque_constant_Nm_A = {}\n", toml_number(scenario.log.torque_constant_Nm_A));
+  }
   text += fmt::format("\n[surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
                       toml_number(scenario.surrogate_distance_m),
                       toml_number(scenario.load.gravity_m_s2()));
@@ -77,7 +83,9 @@ std::string dataset_toml(const Scenario& scenario, const std::vector<Recording>&
       "\n[columns]\n"
       "time = {name = \"t_s\", unit = \"s\"}\n"
       "angle = {name = \"q_rad\", unit = \"rad\", side = \"joint\"}\n"
-      "effort = {name = \"torque_Nm\", unit = \"Nm\"}\n";
+      "effort = ";
+  text +=
+      is_current ? "{name = \"i_A\", unit = \"A\"}\n" : "{name = \"torque_Nm\", unit = \"Nm\"}\n";
   const bool speed_is_common =
       std::all_of(recordings.begin(), recordings.end(),
                   [](const Recording& recording) { return !recording.dq_rad_s.empty(); });

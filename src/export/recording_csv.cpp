@@ -1,13 +1,36 @@
 #include "export/recording_csv.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "export/shortest_number.h"
 
 namespace tribolog {
 
-std::string recording_csv(const Recording& recording) {
+namespace {
+
+void append(std::string& text, double value, const LogForm& form) {
+  if (form.decimals) {
+    fmt::format_to(std::back_inserter(text), "{:.{}f}", value, *form.decimals);
+  } else {
+    append_number(text, value);
+  }
+}
+
+std::vector<double> currents_A(const std::vector<double>& torque_Nm, double constant_Nm_A) {
+  std::vector<double> currents(torque_Nm.size());
+  std::transform(torque_Nm.begin(), torque_Nm.end(), currents.begin(),
+                 [&](double torque) { return torque / constant_Nm_A; });
+  return currents;
+}
+
+}  // namespace
+
+std::string recording_csv(const Recording& recording, const LogForm& form) {
   std::vector<const double*> signals;
   std::string csv;
   const auto add = [&](const char* name, const std::vector<double>& signal, bool is_optional) {
@@ -22,7 +45,11 @@ std::string recording_csv(const Recording& recording) {
   add("t_s", recording.t_s, false);
   add("q_rad", recording.q_rad, false);
   add("dq_rad_s", recording.dq_rad_s, true);
-  add("torque_Nm", recording.torque_Nm, false);
+  const bool is_current = form.torque_constant_Nm_A > 0;
+  const std::vector<double> currents =
+      is_current ? currents_A(recording.torque_Nm, form.torque_constant_Nm_A)
+                 : std::vector<double>();
+  add(is_current ? "i_A" : "torque_Nm", is_current ? currents : recording.torque_Nm, false);
   add("z_rad", recording.z_rad, true);
   add("dz_rad_s", recording.dz_rad_s, true);
   csv += '\n';
@@ -31,7 +58,7 @@ std::string recording_csv(const Recording& recording) {
   for (std::size_t i = 0; i < recording.size(); ++i) {
     for (std::size_t k = 0; k < signals.size(); ++k) {
       if (k > 0) csv += ',';
-      append_number(csv, signals[k][i]);
+      append(csv, signals[k][i], form);
     }
     csv += '\n';
   }

@@ -25,7 +25,9 @@ void write_simulation(const Scenario& scenario, const std::vector<Recording>& re
     check_output_can_be_written(path, inputs);
     files.add(path, content);
   };
-  for (const Recording& recording : recordings) add(recording.name, recording_csv(recording));
+  for (const Recording& recording : recordings) {
+    add(recording.name, recording_csv(recording, scenario.log));
+  }
   if (!scenario.robot_description.empty()) {
     add(description_beside(scenario), scenario.robot_description_text);
   }

@@ -43,6 +43,8 @@ Json noise(const Noise& n) {
           {"encoder_counts_per_turn", n.encoder_counts_per_turn},
           {"speed_filter_Hz", n.speed_filter_Hz},
           {"ripple", ripple},
+          {"clock_jitter_s", n.clock_jitter_s},
+          {"lost_percent", n.lost_percent},
           {"seed", n.seed}};
 }
 

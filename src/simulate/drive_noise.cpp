@@ -1,7 +1,10 @@
 #include "simulate/drive_noise.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 #include "parameter_rules.h"
 
@@ -46,6 +49,34 @@ void filter_speed(Recording& recording, double cut_off_Hz, double sample_rate_Hz
   }
 }
 
+/// A stream of its own: torque noise is the same on any clock.
+RandomStream clock_stream(const Noise& noise, std::uint64_t stream) {
+  constexpr std::uint64_t behind_those_of_torque = std::uint64_t{1} << 32U;
+  return {noise.seed, behind_those_of_torque + stream};
+}
+
+void disturb_clock(Recording& recording, double jitter_s, double sample_rate_Hz,
+                   RandomStream& random) {
+  const double most = 0.45 / sample_rate_Hz;
+  for (double& t : recording.t_s) t += std::clamp(jitter_s * random.normal(), -most, most);
+}
+
+void lose_samples(Recording& recording, double percent, RandomStream& random) {
+  std::vector<char> is_kept(recording.size());
+  for (char& one : is_kept) one = 100 * random.uniform() >= percent ? 1 : 0;
+  for (std::vector<double>* signal :
+       {&recording.t_s, &recording.q_rad, &recording.dq_rad_s, &recording.torque_Nm,
+        &recording.z_rad, &recording.dz_rad_s}) {
+    if (signal->empty()) continue;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < is_kept.size(); ++i) {
+      if (is_kept[i] != 0) (*signal)[kept++] = (*signal)[i];
+    }
+    signal->resize(kept);
+  }
+  recording.rows_read = recording.size();
+}
+
 }  // namespace
 
 void add_drive_noise(Recording& recording, const Noise& noise, double gear_ratio,
@@ -54,12 +85,19 @@ void add_drive_noise(Recording& recording, const Noise& noise, double gear_ratio
   require_not_negative(noise.torque_step_Nm, "torque step", "N·m");
   require_not_negative(noise.encoder_counts_per_turn, "encoder counts per turn", "");
   require_not_negative(noise.speed_filter_Hz, "speed filter", "Hz");
+  require_not_negative(noise.clock_jitter_s, "clock jitter", "s");
+  require_not_negative(noise.lost_percent, "lost samples", "%");
   if (recording.t_s.empty()) return;
   disturb_torque(recording, noise, gear_ratio, stream);
   if (noise.encoder_counts_per_turn > 0) {
     quantise_angle(recording, noise.encoder_counts_per_turn, gear_ratio);
   }
   if (noise.speed_filter_Hz > 0) filter_speed(recording, noise.speed_filter_Hz, sample_rate_Hz);
+  RandomStream clock = clock_stream(noise, stream);
+  if (noise.clock_jitter_s > 0) {
+    disturb_clock(recording, noise.clock_jitter_s, sample_rate_Hz, clock);
+  }
+  if (noise.lost_percent > 0) lose_samples(recording, noise.lost_percent, clock);
 }
 
 }  // namespace tribolog

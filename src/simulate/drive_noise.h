@@ -1,6 +1,7 @@
 #pragma once
 // What a real drive makes of the true signals: ripple, white noise, quantised torque and angle,
-// speed from the filtered difference of the angle.
+// speed from the filtered difference of the angle, stamps beside their ticks, samples that are
+// lost.
 
 #include <cstdint>
 

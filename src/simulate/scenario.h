@@ -23,6 +23,15 @@ struct SweepExperiment {
   double sample_rate_Hz{1000.0};
 };
 
+/// A slow sine as a sweep: q = centre - amplitude cos(2 pi f t), from rest at its lowest angle.
+struct SineSweepExperiment {
+  double centre_rad{};
+  double amplitude_rad{};  ///< > 0, joint side
+  double frequency_Hz{};   ///< > 0
+  double cycles{};         ///< >= 1
+  double sample_rate_Hz{1000.0};
+};
+
 /// q = centre + amplitude sin(2 pi f t), from an unloaded contact at t = 0.
 struct OscillationExperiment {
   double centre_rad{};
@@ -73,7 +82,16 @@ struct Noise {
     double phase_rad{};
   };
   std::vector<Ripple> ripple;  ///< Torque periodic in the motor's angle.
+  double clock_jitter_s{};  ///< Standard deviation of a time stamp about its tick; two stamps never
+                            ///< change places.
+  double lost_percent{};    ///< Of the samples: each is missing by chance, < 100.
   std::uint64_t seed{1};
+};
+
+/// What a controller writes into its log.
+struct LogForm {
+  double torque_constant_Nm_A{};          ///< > 0: the motor's current instead of its torque.
+  std::optional<std::uint64_t> decimals;  ///< Of every number; none: all that it has.
 };
 
 struct Scenario {
@@ -96,12 +114,14 @@ struct Scenario {
   double surrogate_distance_m{0.5};
   std::optional<SweepExperiment> rough_sweep;
   std::optional<SweepExperiment> precise_sweep;
+  std::optional<SineSweepExperiment> sine_sweep;
   std::optional<OscillationExperiment> oscillation;  ///< The paper's: its start-up stroke is read.
   /// The same at other positions, amplitudes or frequencies; only beside `oscillation`.
   std::vector<OscillationExperiment> further_oscillations;
   std::optional<ConstantSpeedExperiment> constant_speed;
   std::optional<BreakAwayExperiment> break_away;
   Noise noise;
+  LogForm log;
 
   /// The model that drives sweeps and runs.
   [[nodiscard]] const FrictionModel& sliding_model() const;

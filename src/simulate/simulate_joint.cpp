@@ -52,13 +52,9 @@ std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, doubl
   return torque;
 }
 
-/// A there-and-back travel.
-Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
-                 std::string name, Role role) {
-  require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
-  const TravelMotion motion(plan);
-  const auto samples =
-      static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
+/// A motion in which the joint slides, from time 0 on.
+Recording sliding(const Scenario& s, const Motion& motion, std::size_t samples,
+                  double sample_rate_Hz, std::string name, Role role) {
   const std::vector<double> friction = sliding_torque(s, motion, 1 / sample_rate_Hz, samples);
   Recording r = empty_recording(std::move(name), role, samples);
   for (std::size_t i = 0; i < samples; ++i) {
@@ -72,21 +68,41 @@ Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sampl
   return r;
 }
 
+/// A there-and-back travel.
+Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
+                 std::string name, Role role) {
+  require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
+  const TravelMotion motion(plan);
+  const auto samples =
+      static_cast<std::size_t>(std::floor(motion.duration_s() * sample_rate_Hz)) + 1;
+  return sliding(s, motion, samples, sample_rate_Hz, std::move(name), role);
+}
+
 Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, Role role) {
   return travel(s, {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions},
                 e.sample_rate_Hz, std::move(name), role);
 }
 
-Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
-  require_positive(e.sample_rate_Hz, "sample_rate_Hz", "Hz");
-  require_positive(e.amplitude_rad, "amplitude", "rad");
-  if (!(e.cycles >= 1)) {
-    throw std::invalid_argument(fmt::format("cycles {} is not allowed; it must be >= 1", e.cycles));
+std::size_t samples_of_cycles(double cycles, double frequency_Hz, double sample_rate_Hz) {
+  require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
+  if (!(cycles >= 1)) {
+    throw std::invalid_argument(fmt::format("cycles {} is not allowed; it must be >= 1", cycles));
   }
+  return static_cast<std::size_t>(std::floor(cycles / frequency_Hz * sample_rate_Hz + 1e-9)) + 1;
+}
+
+Recording sine_sweep(const Scenario& s, const SineSweepExperiment& e) {
+  require_positive(e.amplitude_rad, "amplitude", "rad");
+  const HarmonicMotion motion(e.centre_rad, e.frequency_Hz, {{-e.amplitude_rad, 0}});
+  return sliding(s, motion, samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz),
+                 e.sample_rate_Hz, "sine_sweep.csv", Role::rough_sweep);
+}
+
+Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
+  require_positive(e.amplitude_rad, "amplitude", "rad");
   const double n = s.gear_ratio;
   const auto motor = HarmonicMotion::sine(n * e.centre_rad, n * e.amplitude_rad, e.frequency_Hz);
-  const auto samples =
-      static_cast<std::size_t>(std::floor(e.cycles / e.frequency_Hz * e.sample_rate_Hz + 1e-9)) + 1;
+  const std::size_t samples = samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz);
   const double dt = 1 / e.sample_rate_Hz;
   const auto* lugre = dynamic_cast<const LuGreFriction*>(s.presliding.get());
   std::vector<double> z(lugre != nullptr ? samples : 0);
@@ -151,6 +167,7 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   if (const auto& e = scenario.precise_sweep) {
     keep(sweep(scenario, *e, "precise_sweep.csv", Role::precise_sweep), e->sample_rate_Hz);
   }
+  if (const auto& e = scenario.sine_sweep) keep(sine_sweep(scenario, *e), e->sample_rate_Hz);
   if (const auto& first = scenario.oscillation) {
     const bool is_only_one = scenario.further_oscillations.empty();
     keep(oscillation(scenario, *first, is_only_one ? "oscillation.csv" : "oscillation_01.csv"),

@@ -35,9 +35,10 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario);
 std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
                                   double gear_ratio);
 
-/// The recordings in the order rough, precise, oscillations, constant speeds, ramps (as asked for
-/// by the scenario). Names are file names such as "rough_sweep.csv" and "constant_speed_07.csv".
-/// The same scenario, seed included, gives the same numbers on every machine.
+/// The recordings in the order rough, precise, sine sweep, oscillations, constant speeds, ramps (as
+/// asked for by the scenario). Names are file names such as "rough_sweep.csv" and
+/// "constant_speed_07.csv". The same scenario, seed included, gives the same numbers on every
+/// machine.
 /// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or
 /// where there is no friction model.
 std::vector<Recording> simulate_joint(const Scenario& scenario);

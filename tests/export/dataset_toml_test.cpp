@@ -55,6 +55,15 @@ TEST(DatasetToml, SaysWhatTheScenarioSays) {
   EXPECT_EQ(m.manifest.reference->named_parameters(), s.sliding->named_parameters());
 }
 
+TEST(DatasetToml, StatesACurrentWithItsConstant) {
+  Scenario s = named_scenario();
+  s.log.torque_constant_Nm_A = 0.1059;
+  const ManifestFile m = written_and_read(s, {recording("a.csv", Role::rough_sweep, true, false)});
+  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::motor_current);
+  EXPECT_EQ(m.manifest.drive.torque_constant_Nm_A(), 0.1059);
+  EXPECT_EQ(m.recordings[0].columns.effort->name, "i_A");
+}
+
 // Whatever friction was simulated, the manifest says it to the last digit.
 TEST(DatasetToml, StatesEveryModelsFriction) {
   const auto states = [](const Scenario& s) {

@@ -40,6 +40,14 @@ TEST(RecordingCsv, WritesEverySignalInTheDocumentedOrder) {
             "0,-0.1,1,3.88318571,3,5\n0.001,1e-17,2,-2,4,6\n");
 }
 
+TEST(RecordingCsv, IsAsAControllerWritesIt) {
+  LogForm form;
+  form.torque_constant_Nm_A = 0.5;
+  form.decimals = 3;
+  EXPECT_EQ(recording_csv(two_samples(), form),
+            "t_s,q_rad,i_A\n0.000,-0.100,7.766\n0.001,0.000,-4.000\n");
+}
+
 TEST(RecordingCsv, RefusesSignalsOfOtherLength) {
   Recording r = two_samples();
   r.z_rad = {1};

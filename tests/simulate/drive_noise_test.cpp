@@ -1,5 +1,6 @@
 #include "simulate/drive_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -71,6 +72,51 @@ TEST(DriveNoise, SameSeedSameNumbersOtherSeedOthers) {
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].torque_Nm, b[k].torque_Nm);
     EXPECT_NE(a[k].torque_Nm, c[k].torque_Nm);
+  }
+}
+
+// Stamps scatter about their ticks by what was asked for, in order even where that is more than a
+// tick; the torque's noise is that of an even clock.
+TEST(DriveNoise, ScattersTheClock) {
+  Scenario even = test::noisy_paper_joint(1);
+  Scenario uneven = even;
+  uneven.noise.clock_jitter_s = 1e-4;
+  const auto with = simulate_joint(uneven);
+  const auto without = simulate_joint(even);
+  const Recording& a = oscillation_of(with);
+  const Recording& b = oscillation_of(without);
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(a.t_s[i] - b.t_s[i], 2);
+  const auto n = static_cast<double>(a.size());
+  EXPECT_NEAR(std::sqrt(squares / n), 1e-4, 5e-4 / std::sqrt(2 * n));
+  EXPECT_EQ(a.torque_Nm, b.torque_Nm);
+  EXPECT_EQ(a.q_rad, b.q_rad);
+
+  uneven.noise.clock_jitter_s = 1;
+  for (const Recording& r : simulate_joint(uneven)) {
+    EXPECT_TRUE(std::is_sorted(r.t_s.begin(), r.t_s.end())) << r.name;
+  }
+}
+
+// What is left are samples of the whole log, and as many as a share by chance leaves.
+TEST(DriveNoise, LosesSamples) {
+  Scenario gaps = test::noisy_paper_joint(1);
+  gaps.noise.lost_percent = 2;
+  const auto with = simulate_joint(gaps);
+  const auto without = simulate_joint(test::noisy_paper_joint(1));
+  const Recording& a = with.front();
+  const Recording& b = without.front();
+  const double expected = 0.98 * static_cast<double>(b.size());
+  EXPECT_NEAR(static_cast<double>(a.size()), expected, 5 * std::sqrt(0.02 * expected));
+  EXPECT_EQ(a.rows_read, a.size());
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    while (j < b.size() && b.t_s[j] < a.t_s[i]) ++j;
+    ASSERT_LT(j, b.size());
+    ASSERT_EQ(a.t_s[i], b.t_s[j]);
+    ASSERT_EQ(a.q_rad[i], b.q_rad[j]);
+    ASSERT_EQ(a.dq_rad_s[i], b.dq_rad_s[j]);
+    ASSERT_EQ(a.torque_Nm[i], b.torque_Nm[j]);
   }
 }
 

@@ -114,5 +114,30 @@ TEST(SimulateJoint, RefusesExperimentsThatCannotBe) {
   EXPECT_THROW(simulate_joint(s), std::invalid_argument);
 }
 
+TEST(SimulateJoint, SweepsInASlowSineFromRest) {
+  Scenario s = test::paper_joint();
+  s.rough_sweep.reset();
+  s.precise_sweep.reset();
+  s.oscillation.reset();
+  s.constant_speed.reset();
+  s.sine_sweep = SineSweepExperiment{-0.4, 1.0, 0.1, 2.5, 100.0};
+  const auto recordings = simulate_joint(s);
+  ASSERT_EQ(recordings.size(), 1U);
+  const Recording& r = recordings.front();
+  EXPECT_EQ(r.role, Role::rough_sweep);
+  ASSERT_EQ(r.size(), 2501U);
+  const double omega = 2 * std::acos(-1.0) * 0.1;
+  EXPECT_NEAR(r.q_rad.front(), -1.4, 1e-12);
+  EXPECT_NEAR(r.q_rad.back(), 0.6, 1e-12);
+  for (std::size_t i = 0; i < r.size(); i += 7) {
+    const double speed = omega * std::sin(omega * r.t_s[i]);
+    const double acceleration = omega * omega * std::cos(omega * r.t_s[i]);
+    const double gravity = test::true_gravity_Nm * std::cos(r.q_rad[i] - test::true_q_peak_rad());
+    const double inertia = (100 * s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / 100) * acceleration;
+    EXPECT_NEAR(r.dq_rad_s[i], speed, 1e-12);
+    EXPECT_NEAR(r.torque_Nm[i], gravity + inertia + s.sliding->torque_Nm(100 * speed), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace tribolog

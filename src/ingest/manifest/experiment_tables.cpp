@@ -33,6 +33,12 @@ double read_in_rad(const TomlTable& table, const std::string& name, const std::s
   return factor * table.number(key, sign, "or " + name + "_deg" + after);
 }
 
+double read_cycles(const TomlTable& table) {
+  const double cycles = table.number("cycles", Sign::positive);
+  if (cycles < 1) table.refuse("cycles", {"not usable", fmt::format("{}", cycles), ">= 1", ""});
+  return cycles;
+}
+
 }  // namespace
 
 double read_angle(const TomlTable& table, const std::string& name, Sign sign) {
@@ -71,13 +77,23 @@ SweepExperiment read_sweep(const TomlTable& table) {
   return e;
 }
 
+SineSweepExperiment read_sine_sweep(const TomlTable& table) {
+  SineSweepExperiment e;
+  e.centre_rad = read_angle(table, "centre");
+  e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
+  e.frequency_Hz = table.number("frequency_Hz", Sign::positive);
+  e.cycles = read_cycles(table);
+  e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
+  table.refuse_unknown_keys();
+  return e;
+}
+
 std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio) {
   OscillationExperiment e;
   e.centre_rad = read_angle(table, "centre");
   e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
   e.frequency_Hz = table.number("frequency_Hz", Sign::positive);
-  e.cycles = table.number("cycles", Sign::positive);
-  if (e.cycles < 1) table.refuse("cycles", {"not usable", fmt::format("{}", e.cycles), ">= 1", ""});
+  e.cycles = read_cycles(table);
   e.sample_rate_Hz = table.number_or("sample_rate_Hz", e.sample_rate_Hz, Sign::positive);
   e.record_bristle = table.flag_or("record_bristle", e.record_bristle);
   const std::uint64_t positions = table.count_or("positions", 1);
@@ -130,6 +146,12 @@ Noise read_noise(const TomlTable& table) {
   noise.torque_step_Nm = amount("torque_step_Nm");
   noise.encoder_counts_per_turn = amount("encoder_counts_per_turn");
   noise.speed_filter_Hz = amount("speed_filter_Hz");
+  noise.clock_jitter_s = amount("clock_jitter_s");
+  noise.lost_percent = amount("lost_percent");
+  if (noise.lost_percent >= 100) {
+    table.refuse("lost_percent",
+                 {"leaves no sample", fmt::format("{}", noise.lost_percent), "< 100", ""});
+  }
   noise.seed = table.count_or("seed", noise.seed);
   for (const TomlTable& entry : table.tables("ripple")) {
     Noise::Ripple ripple;
@@ -141,6 +163,21 @@ Noise read_noise(const TomlTable& table) {
   }
   table.refuse_unknown_keys();
   return noise;
+}
+
+LogForm read_log_form(const TomlTable& table) {
+  constexpr std::uint64_t most_decimals = 17;
+  LogForm form;
+  form.torque_constant_Nm_A = table.number_or("torque_constant_Nm_A", 0, Sign::positive);
+  if (table.has("decimals")) {
+    form.decimals = table.count_or("decimals", 0);
+    if (*form.decimals > most_decimals) {
+      table.refuse("decimals", {"not usable", fmt::format("{}", *form.decimals),
+                                fmt::format("a whole number up to {}", most_decimals), ""});
+    }
+  }
+  table.refuse_unknown_keys();
+  return form;
 }
 
 GravityLoad read_load(const TomlTable& load) {

@@ -20,11 +20,13 @@ double read_angle_or(const TomlTable& table, const std::string& name, double oth
 
 // Each refuses what cannot be carried out. @throw InputError at the key.
 SweepExperiment read_sweep(const TomlTable& table);
+SineSweepExperiment read_sine_sweep(const TomlTable& table);
 /// One, or as many as `positions` says, spread over a turn of the motor.
 std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio);
 BreakAwayExperiment read_break_away(const TomlTable& table);
 ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
 Noise read_noise(const TomlTable& table);
+LogForm read_log_form(const TomlTable& table);
 
 /// [load]: mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81. @throw InputError at the key.
 GravityLoad read_load(const TomlTable& load);

@@ -84,6 +84,11 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
   };
   scenario.rough_sweep = sweep("rough_sweep");
   scenario.precise_sweep = sweep("precise_sweep");
+  if (const auto table = top.find_table("sine_sweep")) {
+    scenario.sine_sweep = read_sine_sweep(*table);
+    const SineSweepExperiment& e = *scenario.sine_sweep;
+    refuse_endless(*table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+  }
   for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
     for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
       count.add(table, "frequency_Hz", e.cycles / e.frequency_Hz, e.sample_rate_Hz);
@@ -136,13 +141,16 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
   scenario.sliding = friction.sliding;
   read_experiments(top, scenario);
   if (const auto noise = top.find_table("noise")) scenario.noise = read_noise(*noise);
+  if (const auto log = top.find_table("log")) scenario.log = read_log_form(*log);
   top.refuse_unknown_keys();
-  if (!scenario.rough_sweep && !scenario.precise_sweep && !scenario.oscillation &&
-      !scenario.constant_speed && !scenario.break_away) {
+  if (!scenario.rough_sweep && !scenario.precise_sweep && !scenario.sine_sweep &&
+      !scenario.oscillation && !scenario.constant_speed && !scenario.break_away) {
     throw InputError(
         {file, 0, 0},
         {"no experiment is stated", "",
-         "[rough_sweep], [precise_sweep], [oscillation], [constant_speed] or [break_away]", ""});
+         "[rough_sweep], [precise_sweep], [sine_sweep], [oscillation], [constant_speed] or "
+         "[break_away]",
+         ""});
   }
   return scenario;
 }

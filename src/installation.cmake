@@ -1,0 +1,30 @@
+# What `cmake --install` puts where, and the Debian package that `cpack` makes of it. All of it finds
+# each other by relative ways: the prefix may be chosen, and moved.
+include(GNUInstallDirs)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS
+        PATTERN run.sh EXCLUDE)  # which builds
+install(FILES templates/calibration.schema.json templates/export.schema.json
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/tribolog)
+install(FILES src/cli/tribolog.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the tribolog authors <tribolog@localhost>")
+set(CPACK_PACKAGE_VENDOR "the tribolog authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Finds a joint's centre of gravity, surrogate mass, friction hysteresis and
+viscous curve, says how sure it is of each, draws every figure without a
+display, and writes one HTML report with the numbers beside it as JSON.")
+# Besides the libraries of program and modules, which dpkg-shlibdeps finds.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+if(TRIBOLOG_GL_NAME STREQUAL "EGL")  # whose drivers are loaded by name
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", libgl1-mesa-dri")
+endif()
+include(CPack)

@@ -1,0 +1,57 @@
+// What `cmake --install` puts into a folder is a whole program, wherever the folder is moved.
+
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cli/small_dataset.h"
+
+namespace tribolog::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Installation, MayBeMoved) {
+  const ScratchDirectory scratch;
+  const ProgramRun installed =
+      run_shell("'" TRIBOLOG_CMAKE "' --install '" TRIBOLOG_BUILD_DIR "' --prefix '" +
+                scratch.file("first") + "'");
+  ASSERT_EQ(installed.status, 0) << installed.err;
+  fs::rename(scratch.file("first"), scratch.file("second"));
+  const std::string prefix = scratch.file("second");
+  for (const char* file : {"share/doc/tribolog/README.md", "share/doc/tribolog/copyright",
+                           "share/doc/tribolog/examples/ur_like/sine_sweep.csv",
+                           "share/tribolog/calibration.schema.json", "share/man/man1/tribolog.1"}) {
+    EXPECT_TRUE(fs::exists(prefix + "/" + file)) << file;
+  }
+  const std::string command = "'" + prefix + "/bin/tribolog' ";
+  const std::string log = "'" + prefix + "/share/doc/tribolog/examples/ur_like/";
+  const ProgramRun report = run_shell(command + "report " + log + "dataset.toml' -o '" +
+                                      scratch.file("report.html") + "'");
+  EXPECT_EQ(report.status, 0) << report.err;
+  const ProgramRun verbose = run_shell(command + "--version --verbose");
+  EXPECT_EQ(verbose.status, 0) << verbose.err;
+}
+
+TEST(Installation, HasAManualThatNamesEveryCommand) {
+  const std::string manual = read_text(TRIBOLOG_SOURCE_DIR "/src/cli/tribolog.1");
+  std::istringstream help(run_shell(program + "--help").out);
+  bool are_commands = false;
+  std::size_t commands = 0;
+  for (std::string line; std::getline(help, line);) {
+    if (line.find("ubcommands:") != std::string::npos) {
+      are_commands = true;
+    } else if (are_commands && line.starts_with("  ") && line.size() > 2 && line[2] != ' ') {
+      const std::string command = line.substr(2, line.find(' ', 2) - 2);
+      EXPECT_NE(manual.find("\n.B " + command + "\n"), std::string::npos) << command;
+      ++commands;
+    }
+  }
+  EXPECT_GT(commands, 10U);
+}
+
+}  // namespace
+}  // namespace tribolog::test
