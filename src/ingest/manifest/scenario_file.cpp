@@ -87,7 +87,7 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
   if (const auto table = top.find_table("sine_sweep")) {
     scenario.sine_sweep = read_sine_sweep(*table);
     const SineSweepExperiment& e = *scenario.sine_sweep;
-    refuse_endless(*table, e.cycles / e.frequency_Hz, e.sample_rate_Hz);
+    count.add(*table, "frequency_Hz", e.cycles / e.frequency_Hz, e.sample_rate_Hz);
   }
   for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
     for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
