@@ -50,7 +50,7 @@ std::string date(double days) {
 std::string quoted(const std::string& markup) {
   std::string text = plain(markup);
   if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
-    text.insert(0, "'");
+    text.insert(text.begin(), '\'');
   if (text.find_first_of("\",") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace tribolog {
 namespace {
 
@@ -62,7 +64,7 @@ MessagePattern::MessagePattern(std::string_view message) {
     } else if (kind == "t") {
       kinds_.push_back(Kind::translated);
     } else {
-      refuse(message, "{" + std::string(kind) + "} is no kind of place");
+      refuse(message, fmt::format("{{{}}} is no kind of place", kind));
     }
     own_length_ += literal.size();
     literals_.push_back(std::move(literal));
@@ -142,7 +144,7 @@ std::string fill_places(std::string_view translation, const std::vector<std::str
     const auto read = std::from_chars(parts[0].data(), last, place);
     const bool is_known = read.ec == std::errc() && read.ptr == last && place < texts.size();
     if (!is_known || (parts.size() != 1 && parts.size() != 4)) {
-      refuse(translation, "{" + std::string(parts[0]) + "} is no place of the message");
+      refuse(translation, fmt::format("{{{}}} is no place of the message", parts[0]));
     }
     filled += parts.size() == 1
                   ? texts[place]

@@ -227,7 +227,9 @@ TEST(Layout, DatesNeitherOverlapNorLeaveThePicture) {
       panel.x.title = "measured on";
       panel.x.dates = true;
       panel.y.title = "y";
-      panel.series.push_back({"", {20454, 20454 + days / 3, 20454 + days}, {1, 3, 2}});
+      Series& series = panel.series.emplace_back();
+      series.x = {20454, 20454 + days / 3, 20454 + days};
+      series.y = {1, 3, 2};
       figure.panels = {panel};
       const DrawList list = lay_out(figure, font());
       expect_none(legibility::overlapping_texts(list), std::to_string(days));

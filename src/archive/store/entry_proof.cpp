@@ -59,8 +59,8 @@ class Prover {
     const Rows rows =
         connection_.run(fmt::format("SELECT {} FROM calibration WHERE number = $1", entry_columns),
                         {entry_.number});
-    Row expected = values_of(entry_);
-    expected.insert(expected.begin(), entry_.number);
+    Row expected{entry_.number};
+    for (sql::Value& value : values_of(entry_)) expected.push_back(std::move(value));
     if (rows.size() != 1 || rows.front() != expected) fault("is not as tribolog writes it");
     if (identity_of(inputs) != entry_.identity) fault("its identity is not that of its inputs");
     if (id_of(entry_.identity, entry_.revision) != entry_.id) {
