@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include <fmt/format.h>
+
 namespace tribolog::test {
 
 std::string difference(const std::string& a, const std::string& b, double share) {
@@ -31,7 +33,7 @@ std::string difference(const std::string& a, const std::string& b, double share)
     }
   }
   if (i == a.size() && j == b.size()) return "";
-  return "'" + a.substr(i, 60) + "' instead of '" + b.substr(j, 60) + "'";
+  return fmt::format("'{}' instead of '{}'", a.substr(i, 60), b.substr(j, 60));
 }
 
 }  // namespace tribolog::test

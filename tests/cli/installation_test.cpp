@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/small_dataset.h"
@@ -27,8 +28,8 @@ TEST(Installation, MayBeMoved) {
                            "share/tribolog/calibration.schema.json", "share/man/man1/tribolog.1"}) {
     EXPECT_TRUE(fs::exists(prefix + "/" + file)) << file;
   }
-  const std::string command = "'" + prefix + "/bin/tribolog' ";
-  const std::string log = "'" + prefix + "/share/doc/tribolog/examples/ur_like/";
+  const std::string command = fmt::format("'{}/bin/tribolog' ", prefix);
+  const std::string log = fmt::format("'{}/share/doc/tribolog/examples/ur_like/", prefix);
   const ProgramRun report = run_shell(command + "report " + log + "dataset.toml' -o '" +
                                       scratch.file("report.html") + "'");
   EXPECT_EQ(report.status, 0) << report.err;

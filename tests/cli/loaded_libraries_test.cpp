@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/small_dataset.h"
@@ -53,9 +54,9 @@ const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap", "krb5",
 
 TEST(LoadedLibraries, AreThoseOfACommandAlone) {
   const SmallDataset dataset;
-  const std::string manifest = "'" + dataset.file("dataset.toml") + "' ";
-  const std::string archive = "'" + dataset.file("kept.tribolog") + "' ";
-  const std::string calibration = "'" + dataset.file("c.json") + "' ";
+  const std::string manifest = fmt::format("'{}' ", dataset.file("dataset.toml"));
+  const std::string archive = fmt::format("'{}' ", dataset.file("kept.tribolog"));
+  const std::string calibration = fmt::format("'{}' ", dataset.file("c.json"));
   ASSERT_EQ(
       run_shell(program + "identify " + manifest + "-o " + calibration + "--archive " + archive)
           .status,
@@ -88,7 +89,9 @@ class ProgramElsewhere {
     fs::create_directories(scratch_.file(modules));
     fs::copy(TRIBOLOG_MODULE_DIR, scratch_.file(modules));
   }
-  [[nodiscard]] std::string command() const { return "'" + scratch_.file("bin/tribolog") + "' "; }
+  [[nodiscard]] std::string command() const {
+    return fmt::format("'{}' ", scratch_.file("bin/tribolog"));
+  }
   [[nodiscard]] std::string module(const std::string& name) const {
     return scratch_.file(modules + "/lib" + name + ".so");
   }
@@ -109,7 +112,7 @@ class ProgramElsewhere {
 
 void expect_numbers_without_pictures(const ProgramElsewhere& installed, const std::string& reason) {
   const SmallDataset dataset;
-  const std::string manifest = "'" + dataset.file("dataset.toml") + "' ";
+  const std::string manifest = fmt::format("'{}' ", dataset.file("dataset.toml"));
   const ProgramRun report = run_shell(installed.command() + "report " + manifest + "-o '" +
                                       dataset.file("report.html") + "'");
   EXPECT_EQ(report.status, 5) << report.err;
