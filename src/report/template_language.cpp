@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace tribolog::report {
 namespace {
 
@@ -67,8 +69,8 @@ Piece next_piece(std::string_view source) {
     return {Piece::Kind::formula, source.substr(0, end_behind(source, 0, "</math>"))};
   }
   for (const std::string_view name : {"script", "style", "svg"}) {
-    if (source.starts_with("<" + std::string(name))) {
-      const std::string end = "</" + std::string(name) + ">";
+    if (source.starts_with(fmt::format("<{}", name))) {
+      const std::string end = fmt::format("</{}>", name);
       return {Piece::Kind::opaque, source.substr(0, end_behind(source, 0, end))};
     }
   }

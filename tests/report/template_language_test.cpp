@@ -110,7 +110,7 @@ TEST_P(Languages, EveryMessageOfEveryTemplateIsTranslatedAndNoneIsLeftOver) {
 
 INSTANTIATE_TEST_SUITE_P(All, Languages,
                          testing::ValuesIn(languages().begin() + 1, languages().end()),
-                         [](const auto& info) { return std::string(code_of(info.param)); });
+                         [](const auto& one) { return std::string(code_of(one.param)); });
 
 }  // namespace
 }  // namespace tribolog::report
