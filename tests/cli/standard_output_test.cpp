@@ -69,7 +69,7 @@ TEST_F(StandardOutput, HasTheLinesOfTheConsoleBesideIt) {
 }
 
 TEST_F(StandardOutput, TakesOneFileAlone) {
-  for (const std::string& command :
+  for (const std::string command :
        {"report dataset.toml -o -", "report dataset.toml -o /dev/null",
         "report dataset.toml -o - --calibration /dev/stdout",
         "simulate '" TRIBOLOG_SOURCE_DIR "/examples/paper/scenario.toml' -o -",
