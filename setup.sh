@@ -3,7 +3,8 @@
 # and tests/run.sh; not meant to be called by hand.
 #   ./setup.sh program        what the program needs; builds it into build/
 #   ./setup.sh tests          that and what the tests need; builds them too
-#   ./setup.sh bench          all of it and what the benchmarks need
+#   ./setup.sh nightly        the same and what tests/nightly.sh needs
+#   ./setup.sh bench          the tests' and what the benchmarks need
 # Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,9 +17,10 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
-  tests | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
+  tests | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
+  nightly) needed+=(valgrind) ;;
   bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;
 esac
 
@@ -94,7 +96,7 @@ install_missing
 tests=OFF
 bench=OFF
 case $goal in
-  tests) tests=ON ;;
+  tests | nightly) tests=ON ;;
   bench) tests=ON bench=ON ;;
 esac
 # A build directory made for the tests keeps them: switching goals would rebuild for nothing.
