@@ -4,7 +4,11 @@
 #   ./setup.sh program        what the program needs; builds it into build/
 #   ./setup.sh package        the same, and packs it: build/tribolog_*.deb
 #   ./setup.sh tests          that and what the tests need; builds them too
+<<<<<<< HEAD
 #   ./setup.sh lint           all of it and what looks at the source: clang-tidy, a second compiler
+=======
+#   ./setup.sh nightly        the same and what tests/nightly.sh needs
+>>>>>>> crash/crash
 #   ./setup.sh bench          the tests' and what the benchmarks need
 # Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
 set -euo pipefail
@@ -18,10 +22,15 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
+<<<<<<< HEAD
   package) needed+=(dpkg-dev file) ;;
   tests | lint | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
+=======
+  tests | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
+>>>>>>> crash/crash
     python3-minimal python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
+  nightly) needed+=(valgrind) ;;
   bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;
 esac
 
@@ -116,7 +125,11 @@ install_missing
 tests=OFF
 bench=OFF
 case $goal in
+<<<<<<< HEAD
   tests | lint) tests=ON ;;
+=======
+  tests | nightly) tests=ON ;;
+>>>>>>> crash/crash
   bench) tests=ON bench=ON ;;
 esac
 # A build directory made for the tests keeps them: switching goals would rebuild for nothing.

@@ -81,8 +81,7 @@ TruthCheckResult known_truth_check(const Dataset& dataset, const Calibration& ca
   const auto quantities = [](const Dataset& simulated, std::uint64_t /*seed*/) {
     Calibration c;
     c.manifest = simulated.manifest;
-    identify_quantities(
-        simulated, [](const char*) {}, c);
+    identify_quantities(simulated, [](const char*) {}, c);
     return c;
   };
   return check_known_truth(dataset, calibration, quantities,

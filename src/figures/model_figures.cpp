@@ -22,7 +22,7 @@ struct Sitting {
   const char* explanation;
   const char* x_title;
   double x_factor;  ///< From SI to the axis' unit.
-  PortraitCurve ModelPortrait::*curve;
+  PortraitCurve ModelPortrait::* curve;
   std::string (*caption)(const ModelPortrait&);
   std::vector<double> arrows;
 };

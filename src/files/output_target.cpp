@@ -52,7 +52,7 @@ bool takes_a_file(const std::string& device, dev_t number) {
 
 /// What a path with all its links leads to; absent where nothing is there.
 std::optional<OutputTarget> stream_at(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return std::nullopt;
   if (S_ISDIR(status.st_mode)) refuse_output(path, "is a directory");
   if (S_ISFIFO(status.st_mode) || (S_ISCHR(status.st_mode) && takes_a_file(path, status.st_rdev))) {
@@ -62,7 +62,7 @@ std::optional<OutputTarget> stream_at(const std::string& path) {
 }
 
 std::optional<struct stat> status_of(const OutputTarget& target) {
-  struct stat status {};
+  struct stat status{};
   const int failed = target.kind == OutputTarget::Kind::descriptor
                          ? ::fstat(target.descriptor, &status)
                          : ::stat(target.path.c_str(), &status);

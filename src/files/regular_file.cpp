@@ -48,7 +48,7 @@ int open_regular_file(const std::string& path) {
 
 std::uint64_t size_of_regular_file(int descriptor, const std::string& path,
                                    std::uint64_t largest_bytes) {
-  struct stat status {};
+  struct stat status{};
   if (::fstat(descriptor, &status) != 0) refuse(path, "cannot open: " + reason(errno));
   if (S_ISDIR(status.st_mode)) refuse(path, "cannot read: is a directory");
   if (S_ISFIFO(status.st_mode)) refuse(path, "cannot read: is a pipe", save_it_first);

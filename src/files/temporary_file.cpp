@@ -69,7 +69,7 @@ bool TemporaryFile::open_to_others() const {
 }
 
 bool TemporaryFile::take_permissions_of(const std::filesystem::path& target) const {
-  struct stat old {};
+  struct stat old{};
   if (::stat(target.c_str(), &old) != 0) return open_to_others();
   mode_t mode = old.st_mode & 0777;
   if (::chown(path_.c_str(), old.st_uid, old.st_gid) != 0 &&
@@ -92,7 +92,7 @@ bool TemporaryFile::rename_to(const std::filesystem::path& target) {
 }
 
 bool TemporaryFile::exchange_with(const std::filesystem::path& target) const {
-  struct stat old {};
+  struct stat old{};
   if (::lstat(target.c_str(), &old) != 0) return false;
   if (!S_ISREG(old.st_mode)) {
     errno = EINVAL;
@@ -109,7 +109,7 @@ void remove_stale_temporary_files(const std::filesystem::path& target) {
   std::filesystem::directory_iterator entry(directory, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     if (!is_temporary_of(entry->path().filename().string(), prefix)) continue;
-    struct stat status {};
+    struct stat status{};
     if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
     if (std::time(nullptr) - status.st_mtime > one_day_s) ::unlink(entry->path().c_str());
   }

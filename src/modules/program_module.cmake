@@ -10,6 +10,10 @@ function(tribolog_module name)
   add_library(${name} MODULE ${M_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${name} PRIVATE tribolog_flags tribolog_errors ${M_LIBRARIES})
+  # A name that nothing defines would end the program where it is first used.
+  if(NOT TRIBOLOG_SANITIZE)
+    target_link_options(${name} PRIVATE -Wl,--no-undefined)
+  endif()
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${TRIBOLOG_MODULE_DIR}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     BUILD_RPATH "" INSTALL_RPATH "")

@@ -158,7 +158,7 @@ Table speeds_table(const std::vector<SpeedSource>& sources) {
     if (of_role.empty()) continue;
     const auto logged = static_cast<std::size_t>(std::count_if(
         of_role.begin(), of_role.end(), [](const SpeedSource& s) { return s.is_logged; }));
-    const auto range = [&](double SpeedSource::*number) {
+    const auto range = [&](double SpeedSource::* number) {
       return std::minmax_element(
           of_role.begin(), of_role.end(),
           [&](const SpeedSource& a, const SpeedSource& b) { return a.*number < b.*number; });

@@ -50,7 +50,7 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
 }
 
 /// Decimals that show the largest of a column to four digits, so that numbers around zero read 0.
-int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::*member,
+int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::* member,
                     double factor) {
   double largest = 0.0;
   for (const LoopPoint& p : points) {

@@ -157,7 +157,7 @@ StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
 }
 
 /// Sets one number of every oscillation.
-Setting for_each_oscillation(double OscillationExperiment::*number) {
+Setting for_each_oscillation(double OscillationExperiment::* number) {
   return [number](Scenario& s, double value) {
     (*s.oscillation).*number = value;
     for (OscillationExperiment& e : s.further_oscillations) e.*number = value;

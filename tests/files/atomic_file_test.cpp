@@ -50,7 +50,7 @@ TEST(WriteFileAtomically, LeavesThePermissionsToTheUmask) {
   const mode_t before = umask(027);
   write_file_atomically(directory.path("a"), "a");
   umask(before);
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(stat(directory.path("a").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
@@ -152,7 +152,7 @@ TEST(WriteFileAtomically, KeepsPermissionsAndOwnerOfWhatItReplaces) {
   for (const mode_t mode : {0640U, 0606U, 0444U}) {
     ASSERT_EQ(chmod(path.c_str(), mode), 0);
     write_file_atomically(directory.path("link"), "new");
-    struct stat status {};
+    struct stat status{};
     ASSERT_EQ(stat(path.c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 07777U, mode);
     EXPECT_EQ(status.st_uid, is_root ? 12U : geteuid());
@@ -171,7 +171,7 @@ TEST(WriteFileAtomically, ShowsStrangeNamesEscaped) {
 TEST(WriteFileAtomically, KeepsTheOldFileWhereTheNewOneIsTooLarge) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("report.html", "old");
-  struct rlimit before {};
+  struct rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   struct rlimit small = before;
   small.rlim_cur = 4096;
@@ -216,7 +216,9 @@ TEST(AtomicFiles, TakeTheirPlacesTogether) {
   EXPECT_EQ(directory.contents("a"), "new a");
   EXPECT_EQ(directory.contents("b"), "new b");
   EXPECT_EQ(directory.entries(), 2U);
-  { AtomicFiles().add(directory.path("a"), "never committed"); }
+  {
+    AtomicFiles().add(directory.path("a"), "never committed");
+  }
   EXPECT_EQ(directory.contents("a"), "new a");
   EXPECT_EQ(directory.entries(), 2U);
 }

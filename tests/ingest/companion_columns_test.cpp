@@ -195,8 +195,7 @@ TEST_F(CompanionColumns, MayBeCutOffInTheLastRow) {
 }
 
 TEST_F(CompanionColumns, HaveToHaveTheSameNumberOfRows) {
-  write("temp.csv", log(
-                        "T", [](int) { return std::string("30"); }, 150));
+  write("temp.csv", log("T", [](int) { return std::string("30"); }, 150));
   EXPECT_EQ(refusal(),
             "temp.csv: the number of rows is not that of 'q.csv', found 150, expected 200; hint: "
             "the rows of both files are matched one by one: " +

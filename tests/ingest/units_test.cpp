@@ -54,9 +54,8 @@ TEST(Units, AreNeverOfAnotherQuantityOrCase) {
 
 TEST(Units, AreListedWhereOneIsNotKnown) {
   const auto refusal = [](Quantity quantity, const char* unit) {
-    return test::refusal_of<InputError>([&] {
-      return si_factor(quantity, unit, {"m.toml", 5, 9});
-    });
+    return test::refusal_of<InputError>(
+        [&] { return si_factor(quantity, unit, {"m.toml", 5, 9}); });
   };
   EXPECT_EQ(
       refusal(Quantity::angle, "degree"),

@@ -16,8 +16,7 @@ TEST(ParallelFor, DoesEachPieceOnce) {
   for (const std::size_t threads : {0U, 1U, 2U, 7U}) {
     for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
       std::vector<int> done(count, 0);
-      parallel_for(
-          count, [&](std::size_t i) { ++done[i]; }, threads);
+      parallel_for(count, [&](std::size_t i) { ++done[i]; }, threads);
       EXPECT_EQ(done, std::vector<int>(count, 1));
     }
   }
@@ -25,8 +24,7 @@ TEST(ParallelFor, DoesEachPieceOnce) {
 
 TEST(ParallelFor, WorksInTheCallersThreadIfOneIsAskedFor) {
   std::set<std::thread::id> seen;
-  parallel_for(
-      10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); }, 1);
+  parallel_for(10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); }, 1);
   EXPECT_EQ(seen, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 

@@ -13,8 +13,7 @@ namespace tribolog::archive {
 
 std::string one_line(const std::string& text) {
   std::string line = report::visible_text(text);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return line;
 }
 

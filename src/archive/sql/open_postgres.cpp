@@ -6,6 +6,7 @@
 #include "modules/program_module.h"
 
 #include "error.h"
+#include "files/early_end.h"
 
 namespace tribolog::sql {
 
@@ -13,8 +14,8 @@ std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access,
   try {
     void* const open = function_of({"tribolog_postgres", TRIBOLOG_POSTGRES_PACKAGES},
                                    "tribolog_postgres_connection");
-    return std::unique_ptr<Connection>(
-        reinterpret_cast<decltype(&tribolog_postgres_connection)>(open)(uri, access, wait_ms));
+    return std::unique_ptr<Connection>(reinterpret_cast<decltype(&tribolog_postgres_connection)>(
+        open)(uri, access, wait_ms, note_kept));
   } catch (const MissingModule& missing) {
     throw ArchiveError(std::string("no archive on a PostgreSQL server can be opened here: ") +
                        missing.what());

@@ -17,7 +17,6 @@
 #include "archive/sql/postgres_values.h"
 
 #include "error.h"
-#include "files/early_end.h"
 
 namespace tribolog::sql {
 namespace {
@@ -52,8 +51,11 @@ std::unique_ptr<PGconn, Disconnect> connected(const std::string& uri) {
 
 class PostgresConnection final : public Connection {
  public:
-  PostgresConnection(PostgresLocation location, int wait_ms)
-      : name_(std::move(location.shown)), wait_ms_(wait_ms), connection_(connected(location.uri)) {
+  PostgresConnection(PostgresLocation location, int wait_ms, NoteKept note_kept)
+      : name_(std::move(location.shown)),
+        wait_ms_(wait_ms),
+        note_kept_(note_kept),
+        connection_(connected(location.uri)) {
     prepare_session();
   }
 
@@ -87,7 +89,7 @@ class PostgresConnection final : public Connection {
       run_script(fmt::format("SELECT pg_advisory_xact_lock({})", writers_lock));
       work();
     });
-    note_kept("changes of the archive " + printable(name_, longest_path));
+    note_kept_("changes of the archive " + printable(name_, longest_path));
   }
 
   void read(const std::function<void()>& work) override {
@@ -101,8 +103,7 @@ class PostgresConnection final : public Connection {
       throw ArchiveError(server + "no connection to the archive: " +
                          in_one_line(PQerrorMessage(connection_.get())));
     }
-    PQsetNoticeProcessor(
-        connection_.get(), [](void*, const char*) {}, nullptr);
+    PQsetNoticeProcessor(connection_.get(), [](void*, const char*) {}, nullptr);
     const char* const encoding = PQparameterStatus(connection_.get(), "server_encoding");
     if (encoding == nullptr || std::string(encoding) != "UTF8") {
       throw ArchiveError(
@@ -163,6 +164,7 @@ class PostgresConnection final : public Connection {
 
   std::string name_;
   int wait_ms_;
+  NoteKept note_kept_;
   bool is_writing_{false};
   std::unique_ptr<PGconn, Disconnect> connection_;
 };
@@ -171,9 +173,11 @@ class PostgresConnection final : public Connection {
 }  // namespace tribolog::sql
 
 tribolog::sql::Connection* tribolog_postgres_connection(const std::string& uri,
-                                                        tribolog::sql::Access access, int wait_ms) {
+                                                        tribolog::sql::Access access, int wait_ms,
+                                                        NoteKept note_kept) {
   using namespace tribolog;
-  auto connection = std::make_unique<sql::PostgresConnection>(sql::postgres_location(uri), wait_ms);
+  auto connection =
+      std::make_unique<sql::PostgresConnection>(sql::postgres_location(uri), wait_ms, note_kept);
   if (access == sql::Access::write &&
       connection->run("SELECT current_setting('transaction_read_only')").front().front().text() ==
           "on") {

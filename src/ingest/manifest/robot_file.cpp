@@ -79,9 +79,8 @@ std::string angle_key(const TomlTable& table, const std::string& name) {
 
 /// Refused at the joint itself, though the chain would refuse it too.
 void check_alone(const TomlTable& table, const ArmJoint& joint, double portrait, double held) {
-  const SerialArm alone = guarded(table, "name", [&] {
-    return SerialArm(joint.name, {joint}, {1, 0, 0});
-  });
+  const SerialArm alone =
+      guarded(table, "name", [&] { return SerialArm(joint.name, {joint}, {1, 0, 0}); });
   const auto check_angle = [&](const std::string& name, double angle) {
     static_cast<void>(guarded(table, angle_key(table, name), [&] { return alone.pose({angle}); }));
   };

@@ -59,8 +59,7 @@ PlainStretches::Round PlainStretches::read(std::string_view text, const PlainLay
 
 void PlainStretches::finish() {
   if (waiting_parts_ > 0) {
-    parallel_for(
-        columns_.size(), [&](std::size_t k) { append(k); }, threads_for(waiting_bytes_));
+    parallel_for(columns_.size(), [&](std::size_t k) { append(k); }, threads_for(waiting_bytes_));
   }
   waiting_parts_ = 0;
 }

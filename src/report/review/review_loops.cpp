@@ -163,7 +163,7 @@ bool is_drawable(const LoopTrace& trace) {
          fits(trace.z_rad) && fits(trace.dz_rad_s);
 }
 
-double largest_of(const HysteresisResult& r, std::vector<double> LoopTrace::*signal) {
+double largest_of(const HysteresisResult& r, std::vector<double> LoopTrace::* signal) {
   figures::Extent all;
   for (const LoopTrace& trace : r.traces) all.add(trace.*signal);
   return all.largest();

@@ -75,9 +75,7 @@ TEST(TomlTable, RefusesOtherTypesAndRanges) {
 
 TEST(TomlTable, RefusesWordsThatAreNoChoice) {
   const TomlTable table = parse("kind = \"motor_curent\"\n");
-  EXPECT_EQ(refusal([&] {
-              return table.choice("kind", {"motor_current", "motor_torque"});
-            }),
+  EXPECT_EQ(refusal([&] { return table.choice("kind", {"motor_current", "motor_torque"}); }),
             "m.toml:1:8: key 'kind': not known, found 'motor_curent', expected one of "
             "'motor_current', 'motor_torque'; hint: did you mean 'motor_current'?");
 }

@@ -42,9 +42,8 @@ TEST(SplitRow, KnowsTheColumnOfEveryField) {
 
 TEST(SplitRow, RefusesBrokenQuotesAndEndlessRows) {
   const auto refusal = [](const std::string& row) {
-    return test::refusal_of<InputError>([&] {
-      return split_row(row, Delimiter::comma, {"f.csv", 3, 0});
-    });
+    return test::refusal_of<InputError>(
+        [&] { return split_row(row, Delimiter::comma, {"f.csv", 3, 0}); });
   };
   EXPECT_EQ(refusal("1,\"abc"),
             "f.csv:3:3: quote is not closed in its line; hint: a line end within quotes is not "

@@ -214,9 +214,8 @@ TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
   }
   std::string many;
   for (int i = 0; i < 11; ++i) many += "499.5,0\n";
-  EXPECT_EQ(test::refusal_of<InputError>([&] {
-              return read_csv(with(many), "f", {{"t"}, {"tau"}}, rules);
-            }),
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [&] { return read_csv(with(many), "f", {{"t"}, {"tau"}}, rules); }),
             "f:502: 11 of 1011 rows cannot be used, expected no more than 1 %; hint: the first: "
             "f:502: row has another number of fields than the header, found 2, expected 3");
 }

@@ -24,9 +24,8 @@ const std::string damaged =
 class RefusedLog : public testing::TestWithParam<Case> {};
 
 TEST_P(RefusedLog, SaysWhereAndWhy) {
-  const std::string said = test::refusal_of<InputError>([] {
-    return read_csv(GetParam().text, "run.csv", {{"t"}, {"tau", "it is needed"}});
-  });
+  const std::string said = test::refusal_of<InputError>(
+      [] { return read_csv(GetParam().text, "run.csv", {{"t"}, {"tau", "it is needed"}}); });
   EXPECT_EQ(said, GetParam().said);
 }
 
@@ -120,14 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CsvReader, RefusesWhatContradictsTheStatedRules) {
   TextLogRules comma;
   comma.decimal_mark = DecimalMark::comma;
-  EXPECT_EQ(test::refusal_of<InputError>([&] {
-              return read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma);
-            }),
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [&] { return read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma); }),
             "f:3:3: column 'tau', found '1.25', expected a number with a decimal comma; hint: " +
                 damaged);
-  EXPECT_EQ(test::refusal_of<InputError>([&] {
-              return read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}}, comma);
-            }),
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [&] { return read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}}, comma); }),
             "f:3:3: column 'tau', found '1,234,5', expected a number with a decimal comma; hint: " +
                 damaged);
   EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv("t,tau\n0,1\n", "f", {{"#3"}}); }),
@@ -140,10 +137,9 @@ TEST(CsvReader, RefusesWhatContradictsTheStatedRules) {
 }
 
 TEST(CsvReader, RefusesAColumnAskedForTwice) {
-  EXPECT_EQ(test::refusal_of<InputError>([] {
-              return read_csv("t,tau\n0,1\n", "f", {{"t"}, {"t"}});
-            }),
-            "f:1:1: column 't' is asked for twice");
+  EXPECT_EQ(
+      test::refusal_of<InputError>([] { return read_csv("t,tau\n0,1\n", "f", {{"t"}, {"t"}}); }),
+      "f:1:1: column 't' is asked for twice");
 }
 
 }  // namespace
