@@ -4,11 +4,8 @@
 #   ./setup.sh program        what the program needs; builds it into build/
 #   ./setup.sh package        the same, and packs it: build/tribolog_*.deb
 #   ./setup.sh tests          that and what the tests need; builds them too
-<<<<<<< HEAD
-#   ./setup.sh lint           all of it and what looks at the source: clang-tidy, a second compiler
-=======
+#   ./setup.sh lint           the same and what looks at the source: clang-tidy, a second compiler
 #   ./setup.sh nightly        the same and what tests/nightly.sh needs
->>>>>>> crash/crash
 #   ./setup.sh bench          the tests' and what the benchmarks need
 # Environment: TRIBOLOG_BUILD (build directory), TRIBOLOG_CMAKE (more options for CMake).
 set -euo pipefail
@@ -22,12 +19,8 @@ needed=(cmake ninja-build g++ pkg-config git
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
-<<<<<<< HEAD
   package) needed+=(dpkg-dev file) ;;
-  tests | lint | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
-=======
-  tests | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
->>>>>>> crash/crash
+  tests | lint | nightly | bench) needed+=(libgtest-dev librapidcheck-dev libpng-dev liburdfdom-dev
     python3-minimal python3-jsonschema python3-numpy poppler-utils qpdf librsvg2-bin
     postgresql slurm-wlm munge) ;;&
   nightly) needed+=(valgrind) ;;
@@ -37,7 +30,7 @@ esac
 # What not every distribution has; a test that misses its own says so.
 offered=()
 case $goal in
-  tests | lint | bench) offered+=(libmujoco-dev clang-format-19 texlive-latex-base) ;;&
+  tests | lint | nightly | bench) offered+=(libmujoco-dev clang-format-19 texlive-latex-base) ;;&
   lint) offered+=(clang-19 clang-tidy-19 libc++-19-dev libc++abi-19-dev) ;;
 esac
 
@@ -125,11 +118,7 @@ install_missing
 tests=OFF
 bench=OFF
 case $goal in
-<<<<<<< HEAD
-  tests | lint) tests=ON ;;
-=======
-  tests | nightly) tests=ON ;;
->>>>>>> crash/crash
+  tests | lint | nightly) tests=ON ;;
   bench) tests=ON bench=ON ;;
 esac
 # A build directory made for the tests keeps them: switching goals would rebuild for nothing.
