@@ -184,7 +184,7 @@ TEST(ScenarioFile, RefusesUnknownKeysAndNothingToDo) {
   const std::string text = read_file(example("scenario.toml"));
   EXPECT_EQ(refusal(text.substr(0, text.find("[rough_sweep]"))),
             "s.toml: no experiment is stated, expected [rough_sweep], [precise_sweep], "
-            "[oscillation], [constant_speed] or [break_away]");
+            "[sine_sweep], [oscillation], [constant_speed] or [break_away]");
 }
 
 TEST(ScenarioDescription, IsReadFromBesideTheScenario) {
