@@ -33,7 +33,7 @@ case $what in
     command -v clang-tidy-19 >/dev/null || { echo "SKIPPED: clang-tidy-19 is not installed"; exit 0; }
     mapfile -t units < <(git ls-files 'src/*.cpp' 'render/*.cpp')
     if [ -n "${3:-}" ]; then
-      before=$(git rev-list -1 --before="$(git log -1 --format=%cI) - 1 day" HEAD)
+      before=$(git rev-list -1 --before=$(($(git log -1 --format=%ct) - 86400)) HEAD)
       mapfile -t changed < <(git diff --name-only --diff-filter=d "${before:-HEAD}" -- \
         'src/*.cpp' 'render/*.cpp')
       units=("${changed[@]:0:$3}")
