@@ -79,7 +79,9 @@ class HostileTexts : public testing::Test {
     scratch_.write("dataset.toml", manifest);
   }
   [[nodiscard]] ProgramRun run(const std::string& arguments) const {
-    ProgramRun ran = run_shell("cd '" + scratch_.path() + "' && " + program + arguments);
+    // With no archive of the user's own.
+    ProgramRun ran = run_shell("cd '" + scratch_.path() + "' && HOME='" + scratch_.path() +
+                               "' XDG_DATA_HOME= " + program + arguments);
     expect_clean(ran, arguments);
     return ran;
   }
