@@ -6,6 +6,7 @@
 #                every real log                                          (half an hour on two cores)
 #     valgrind   memcheck: identify on every real log                         (half an hour)
 #     tests      ASan and UBSan: the whole test suite                         (some hours)
+#     lint       clang-tidy over all of the source, through clang and libc++  (half an hour)
 # Real logs are those in ../shared/data, by the manifests of tests/data and by those that `init`
 # proposes; where they are absent, it says so. Everything is kept in build-nightly/.
 # Environment: TRIBOLOG_SANITIZED, a sanitized program that is there already; TRIBOLOG_PROGRAM, the
@@ -18,7 +19,7 @@ out=$root/build-nightly
 findings=0
 commands=0
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(program valgrind tests)
+[ ${#parts[@]} -gt 0 ] || parts=(program valgrind tests lint)
 
 # A status of its own, which no command of the program has. Drivers keep what they made for as long
 # as the process lives.
@@ -184,16 +185,24 @@ part_tests() {
   sed -n '/The following tests FAILED/,$p' "$out/tests.log"
 }
 
+part_lint() {
+  ./setup.sh lint || exit 1
+  commands=$((commands + 1))
+  tests/style.sh "${TRIBOLOG_BUILD:-build}" tidy >"$out/lint.log" 2>&1 && return
+  findings=$((findings + 1))
+  say "FOUND: $out/lint.log"
+}
+
 for part in "${parts[@]}"; do
   case $part in
-    program | valgrind | tests)
+    program | valgrind | tests | lint)
       say "$part"
       rm -rf "${out:?}/$part"
       mkdir -p "$out/$part"
       "part_$part"
       ;;
     *)
-      say "no part '$part': program, valgrind or tests" >&2
+      say "no part '$part': program, valgrind, tests or lint" >&2
       exit 2
       ;;
   esac
