@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -96,13 +97,15 @@ class FileWalk {
     return list.size() > most_objects ? -1 : 0;
   }
 
-  /// First to visit an object? Groups may hold each other.
-  bool is_new(hid_t object, H5O_type_t& type) {
+  /// Nothing where the object's header is damaged.
+  static std::optional<H5O_info_t> info_of(hid_t object) {
     H5O_info_t info{};
-    if (H5Oget_info(object, &info) < 0) return false;
-    type = info.type;
-    return seen_.insert(info.addr).second;
+    if (H5Oget_info(object, &info) < 0) return std::nullopt;
+    return info;
   }
+
+  /// First to visit an object? Groups may hold each other.
+  bool is_new(const H5O_info_t& object) { return seen_.insert(object.addr).second; }
 
   void visit_group(hid_t parent, const std::string& link, const std::string& path, int depth) {
     const Hdf5Handle group(H5Gopen2(parent, link.c_str(), H5P_DEFAULT), H5Gclose);
@@ -114,8 +117,7 @@ class FileWalk {
       return;
     }
     if (depth == 0) {
-      H5O_type_t ignored{};
-      (void)is_new(group.get(), ignored);
+      if (const auto root = info_of(group.get())) (void)is_new(*root);
     }
     for (const Link& child : links) visit_link(group.get(), child, path, depth);
   }
@@ -129,16 +131,17 @@ class FileWalk {
       return;
     }
     const Hdf5Handle object(H5Oopen(group, link.name.c_str(), H5P_DEFAULT), H5Oclose);
-    H5O_type_t type{};
     if (!object.is_open()) return found.leave_out(full, "damaged: " + hdf5_reason());
-    if (!is_new(object.get(), type)) {
+    const std::optional<H5O_info_t> info = info_of(object.get());
+    if (!info) return found.leave_out(full, "damaged: " + hdf5_reason());
+    if (!is_new(*info)) {
       return found.leave_out(full, "it is another name of an object that was met already");
     }
     if (seen_.size() > most_objects) throw UnreadableFile("more than 100000 objects in the file");
-    if (type == H5O_TYPE_GROUP) {
+    if (info->type == H5O_TYPE_GROUP) {
       if (depth == deepest_group) return found.leave_out(full, "groups are nested too deeply");
       visit_group(group, link.name, full, depth + 1);
-    } else if (type == H5O_TYPE_DATASET) {
+    } else if (info->type == H5O_TYPE_DATASET) {
       const bool elsewhere = reads_other_files(object.get());
       leads_elsewhere = leads_elsewhere || elsewhere;
       if (elsewhere) return found.leave_out(full, "its values are in another file");
