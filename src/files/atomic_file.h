@@ -32,7 +32,8 @@ void check_outputs_differ(const std::vector<std::string>& paths);
 /// that can be written.
 bool is_standard_output(const std::string& path);
 
-/// Or does it go to a pipe, a device, or standard output? @throw OutputError as above.
+/// Is it a file with a place of its own, not a pipe, a device or standard output?
+/// @throw OutputError as above.
 bool is_file_output(const std::string& path);
 
 /// Writes the whole file. One that is replaced leaves its permissions, and its owner where the
