@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "modules/program_module.h"
+
 #include "cli/command_line.h"
 #include "error.h"
 #include "files/early_end.h"
@@ -38,6 +40,8 @@ int run(int argc, char** argv) {
   } catch (const Error& error) {
     std::cerr << "tribolog: error: " + printable(with_what_was_kept(error), longest_message) + "\n";
     return static_cast<int>(error.status());
+  } catch (const MissingModule& missing) {
+    std::cerr << "tribolog: error: " << missing.what() << "; " << kept_in_words() << '\n';
   } catch (const std::bad_alloc&) {
     std::cerr << "tribolog: error: out of memory; " << kept_in_words() << '\n';
   } catch (const std::exception& error) {

@@ -20,9 +20,9 @@ function(tribolog_module name)
   install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tribolog)
 endfunction()
 
-# The distribution's packages that hold these libraries, "libpq5" or "libvtk9.1 and libosmesa6", as
-# a definition of the target for what it says where one is missing.
-function(tribolog_name_packages target definition)
+# The distribution's packages that hold these libraries, "libpq5" or "libvtk9.1 and libosmesa6", for
+# what the program says where one is missing.
+function(tribolog_packages_of variable)
   find_program(TRIBOLOG_DPKG_QUERY dpkg-query)
   set(packages "")
   foreach(library IN LISTS ARGN)
@@ -39,5 +39,5 @@ function(tribolog_name_packages target definition)
   endforeach()
   list(REMOVE_DUPLICATES packages)
   list(JOIN packages " and " packages)
-  target_compile_definitions(${target} PRIVATE ${definition}="${packages}")
+  set(${variable} "${packages}" PARENT_SCOPE)
 endfunction()

@@ -1,126 +1,19 @@
 #include "simulate/cvode_solver.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <stdexcept>
+#include <utility>
 
-#include <cvode/cvode.h>
-#include <fmt/format.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_config.h>
-#include <sundials/sundials_types.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include "modules/program_module.h"
+
+#include "simulate/cvode_integrator.h"
 
 namespace tribolog {
-namespace {
-
-// SUNDIALS 6 brought a context to every constructor; 5 (Ubuntu 22.04) has none.
-#if SUNDIALS_VERSION_MAJOR >= 6
-using Real = sunrealtype;
-#define TRIBOLOG_SUN(context) , context
-#else
-using Real = realtype;
-#define TRIBOLOG_SUN(context)
-#endif
-
-void require(int flag, const char* what) {
-  if (flag < 0) throw std::runtime_error(fmt::format("CVODE refuses {} (flag {})", what, flag));
-}
-
-}  // namespace
-
-struct CvodeSolver::Parts {
-  Rates rates;
-  Events events;
-  std::size_t event_count{};
-#if SUNDIALS_VERSION_MAJOR >= 6
-  SUNContext context{};
-#endif
-  N_Vector y{};
-  N_Vector tolerances{};
-  void* solver{};
-  SUNMatrix matrix{};
-  SUNLinearSolver linear{};
-  SUNNonlinearSolver fixed_point{};
-  Real time{0};
-
-  ~Parts() {
-    if (solver != nullptr) CVodeFree(&solver);
-    if (fixed_point != nullptr) SUNNonlinSolFree(fixed_point);
-    if (linear != nullptr) SUNLinSolFree(linear);
-    if (matrix != nullptr) SUNMatDestroy(matrix);
-    if (tolerances != nullptr) N_VDestroy(tolerances);
-    if (y != nullptr) N_VDestroy(y);
-#if SUNDIALS_VERSION_MAJOR >= 6
-    if (context != nullptr) SUNContext_Free(&context);
-#endif
-  }
-
-  static std::span<double> values(N_Vector v) {
-    return {NV_DATA_S(v), static_cast<std::size_t>(NV_LENGTH_S(v))};
-  }
-  static int rate(Real t, N_Vector y, N_Vector dy, void* self) {
-    static_cast<Parts*>(self)->rates(t, values(y), values(dy));
-    return 0;
-  }
-  static int event(Real t, N_Vector y, Real* out, void* self) {
-    const auto* parts = static_cast<Parts*>(self);
-    parts->events(t, values(y), {out, parts->event_count});
-    return 0;
-  }
-  void iterate_by_newton(sunindextype n) {
-    matrix = SUNDenseMatrix(n, n TRIBOLOG_SUN(context));
-    linear = SUNLinSol_Dense(y, matrix TRIBOLOG_SUN(context));
-    require(CVodeSetLinearSolver(solver, linear, matrix), "the linear solver");
-  }
-  void iterate_by_fixed_point() {
-    fixed_point = SUNNonlinSol_FixedPoint(y, 0 TRIBOLOG_SUN(context));
-    require(CVodeSetNonlinearSolver(solver, fixed_point), "the fixed-point iteration");
-  }
-  static void be_quiet(int /*code*/, const char* /*module*/, const char* /*function*/,
-                       char* /*message*/, void* /*data*/) {}
-};
 
 CvodeSolver::CvodeSolver(std::vector<double> start, Rates rates, Events events,
-                         const Options& options)
-    : parts_(std::make_unique<Parts>()) {
-  Parts& p = *parts_;
-  p.rates = std::move(rates);
-  p.events = std::move(events);
-  p.event_count = options.events;
-#if SUNDIALS_VERSION_MAJOR >= 7
-  SUNContext_Create(SUN_COMM_NULL, &p.context);
-  SUNContext_ClearErrHandlers(p.context);
-#elif SUNDIALS_VERSION_MAJOR == 6
-  SUNContext_Create(nullptr, &p.context);
-#endif
-  const auto n = static_cast<sunindextype>(start.size());
-  p.y = N_VNew_Serial(n TRIBOLOG_SUN(p.context));
-  p.tolerances = N_VNew_Serial(n TRIBOLOG_SUN(p.context));
-  std::copy(start.begin(), start.end(), unknowns().begin());
-  std::copy(options.absolute_tolerances.begin(), options.absolute_tolerances.end(),
-            Parts::values(p.tolerances).begin());
-  const bool is_bdf = options.method == Method::bdf;
-  p.solver = CVodeCreate(is_bdf ? CV_BDF : CV_ADAMS TRIBOLOG_SUN(p.context));
-#if SUNDIALS_VERSION_MAJOR < 7
-  CVodeSetErrHandlerFn(p.solver, Parts::be_quiet, nullptr);
-#endif
-  require(CVodeInit(p.solver, Parts::rate, 0, p.y), "the start");
-  require(CVodeSVtolerances(p.solver, options.relative_tolerance, p.tolerances), "the tolerances");
-  require(CVodeSetUserData(p.solver, &p), "its data");
-  require(CVodeSetMaxNumSteps(p.solver, 50'000'000), "the number of steps");
-  require(CVodeSetMaxStep(p.solver, options.largest_step), "the largest step");
-  if (is_bdf) {
-    p.iterate_by_newton(n);
-  } else {
-    p.iterate_by_fixed_point();
-  }
-  if (options.events > 0) {
-    require(CVodeRootInit(p.solver, static_cast<int>(options.events), Parts::event), "the events");
-    require(CVodeSetNoInactiveRootWarn(p.solver), "silence");
-  }
+                         const Options& options) {
+  void* const make =
+      function_of({"tribolog_ode", TRIBOLOG_ODE_PACKAGES}, "tribolog_cvode_integrator");
+  integrator_.reset(reinterpret_cast<decltype(&tribolog_cvode_integrator)>(make)(
+      start, std::move(rates), std::move(events), options));
 }
 
 CvodeSolver::~CvodeSolver() = default;
@@ -128,31 +21,15 @@ CvodeSolver::~CvodeSolver() = default;
 CvodeSolver::Stop CvodeSolver::advance_to(double t) { return advance_to(t, t); }
 
 CvodeSolver::Stop CvodeSolver::advance_to(double t, double limit) {
-  require(CVodeSetStopTime(parts_->solver, limit), "the stop time");
-  const int flag = CVode(parts_->solver, t, parts_->y, &parts_->time, CV_NORMAL);
-  if (flag < 0) {
-    throw std::invalid_argument(
-        fmt::format("its equations of friction and motion are too stiff for a solver, which gave "
-                    "up at t = {} s "
-                    "(CVODE's flag {})",
-                    parts_->time, flag));
-  }
-  return flag == CV_ROOT_RETURN ? Stop::at_event : Stop::at_time;
+  return integrator_->advance_to(t, limit);
 }
 
-bool CvodeSolver::happened(std::size_t event) const {
-  std::vector<int> found(parts_->event_count);
-  require(CVodeGetRootInfo(parts_->solver, found.data()), "to name its events");
-  return found[event] != 0;
-}
+bool CvodeSolver::happened(std::size_t event) const { return integrator_->happened(event); }
 
-double CvodeSolver::time() const { return parts_->time; }
+double CvodeSolver::time() const { return integrator_->time(); }
 
-std::span<double> CvodeSolver::unknowns() { return Parts::values(parts_->y); }
+std::span<double> CvodeSolver::unknowns() { return integrator_->unknowns(); }
 
-void CvodeSolver::restart(double first_step) {
-  require(CVodeReInit(parts_->solver, parts_->time, parts_->y), "a new start");
-  require(CVodeSetInitStep(parts_->solver, first_step), "the first step");
-}
+void CvodeSolver::restart(double first_step) { integrator_->restart(first_step); }
 
 }  // namespace tribolog

@@ -1,6 +1,7 @@
 #pragma once
 // SUNDIALS' CVODE with a C++ owner: BDF with dense Newton or Adams with fixed-point iteration, and
-// root finding.
+// root finding. The library is in a module that the first solver loads: Debian 13's brings MPI
+// along.
 
 #include <cstddef>
 #include <functional>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace tribolog {
+
+class CvodeIntegrator;
 
 class CvodeSolver {
  public:
@@ -26,7 +29,7 @@ class CvodeSolver {
     std::size_t events{};  ///< Number of values whose zero crossings stop the solver.
   };
 
-  /// @throw std::runtime_error if the library refuses.
+  /// @throw std::runtime_error if the library refuses. @throw MissingModule
   CvodeSolver(std::vector<double> start, Rates rates, Events events, const Options& options);
   ~CvodeSolver();
   CvodeSolver(const CvodeSolver&) = delete;
@@ -49,8 +52,7 @@ class CvodeSolver {
   void restart(double first_step);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<CvodeIntegrator> integrator_;
 };
 
 }  // namespace tribolog

@@ -49,8 +49,8 @@ std::string named(const std::set<std::string>& libraries, const std::set<std::st
 }
 
 const std::set<std::string> graphics{"vtk", "OSMesa", "EGL", "GL.so", "GLX", "LLVM", "X11"};
-const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap", "krb5",
-                                                     "curl",  "hdf5", "matio"};
+const std::set<std::string> of_some_logs_or_archives{"libpq", "ldap",  "krb5",     "curl",
+                                                     "hdf5",  "matio", "sundials", "libmpi"};
 
 TEST(LoadedLibraries, AreThoseOfACommandAlone) {
   const SmallDataset dataset;
@@ -138,7 +138,7 @@ TEST(MissingLibraries, WithoutVtkTheNumbersAreKept) {
   expect_numbers_without_pictures(installed, " is missing; install the packages libvtk");
 }
 
-TEST(MissingLibraries, OfADatabaseOrAnArrayFileAreNamed) {
+TEST(MissingLibraries, AreNamedWhereTheyAreNeeded) {
   const ProgramElsewhere installed;
   installed.lose_library_of("tribolog_postgres", "libpq.so");
   const ProgramRun list =
@@ -147,8 +147,18 @@ TEST(MissingLibraries, OfADatabaseOrAnArrayFileAreNamed) {
   EXPECT_NE(list.err.find("nibpq.so.5 is missing; install the packages libpq5"), std::string::npos)
       << list.err;
 
-  installed.lose_library_of("tribolog_arrays", "libmatio.so");
+  installed.lose_library_of("tribolog_ode", "libsundials_cvode");
   const ScratchDirectory scratch;
+  const std::string scenario =
+      scratch.write("ramps.toml", read_text(TRIBOLOG_SOURCE_DIR "/examples/ur_like/scenario.toml") +
+                                      "[break_away]\ncentre_deg = -130\nrate_Nm_s = 0.5\n"
+                                      "largest_torque_Nm = 3\nrepeats = 1\n");
+  const ProgramRun ramps = run_shell(installed.command() + "simulate '" + scenario + "' -o '" +
+                                     scratch.file("out") + "'");
+  EXPECT_EQ(ramps.status, 70) << ramps.err;
+  EXPECT_NE(ramps.err.find("tribolog: error: nibsundials_cvode"), std::string::npos) << ramps.err;
+
+  installed.lose_library_of("tribolog_arrays", "libmatio.so");
   const std::string log = scratch.write("log.h5", "\x89HDF\r\n\x1a\n and nothing more");
   const ProgramRun inspect = run_shell(installed.command() + "inspect '" + log + "'");
   EXPECT_EQ(inspect.status, 3) << inspect.err;
