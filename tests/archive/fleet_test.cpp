@@ -1,6 +1,7 @@
 #include "archive/fleet/fleet.h"
 
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,14 +26,14 @@ Estimate& estimate_of(Measured& measured, const std::string& name) {
   for (Quantity& q : measured.quantities) {
     if (q.name == name) return *q.estimate;
   }
-  throw std::logic_error("no " + name);
+  throw std::logic_error("no " + std::string(name));
 }
 
-const FleetCell& cell_of(const Fleet& fleet, const FleetJoint& joint, const std::string& name) {
+const FleetCell& cell_of(const Fleet& fleet, const FleetJoint& joint, std::string_view name) {
   for (const FleetCell& cell : joint.cells) {
     if (fleet.columns[cell.column].name == name) return cell;
   }
-  throw std::logic_error("no " + name);
+  throw std::logic_error("no " + std::string(name));
 }
 
 TEST(Fleet, CallsNothingAnOutlierThatIsNone) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -58,11 +59,11 @@ class ArchiveHistoryTest : public testing::Test {
   SmallDataset data_;
 };
 
-const json& quantity(const json& quantities, const std::string& name) {
+const json& quantity(const json& quantities, std::string_view name) {
   for (const json& q : quantities) {
     if (q["name"] == name) return q;
   }
-  throw std::logic_error(name);
+  throw std::logic_error(std::string(name));
 }
 
 TEST_F(ArchiveHistoryTest, TrendTellsAStepByTextJsonPageAndStatus) {

@@ -120,7 +120,7 @@ TEST_F(HostileCalibration, SamplesThatAreNotNumbersLeaveGaps) {
 }
 
 TEST_F(HostileCalibration, VectorsOfDifferentLengths) {
-  calibration_.rough.used.front().resize(10);
+  calibration_.rough.used.front() = std::vector<bool>(10, true);
   calibration_.rough.fit_rising_Nm.resize(3);
   calibration_.precise.used.clear();
   calibration_.hysteresis.traces.front().z_rad.resize(7);

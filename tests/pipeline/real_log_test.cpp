@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -205,11 +206,11 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   EXPECT_FALSE(f.shown("inertia_kgm2")) << "at such speeds inertia is nothing";
 }
 
-const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
+const QuantityVerdict& quantity(const Calibration& c, std::string_view key) {
   for (const QuantityVerdict& q : c.judgement.quantities) {
     if (q.key == key) return q;
   }
-  throw std::logic_error("no quantity " + key);
+  throw std::logic_error("no quantity " + std::string(key));
 }
 
 /// Of the quantity's break-away torque: the ramps', while the loops' own level is withdrawn, and

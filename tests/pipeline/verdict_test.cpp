@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,11 @@
 namespace tribolog {
 namespace {
 
-const QuantityVerdict& quantity(const Calibration& c, const std::string& key) {
+const QuantityVerdict& quantity(const Calibration& c, std::string_view key) {
   const auto& all = c.judgement.quantities;
   const auto it =
       std::find_if(all.begin(), all.end(), [&](const QuantityVerdict& q) { return q.key == key; });
-  if (it == all.end()) throw std::logic_error("no quantity " + key);
+  if (it == all.end()) throw std::logic_error("no quantity " + std::string(key));
   return *it;
 }
 

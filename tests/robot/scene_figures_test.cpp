@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -21,11 +22,11 @@ void expect_part(const std::string& whole, const std::string& part) {
   EXPECT_NE(whole.find(part), std::string::npos) << whole;
 }
 
-const render::SceneArrow& arrow(const ReportFigure& figure, const std::string& label) {
+const render::SceneArrow& arrow(const ReportFigure& figure, std::string_view label) {
   for (const render::SceneArrow& one : figure.figure.scene->arrows) {
     if (one.label == label) return one;
   }
-  throw std::runtime_error("no arrow " + label);
+  throw std::runtime_error("no arrow " + std::string(label));
 }
 
 TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "archive/archived_calibration.h"
@@ -17,7 +18,7 @@ struct ArchivedJoint {
   std::string calibration;           ///< The file of `tribolog identify`; empty: not archived.
 
   /// @return nullptr if there is none of this name, or none with an estimate.
-  [[nodiscard]] const Quantity* found(const std::string& name) const;
+  [[nodiscard]] const Quantity* found(std::string_view name) const;
 };
 
 /// What an export for a simulator may do beyond the usual.

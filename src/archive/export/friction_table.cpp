@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ struct MergedSpeed {
   [[nodiscard]] double speed() const { return speed_sum / runs; }
 };
 
-const Json& member(const Json& object, const std::string& key) {
+const Json& member(const Json& object, std::string_view key) {
   static const Json none;
   const auto at = object.is_object() ? object.find(key) : object.end();
   return object.is_object() && at != object.end() ? *at : none;

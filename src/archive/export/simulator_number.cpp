@@ -1,5 +1,7 @@
 #include "archive/export/simulator_number.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "error.h"
@@ -8,7 +10,7 @@ namespace tribolog::archive {
 namespace {
 
 /// Empty: it can be used.
-std::string objection(const ArchivedJoint& joint, const std::string& name, bool doubtful_too,
+std::string objection(const ArchivedJoint& joint, std::string_view name, bool doubtful_too,
                       bool is_number) {
   for (const Quantity& q : joint.quantities) {
     if (q.name != name) continue;
@@ -23,26 +25,26 @@ std::string objection(const ArchivedJoint& joint, const std::string& name, bool 
     return fmt::format("{}{} is {}; --doubtful-too exports it all the same", words, shown,
                        tribolog::to_string(q.verdict));
   }
-  return "the calibration has no " + printable(name);
+  return "the calibration has no " + printable(std::string(name));
 }
 
 std::string shown_id(const ArchivedJoint& joint) { return joint.entry.id.substr(0, shown_digits); }
 
 }  // namespace
 
-const Quantity& needed(const ArchivedJoint& joint, const std::string& name, bool doubtful_too) {
+const Quantity& needed(const ArchivedJoint& joint, std::string_view name, bool doubtful_too) {
   const std::string why = objection(joint, name, doubtful_too, true);
   if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
   return *joint.found(name);
 }
 
-const Quantity* if_usable(const ArchivedJoint& joint, const std::string& name, bool doubtful_too,
+const Quantity* if_usable(const ArchivedJoint& joint, std::string_view name, bool doubtful_too,
                           std::string& why_not) {
   why_not = objection(joint, name, doubtful_too, true);
   return why_not.empty() ? joint.found(name) : nullptr;
 }
 
-void refuse_doubtful(const ArchivedJoint& joint, const std::string& name, bool doubtful_too) {
+void refuse_doubtful(const ArchivedJoint& joint, std::string_view name, bool doubtful_too) {
   const std::string why = objection(joint, name, doubtful_too, false);
   if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
 }

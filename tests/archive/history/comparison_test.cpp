@@ -1,5 +1,7 @@
 #include "archive/history/comparison.h"
 
+#include <string_view>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -25,11 +27,11 @@ std::pair<archive::Measured, archive::Measured> pair_of(std::uint64_t seed,
   return {both[0], both[1]};
 }
 
-const ComparedQuantity& quantity(const Comparison& c, const std::string& name) {
+const ComparedQuantity& quantity(const Comparison& c, std::string_view name) {
   for (const ComparedQuantity& q : c.quantities) {
     if (q.name == name) return q;
   }
-  throw std::logic_error(name);
+  throw std::logic_error(std::string(name));
 }
 
 Comparison compared(const std::pair<archive::Measured, archive::Measured>& both) {

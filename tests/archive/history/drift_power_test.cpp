@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -21,11 +22,11 @@ JointTrend trend_of(const std::vector<archive::Measured>& calibrations) {
   return joint_trends(calibrations, {}).front();
 }
 
-const QuantityTrend& quantity(const JointTrend& trend, const std::string& name) {
+const QuantityTrend& quantity(const JointTrend& trend, std::string_view name) {
   for (const QuantityTrend& q : trend.quantities) {
     if (q.name == name) return q;
   }
-  throw std::logic_error(name);
+  throw std::logic_error(std::string(name));
 }
 
 /// Joints with any excursion at all, standing or not.

@@ -1,6 +1,7 @@
 #include "archive/history/joint_trend.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,11 +17,11 @@ namespace {
 using test::simulated_history;
 using test::unchanged;
 
-const QuantityTrend& quantity(const JointTrend& trend, const std::string& name) {
+const QuantityTrend& quantity(const JointTrend& trend, std::string_view name) {
   for (const QuantityTrend& q : trend.quantities) {
     if (q.name == name) return q;
   }
-  throw std::logic_error(name);
+  throw std::logic_error(std::string(name));
 }
 
 /// Coulomb torque 8 % more from the calibration with that number on.

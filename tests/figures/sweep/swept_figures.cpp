@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "drawn_set.h"
 #include "hand_made_calibration.h"
@@ -69,8 +70,8 @@ std::vector<ReportFigure> figures_of_a_small_study() {
 
 using Maker = std::function<std::vector<ReportFigure>()>;
 
-const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{
+const std::map<std::string, Maker, std::less<>>& makers() {
+  static const std::map<std::string, Maker, std::less<>> all{
       {"paper", render::paper_set},
       {"ideal", [] { return figures_of_scenario("scenario.toml"); }},
       {"noise", [] { return figures_of_scenario("scenario_noise.toml"); }},
@@ -91,12 +92,13 @@ std::vector<std::string> swept_examples() {
   return names;
 }
 
-const std::vector<ReportFigure>& figures_of(const std::string& example) {
-  static std::map<std::string, std::vector<ReportFigure>> made;
+const std::vector<ReportFigure>& figures_of(std::string_view example) {
+  static std::map<std::string, std::vector<ReportFigure>, std::less<>> made;
   const auto there = made.find(example);
   if (there != made.end()) return there->second;
   const auto maker = makers().find(example);
-  if (maker == makers().end()) throw std::invalid_argument("no example is called " + example);
+  if (maker == makers().end())
+    throw std::invalid_argument("no example is called " + std::string(example));
   return made.emplace(example, maker->second()).first->second;
 }
 

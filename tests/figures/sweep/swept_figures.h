@@ -2,6 +2,7 @@
 // Every figure of every example, by example.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "figures/report_figure.h"
@@ -14,6 +15,6 @@ std::vector<std::string> swept_examples();
 
 /// The figures of one of them; computed once in a process.
 /// @throw std::invalid_argument for another name
-const std::vector<ReportFigure>& figures_of(const std::string& example);
+const std::vector<ReportFigure>& figures_of(std::string_view example);
 
 }  // namespace tribolog::test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -24,11 +25,11 @@ std::string missing_peer() {
   return run.status == 0 ? "" : run.out + run.err;
 }
 
-const LogColumn& column(const LogTable& table, const std::string& name) {
+const LogColumn& column(const LogTable& table, std::string_view name) {
   for (const LogColumn& candidate : table.columns) {
     if (candidate.header.name == name) return candidate;
   }
-  throw std::runtime_error("no column " + name);
+  throw std::runtime_error("no column " + std::string(name));
 }
 
 class McapPeer : public testing::TestWithParam<const char*> {};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -58,10 +59,10 @@ inline std::string refusal_of(const std::string& bytes) {
   return refusal_of<InputError>([&] { return read(bytes); });
 }
 
-inline const LogColumn& column(const LogTable& table, const std::string& name) {
+inline const LogColumn& column(const LogTable& table, std::string_view name) {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const LogColumn& c) { return c.header.name == name; });
-  if (found == table.columns.end()) throw std::runtime_error("no column " + name);
+  if (found == table.columns.end()) throw std::runtime_error("no column " + std::string(name));
   return *found;
 }
 

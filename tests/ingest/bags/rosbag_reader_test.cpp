@@ -3,6 +3,7 @@
 #include "ingest/bags/rosbag_reader.h"
 
 #include <random>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -59,11 +60,11 @@ class BagWriter {
   sqlite3* database_{};
 };
 
-const LogColumn& column(const LogTable& table, const std::string& name) {
+const LogColumn& column(const LogTable& table, std::string_view name) {
   for (const LogColumn& candidate : table.columns) {
     if (candidate.header.name == name) return candidate;
   }
-  throw std::runtime_error("no column " + name);
+  throw std::runtime_error("no column " + std::string(name));
 }
 
 std::string refusal_of(const std::string& path) {
