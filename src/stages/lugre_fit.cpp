@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include <Eigen/Dense>
@@ -88,23 +87,17 @@ std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
   return blocks;
 }
 
-/// At each sample of all recordings.
+/// All samples, each compared by itself.
+LuGreGrain every_sample(const LuGreInput& /*loop*/) { return {}; }
+
 Eigen::VectorXd residuals_of(const LuGreClimb& climb, const LuGreProblem& problem) {
-  const std::vector<LuGreLoopModel>& models = problem.models();
-  Eigen::VectorXd residuals(std::accumulate(
-      models.begin(), models.end(), Eigen::Index{0},
-      [](Eigen::Index sum, const LuGreLoopModel& model) { return sum + model.samples(); }));
-  Eigen::Index row = 0;
-  Eigen::Index sample = 0;
-  for (std::size_t r = 0; r < models.size(); ++r) {
-    auto part = residuals.segment(sample, models[r].samples());
-    if (models[r].samples_in_row() == 1) {
-      part = climb.linear.fit.residuals.segment(row, models[r].rows());
-    } else {
-      part = models[r].residuals(climb.point.shared, climb.point.locals[r]);
-    }
-    row += models[r].rows();
-    sample += models[r].samples();
+  Eigen::VectorXd residuals(problem.rows());
+  Eigen::Index top = 0;
+  for (std::size_t r = 0; r < problem.models().size(); ++r) {
+    const LuGreLoopModel& model = problem.models()[r];
+    residuals.segment(top, model.rows()) =
+        model.residuals(climb.point.shared, climb.point.locals[r]);
+    top += model.rows();
   }
   return residuals;
 }
@@ -140,6 +133,7 @@ void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const
 }
 
 /// Gravity of each recording, and the fit's bristle in it.
+/// @param problem of every sample.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
                     const LuGreClimb& climb, double gear_ratio, LuGreFit& fit) {
   const Eigen::VectorXd residuals = residuals_of(climb, problem);
@@ -315,7 +309,15 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   fit.parameters = std::move(readings.parameters);
   fit.identifiability =
       lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
-  describe_loops(loops, problem, climb, gear_ratio, fit);
+  const bool is_of_means =
+      std::any_of(problem.models().begin(), problem.models().end(),
+                  [](const LuGreLoopModel& model) { return model.samples_in_row() > 1; });
+  if (is_of_means) {
+    const LuGreProblem by_sample = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
+    describe_loops(loops, by_sample, climb, gear_ratio, fit);
+  } else {
+    describe_loops(loops, problem, climb, gear_ratio, fit);
+  }
   if (climb.free.starts) {
     fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
     fit.gravity_Nm = fit.positions->freedom > 0 ? fit.positions->gravity_Nm

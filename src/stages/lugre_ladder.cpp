@@ -23,6 +23,10 @@ const std::vector<Shared::Index> at_level{Shared::log_stiffness, Shared::log_sta
 /// errors of one parameter, as two rungs are tried from four first guesses each.
 constexpr double least_gain = 25;
 
+/// Gain in the same units at which the fit to long recordings ends: a step of a hundredth of a
+/// standard error. Digits beyond it cost as much as those that count.
+constexpr double smallest_gain = 1e-4;
+
 std::vector<Shared::Index> with(std::vector<Shared::Index> some,
                                 std::initializer_list<Shared::Index> more) {
   some.insert(some.end(), more);
@@ -129,7 +133,8 @@ class Climber {
     LuGrePoint start = guess;
     LeastSquaresLimits limits;
     if (halfway_ != nullptr) {
-      const LuGreProblem::Solution nearby = halfway_->solve(free, guess);
+      limits.cost_change = smallest_gain / static_cast<double>(problem_.rows());
+      const LuGreProblem::Solution nearby = halfway_->solve(free, guess, limits);
       evaluations_ += nearby.evaluations;
       if (!nearby.converged) return out;  // all samples would not lead anywhere either
       start = nearby.point;

@@ -59,50 +59,126 @@ Deflection deflection_of(const Shared::Vector& p) {
 
 }  // namespace
 
+/// Samples that are compared together: of the recording from `first` to before `end`.
+struct LuGreLoopModel::Together {
+  std::size_t first, end;
+  double way_rad{};
+  bool turns{};
+  bool is_smooth{};
+};
+
+/// Whether the model is smooth through a row, so that one look at it is enough: not just behind a
+/// turn, or behind the start, where the bristle bends over within some way, nor beside a turn or
+/// the end.
+void LuGreLoopModel::tell_smooth_rows(std::vector<Together>& rows) {
+  // Of a torque that bends over as exp(-x / d), no d leaves more than 1e-5 unseen then.
+  constexpr double ways_to_bend_over = 5;
+  double since_turn = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Together& row = rows[k];
+    const bool goes_on = k + 1 < rows.size() && !rows[k + 1].turns;
+    row.is_smooth = goes_on && !row.turns && since_turn > ways_to_bend_over * row.way_rad;
+    since_turn = row.turns ? 0 : since_turn + row.way_rad;
+  }
+}
+
+std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& recording,
+                                                              const LuGreGrain& grain) const {
+  std::vector<Together> rows;
+  const std::size_t step = grain.stride * grain.samples_in_row;
+  const std::size_t most = grain.most_samples / grain.samples_in_row;
+  for (std::size_t i = 0; i < recording.size() && rows.size() < most; i += step) {
+    rows.push_back({i, std::min(i + step, recording.size())});
+  }
+  if (grain.samples_in_row == 1) return rows;
+  double before = motion_->speed(0);
+  for (Together& row : rows) {
+    const std::size_t next = std::min(row.end, recording.size() - 1);
+    const double after = motion_->speed(recording.t_s[next] - recording.t_s.front());
+    row.turns = before * after <= 0;
+    row.way_rad = std::abs(before + after) / 2 * (recording.t_s[next] - recording.t_s[row.first]);
+    before = after;
+  }
+  tell_smooth_rows(rows);
+  return rows;
+}
+
 LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
                                double gear_ratio, double q_peak_rad, const LuGreGrain& grain)
     : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
-  std::vector<double> t;
-  for (std::size_t i = 0; i < recording.size() && t.size() < grain.most_samples;
-       i += grain.stride) {
-    const double time = recording.t_s[i] - recording.t_s.front();
-    t.push_back(time);
-    measured_Nm_.push_back(recording.torque_Nm[i]);
-    angle_.push_back(motion_->angle(time));
-    speed_.push_back(motion_->speed(time));
-    acceleration_.push_back(motion_->acceleration(time));
-    cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
+  std::vector<double> instants;
+  for (const Together& row : rows_of(recording, grain)) {
+    const double start = recording.t_s[row.first] - recording.t_s.front();
+    double count = 0;
+    double mean = 0;  // of the times since `start`: those of a long log would drown the variance
+    double square = 0;
+    double torque = 0;
+    for (std::size_t i = row.first; i < row.end; i += grain.stride) {
+      const double t = recording.t_s[i] - recording.t_s[row.first];
+      count += 1;
+      mean += t;
+      square += t * t;
+      torque += recording.torque_Nm[i];
+      if (!row.is_smooth) instants.push_back(start + t);
+    }
+    mean /= count;
+    measured_Nm_.push_back(torque / count);
+    if (row.is_smooth) instants.push_back(start + mean);
+    if (samples_in_row_ == 1) continue;
+    row_of_instant_.resize(instants.size(), static_cast<Eigen::Index>(row_.size()));
+    row_.push_back({start + mean, row.is_smooth ? square / count - mean * mean : 0,
+                    row.is_smooth ? 1 : static_cast<std::size_t>(count)});
   }
-  const auto add = [&](double a, double b, double wa, double wb, bool ends_at_sample) {
+  for (const double t : instants) add_instant(t, gear_ratio, q_peak_rad);
+  start_speed_ = motion_->speed(0);
+  starts_at_instant_ = !(instants.front() > 0);
+  if (!starts_at_instant_) add_way(0, instants.front(), start_speed_, speed_.front());
+  for (std::size_t i = 0; i + 1 < instants.size(); ++i) {
+    add_way(instants[i], instants[i + 1], speed_[i], speed_[i + 1]);
+  }
+}
+
+void LuGreLoopModel::add_instant(double time_s, double gear_ratio, double q_peak_rad) {
+  angle_.push_back(motion_->angle(time_s));
+  speed_.push_back(motion_->speed(time_s));
+  acceleration_.push_back(motion_->acceleration(time_s));
+  cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
+}
+
+Eigen::Index LuGreLoopModel::row_of(Eigen::Index instant) const {
+  return samples_in_row_ == 1 ? instant : row_of_instant_[static_cast<std::size_t>(instant)];
+}
+
+/// Two pieces where the motion turns on the way.
+void LuGreLoopModel::add_way(double from_s, double to_s, double start_speed, double end_speed) {
+  const auto add = [&](double a, double b, double wa, double wb, bool ends_at_instant) {
     const double wm = motion_->speed((a + b) / 2);
     const double way = (b - a) / 6 * (wa + 4 * wm + wb);
-    pieces_.push_back({a, b, wa, wm, wb, way < 0, ends_at_sample});
+    pieces_.push_back({a, b, wa, wm, wb, way < 0, ends_at_instant});
     distance_rad_.push_back(std::abs(way));
   };
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
-    if (speed_[i] * speed_[i + 1] < 0) {
-      const double turn = reversal_time(*motion_, t[i], t[i + 1], speed_[i] < 0);
-      add(t[i], turn, speed_[i], 0.0, false);
-      add(turn, t[i + 1], 0.0, speed_[i + 1], true);
-    } else {
-      add(t[i], t[i + 1], speed_[i], speed_[i + 1], true);
-    }
+  if (start_speed * end_speed < 0) {
+    const double turn = reversal_time(*motion_, from_s, to_s, start_speed < 0);
+    add(from_s, turn, start_speed, 0.0, false);
+    add(turn, to_s, 0.0, end_speed, true);
+  } else {
+    add(from_s, to_s, start_speed, end_speed, true);
   }
 }
 
 template <class Scalar, class Deflection, class Visit>
 void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) const {
   Scalar z = start;
-  std::size_t sample = 0;
-  const auto visit_sample = [&](const Scalar& inverse_g) {
-    const double w = speed_[sample];
+  std::size_t instant = 0;
+  const auto visit_instant = [&](const Scalar& inverse_g) {
+    const double w = speed_[instant];
     const Scalar rate = w - (std::abs(w) * z) * inverse_g;
-    visit(static_cast<Eigen::Index>(sample), z, rate);
-    ++sample;
+    visit(static_cast<Eigen::Index>(instant), z, rate);
+    ++instant;
   };
-  Scalar g0 = g(speed_.front());
+  Scalar g0 = g(start_speed_);
   Scalar inverse0 = Scalar(1.0 / g0);
-  visit_sample(inverse0);
+  if (starts_at_instant_) visit_instant(inverse0);
   if constexpr (Deflection::same_at_all_speeds) {
     const Scalar backward = -g0;
     // They depend on no z: all exponentials at once, in a loop that vectorises.
@@ -115,7 +191,7 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
       const Scalar length = distance_rad_[k] * inverse0;
       z = relaxed_to<Scalar>(pieces_[k].backward ? backward : g0,
                              chained(decays[k], -decays[k], length), z);
-      if (pieces_[k].ends_at_sample) visit_sample(inverse0);
+      if (pieces_[k].ends_at_instant) visit_instant(inverse0);
     }
     return;
   }
@@ -133,7 +209,7 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
               : relaxed(shape, z);
     g0 = g1;
     inverse0 = inverse1;
-    if (p.ends_at_sample) visit_sample(inverse1);
+    if (p.ends_at_instant) visit_instant(inverse1);
   }
 }
 
@@ -144,13 +220,12 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   const double s1 = p(Shared::damping);
   const double s2 = p(Shared::viscous);
   const double inertia = p(Shared::inertia);
-  const auto in_row = static_cast<Eigen::Index>(samples_in_row_);
   run<Dual<N>>(deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
-               [&](Eigen::Index sample, const Dual<N>& z, const Dual<N>& dz) {
-                 const auto i = static_cast<std::size_t>(sample);
-                 const Eigen::Index row = sample / in_row;
+               [&](Eigen::Index instant, const Dual<N>& z, const Dual<N>& dz) {
+                 const auto i = static_cast<std::size_t>(instant);
+                 const Eigen::Index row = row_of(instant);
                  residuals(row) += local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
-                                   s2 * speed_[i] + inertia * acceleration_[i] - measured_Nm_[i];
+                                   s2 * speed_[i] + inertia * acceleration_[i];
                  const auto by = [&](int k) {
                    const auto at = static_cast<std::size_t>(k);
                    return s0 * z.by[at] + s1 * dz.by[at];
@@ -170,12 +245,34 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
                  shared(Shared::viscous) += speed_[i];
                  shared(Shared::inertia) += acceleration_[i];
                });
-  if (in_row == 1) return;
-  for (Eigen::Index row = 0; row < residuals.size(); ++row) {
-    const auto count = static_cast<double>(std::min(in_row, samples() - row * in_row));
-    residuals(row) /= count;
-    derivatives.row(row) /= count;
+  if (samples_in_row_ > 1) {
+    average_over_rows(residuals);
+    for (int k = 0; k < columns; ++k) average_over_rows(derivatives.col(k));
   }
+  for (Eigen::Index row = 0; row < residuals.size(); ++row) {
+    residuals(row) -= measured_Nm_[static_cast<std::size_t>(row)];
+  }
+}
+
+/// Means over the rows' samples, of sums over where the model was looked at. Where that was the
+/// middle of a row alone, half the variance of its times times the second derivative is added.
+void LuGreLoopModel::average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const {
+  const Eigen::Index n = column.size();
+  const auto row = [&](Eigen::Index k) -> const Row& { return row_[static_cast<std::size_t>(k)]; };
+  for (Eigen::Index k = 0; k < n; ++k) column(k) /= static_cast<double>(row(k).instants);
+  const auto slope_behind = [&](Eigen::Index k) {
+    return (column(k + 1) - column(k)) / (row(k + 1).time_s - row(k).time_s);
+  };
+  if (n < 3) return;
+  double before = slope_behind(0);
+  double second = 0;
+  for (Eigen::Index k = 1; k + 1 < n; ++k) {
+    const double behind = slope_behind(k);
+    second = 2 * (behind - before) / (row(k + 1).time_s - row(k - 1).time_s);
+    column(k) += row(k).variance_s2 / 2 * second;
+    before = behind;
+  }
+  column(n - 1) += row(n - 1).variance_s2 / 2 * second;
 }
 
 void LuGreLoopModel::evaluate(const Shared::Vector& shared, const LuGreLocal& local, bool bends,
@@ -190,14 +287,13 @@ void LuGreLoopModel::evaluate(const Shared::Vector& shared, const LuGreLocal& lo
 }
 
 Eigen::VectorXd LuGreLoopModel::residuals(const Shared::Vector& p, const LuGreLocal& local) const {
-  Eigen::VectorXd out(samples());
+  Eigen::VectorXd out(rows());
   run<double>(deflection_of<PlainDeflection>(p), local.start_rad,
-              [&](Eigen::Index sample, double z, double dz) {
-                const auto i = static_cast<std::size_t>(sample);
-                out(sample) = local.gravity_Nm * cosine_[i] +
-                              std::exp(p(Shared::log_stiffness)) * z + p(Shared::damping) * dz +
-                              p(Shared::viscous) * speed_[i] +
-                              p(Shared::inertia) * acceleration_[i] - measured_Nm_[i];
+              [&](Eigen::Index row, double z, double dz) {
+                const auto i = static_cast<std::size_t>(row);
+                out(row) = local.gravity_Nm * cosine_[i] + std::exp(p(Shared::log_stiffness)) * z +
+                           p(Shared::damping) * dz + p(Shared::viscous) * speed_[i] +
+                           p(Shared::inertia) * acceleration_[i] - measured_Nm_[i];
               });
   return out;
 }

@@ -56,29 +56,23 @@ class LuGreLoopModel {
   LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
                  double gear_ratio, double q_peak_rad, const LuGreGrain& grain = {});
 
-  [[nodiscard]] Eigen::Index samples() const {
-    return static_cast<Eigen::Index>(measured_Nm_.size());
-  }
   /// One for each of the samples, or for so many of them together.
-  [[nodiscard]] Eigen::Index rows() const {
-    const auto in_row = static_cast<Eigen::Index>(samples_in_row_);
-    return (samples() + in_row - 1) / in_row;
-  }
+  [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(measured_Nm_.size()); }
   [[nodiscard]] std::size_t samples_in_row() const { return samples_in_row_; }
   /// Residuals T_model - T_measured, and their derivatives.
   /// @param bends whether c and b are varied or b != 0; otherwise their columns stay zero and the
   /// level of micro-speed is integrated at half the work.
   void evaluate(const LuGreShared::Vector& shared, const LuGreLocal& local, bool bends,
                 Eigen::VectorXd& residuals, Rows& derivatives) const;
-  /// Residuals at each of the samples.
+  /// Residuals alone. @pre a row is a sample
   [[nodiscard]] Eigen::VectorXd residuals(const LuGreShared::Vector& shared,
                                           const LuGreLocal& local) const;
-  /// z and dz/dt of the model at the samples.
+  /// z and dz/dt of the model at the samples. @pre a row is a sample
   void bristle(const LuGreShared::Vector& shared, double start_rad, std::vector<double>& z_rad,
                std::vector<double>& dz_rad_s) const;
-  /// Motor speed at the samples, by the motion.
+  /// Motor speed at the samples, by the motion. @pre a row is a sample
   [[nodiscard]] const std::vector<double>& speed_rad_s() const { return speed_; }
-  /// Largest motor speed at a sample [rad/s].
+  /// Largest motor speed [rad/s] where the model is looked at.
   [[nodiscard]] double peak_speed_rad_s() const;
   /// Half of the way between the ends of the motion [rad, motor].
   [[nodiscard]] double motor_amplitude_rad() const;
@@ -87,11 +81,17 @@ class LuGreLoopModel {
   [[nodiscard]] double mean_torque_Nm() const;
 
  private:
-  /// A piece of the way between two samples in which the speed keeps its sign.
+  /// A piece of the way between two instants in which the speed keeps its sign.
   struct Piece {
     double from_s, to_s, start_speed, middle_speed, end_speed;
-    bool backward, ends_at_sample;
+    bool backward, ends_at_instant;
   };
+  struct Together;
+  [[nodiscard]] std::vector<Together> rows_of(const Recording& recording,
+                                              const LuGreGrain& grain) const;
+  static void tell_smooth_rows(std::vector<Together>& rows);
+  void add_instant(double time_s, double gear_ratio, double q_peak_rad);
+  void add_way(double from_s, double to_s, double start_speed, double end_speed);
   template <class Scalar, class Deflection, class Visit>
   void run(const Deflection& g, const Scalar& start, Visit visit) const;
   template <int N>
@@ -100,13 +100,27 @@ class LuGreLoopModel {
 
   std::shared_ptr<const Motion> motion_;
   std::size_t samples_in_row_;
+  [[nodiscard]] Eigen::Index row_of(Eigen::Index instant) const;
+  void average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const;
+
   std::vector<Piece> pieces_;
   std::vector<double> distance_rad_;  // of each piece
-  std::vector<double> measured_Nm_;
+  // Where the model is looked at: at each sample, or once in a row through which it is smooth.
   std::vector<double> angle_;
   std::vector<double> speed_;
   std::vector<double> acceleration_;
   std::vector<double> cosine_;
+  std::vector<double> measured_Nm_;  // of each row
+  bool starts_at_instant_{true};     // the first is that of the first sample
+  double start_speed_{};             // at the first sample
+  // Only where rows hold several samples:
+  struct Row {
+    double time_s;       // mean
+    double variance_s2;  // of the times of its samples, where the model is looked at but once
+    std::size_t instants;
+  };
+  std::vector<Row> row_;
+  std::vector<Eigen::Index> row_of_instant_;
 };
 
 }  // namespace tribolog

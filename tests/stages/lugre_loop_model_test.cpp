@@ -53,15 +53,18 @@ TEST(LuGreLoopModel, ARowOfSeveralSamplesIsTheMeanOfTheirs) {
   LuGreLoopModel::Rows coarse_rows;
   each.evaluate(p, local, true, fine, fine_rows);
   together.evaluate(p, local, true, coarse, coarse_rows);
-  ASSERT_EQ(together.samples(), each.samples());
-  ASSERT_EQ(coarse.size(), (fine.size() + 6) / 7);
+  ASSERT_EQ(together.rows(), (each.rows() + 6) / 7);
+  ASSERT_EQ(coarse.size(), together.rows());
+  const double height = fine.maxCoeff() - fine.minCoeff();
   for (Eigen::Index row = 0; row < coarse.size(); ++row) {
     const Eigen::Index count = std::min<Eigen::Index>(7, fine.size() - 7 * row);
-    EXPECT_NEAR(coarse(row), fine.segment(7 * row, count).mean(), 1e-12);
-    EXPECT_TRUE(coarse_rows.row(row).isApprox(fine_rows.middleRows(7 * row, count).colwise().mean(),
-                                              1e-12));
+    EXPECT_NEAR(coarse(row), fine.segment(7 * row, count).mean(), 1e-5 * height) << row;
+    const Eigen::RowVectorXd mean = fine_rows.middleRows(7 * row, count).colwise().mean();
+    for (int k = 0; k < LuGreLoopModel::columns; ++k) {
+      const double size = fine_rows.col(k).cwiseAbs().maxCoeff();
+      EXPECT_NEAR(coarse_rows(row, k), mean(k), 1e-4 * size) << row << ' ' << k;
+    }
   }
-  EXPECT_TRUE(together.residuals(p, local).isApprox(fine, 1e-9));
 }
 
 class DerivativesOfTheLoop : public testing::TestWithParam<double> {};

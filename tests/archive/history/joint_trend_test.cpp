@@ -115,8 +115,8 @@ TEST(JointTrend, BaselineByCountAndByDate) {
   Baseline dates;
   dates.from = test::utc_of_day(14 * 14).substr(0, 10);
   dates.to = test::utc_of_day(14 * 21).substr(0, 10);
-  const QuantityTrend& later =
-      quantity(joint_trends(calibrations, dates).front(), "coulomb_torque");
+  const JointTrend of_dates = joint_trends(calibrations, dates).front();
+  const QuantityTrend& later = quantity(of_dates, "coulomb_torque");
   EXPECT_EQ(later.count(LeftOut::before_baseline), 14U);
   EXPECT_EQ(later.learned, 8U);
   EXPECT_EQ(later.state, TrendState::steady) << "the step lies before";
