@@ -28,9 +28,11 @@ bool nearly_all(std::size_t some, std::size_t all) {
 bool stand_on_grid(const std::vector<double>& angles, double step_rad) {
   std::size_t places = 0;
   double last = NAN;
-  for (const double q : angles) {
-    const double place = std::round(q / step_rad);
-    if (place == last || !is_multiple(q, step_rad)) continue;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    // Of angles that know no such grid a few decide.
+    if (!nearly_all(places + angles.size() - i, angles.size())) return false;
+    const double place = std::round(angles[i] / step_rad);
+    if (place == last || !is_multiple(angles[i], step_rad)) continue;
     last = place;
     ++places;
   }

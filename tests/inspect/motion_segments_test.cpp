@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,11 @@ struct SineCase {
   double amplitude_rad, frequency_Hz, cycles, rate_Hz, step_rad, noise_rad;
   MotionKind kind;
 };
+
+void PrintTo(const SineCase& c, std::ostream* out) {
+  *out << c.amplitude_rad << " rad at " << c.frequency_Hz << " Hz, " << c.cycles << " cycles, "
+       << c.rate_Hz << " samples a second";
+}
 
 class Sines : public testing::TestWithParam<SineCase> {};
 

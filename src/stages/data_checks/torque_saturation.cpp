@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -56,6 +55,15 @@ double flat_elsewhere(const std::vector<double>& t, double low, double high) {
   return others > 0 ? static_cast<double>(flat) / static_cast<double>(others) : 1.0;
 }
 
+bool has_fewer_levels(const std::vector<double>& t, std::size_t levels) {
+  std::vector<double> met;
+  for (const double torque : t) {
+    if (std::find(met.begin(), met.end(), torque) == met.end()) met.push_back(torque);
+    if (met.size() == levels) return false;
+  }
+  return true;
+}
+
 struct Saturation {
   double percent{};
   double value_Nm{};
@@ -79,7 +87,7 @@ Saturation saturation_of(const std::vector<double>& t) {
   if (t.size() < fewest_levels) return out;
   const auto [low, high] = std::minmax_element(t.begin(), t.end());
   const double range = *high - *low;
-  if (!(range > 0) || std::set<double>(t.begin(), t.end()).size() < fewest_levels) return out;
+  if (!(range > 0) || has_fewer_levels(t, fewest_levels)) return out;
   constexpr double held_or_coarse = 0.2;
   if (flat_elsewhere(t, *low, *high) > held_or_coarse) return out;
   for (const double end : {*low, *high}) {
