@@ -15,7 +15,7 @@ build=${TRIBOLOG_BUILD:-build}
 
 needed=(cmake ninja-build g++ pkg-config git
   libvtk9-dev libfreetype-dev libdeflate-dev fonts-dejavu-core
-  libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+  libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libctemplate-dev libssl-dev libsundials-dev libboost-dev
   liblz4-dev libzstd-dev libsqlite3-dev libpq-dev libmatio-dev libhdf5-dev zlib1g-dev)
 case $goal in
@@ -67,6 +67,8 @@ install() {
 install_missing() {
   local missing=()
   for package in "${needed[@]}"; do installed "$package" || missing+=("$package"); done
+  # toml++; toml11 where the distribution does not have it (Ubuntu 22.04).
+  installed libtomlplusplus-dev || installed libtoml11-dev || missing+=(toml)
   # Off-screen drawing: OSMesa where Mesa still has it, even if EGL is installed; else EGL.
   if ! installed libosmesa6-dev; then
     if offers_osmesa || ! { installed libegl-dev && installed libegl1; }; then
@@ -96,13 +98,23 @@ install_missing() {
   fi
   local wanted=()
   for package in "${missing[@]}"; do
-    if [ "$package" != offscreen ]; then
-      wanted+=("$package")
-    elif offers_osmesa; then
-      wanted+=(libosmesa6-dev)
-    else
-      wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
-    fi
+    case $package in
+      toml)
+        if offers libtomlplusplus-dev; then
+          wanted+=(libtomlplusplus-dev)
+        else
+          wanted+=(libtoml11-dev)
+        fi
+        ;;
+      offscreen)
+        if offers_osmesa; then
+          wanted+=(libosmesa6-dev)
+        else
+          wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
+        fi
+        ;;
+      *) wanted+=("$package") ;;
+    esac
   done
   local offered_here=()
   for package in "${extra[@]}"; do offers "$package" && offered_here+=("$package"); done

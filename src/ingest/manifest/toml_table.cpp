@@ -6,63 +6,45 @@
 
 #include <fmt/format.h>
 
-// Bounds the recursion of parser and destructor; the files read here need 3.
-#define TOML_MAX_NESTED_VALUES 32
-#include <toml++/toml.h>
-
 #include "ingest/closest_match.h"
 #include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_precheck.h"
 
 namespace tribolog {
 
 struct TomlTable::View {
-  std::shared_ptr<const toml::table> document;  ///< Keeps `table` alive.
-  const toml::table* table{};
+  std::shared_ptr<const TomlNode> document;  ///< Keeps `table` alive.
+  const TomlNode* table{};
   std::string file;
   std::string path;  ///< "" or "joint."
   std::set<std::string> asked{};
 
-  [[nodiscard]] const toml::node* find(const std::string& key) {
+  [[nodiscard]] const TomlNode* find(const std::string& key) {
     asked.insert(key);
-    return table->get(key);
+    return table->member(key);
   }
   /// @throw InputError where there is no such key.
-  const toml::node& need(const TomlTable& self, const std::string& key, const std::string& hint);
-  [[nodiscard]] TomlTable below(const toml::table& child, const std::string& key) const {
+  const TomlNode& need(const TomlTable& self, const std::string& key, const std::string& hint);
+  [[nodiscard]] TomlTable below(const TomlNode& child, const std::string& key) const {
     return TomlTable(std::make_shared<View>(View{document, &child, file, path + key + "."}));
   }
 };
 
 namespace {
 
-Location location_of(const std::string& file, const toml::source_region& region) {
-  return {file, static_cast<long>(region.begin.line), static_cast<long>(region.begin.column)};
+Location location_of(const std::string& file, const TomlNode& node) {
+  return {file, node.line, node.column};
 }
 
-std::string describe(const toml::node& node) {
-  if (node.as_table() != nullptr) return "a table";
-  if (node.as_array() != nullptr) return "an array";
-  if (const auto* text = node.as_string()) return "the text " + in_quotes(text->get());
-  if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
-  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
-  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+std::string describe(const TomlNode& node) {
+  if (node.as<TomlMembers>() != nullptr) return "a table";
+  if (node.as<TomlArray>() != nullptr) return "an array";
+  if (const auto* text = node.as<std::string>()) return "the text " + in_quotes(*text);
+  if (const auto* whole = node.as<std::int64_t>()) return fmt::format("{}", *whole);
+  if (const auto* number = node.as<double>()) return fmt::format("{}", *number);
+  if (const auto* flag = node.as<bool>()) return *flag ? "true" : "false";
   return "a date or time";
-}
-
-std::string iso(const toml::date& date) {
-  return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
-}
-
-/// Whole seconds: when a joint was measured is not known closer.
-std::string iso(const toml::date_time& at) {
-  std::string text = fmt::format("{}T{:02}:{:02}:{:02}", iso(at.date), at.time.hour, at.time.minute,
-                                 at.time.second);
-  if (!at.offset) return text;
-  const int minutes = std::abs(at.offset->minutes);
-  if (minutes == 0) return text + "Z";
-  return text + fmt::format("{}{:02}:{:02}", at.offset->minutes < 0 ? '-' : '+', minutes / 60,
-                            minutes % 60);
 }
 
 const char* expectation(Sign sign) {
@@ -71,14 +53,14 @@ const char* expectation(Sign sign) {
                                       : "a finite number";
 }
 
-std::optional<double> any_number_in(const toml::node& node) {
-  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
-  if (const auto* number = node.as_floating_point()) return number->get();
+std::optional<double> any_number_in(const TomlNode& node) {
+  if (const auto* whole = node.as<std::int64_t>()) return static_cast<double>(*whole);
+  if (const auto* number = node.as<double>()) return *number;
   return std::nullopt;
 }
 
 /// What is wrong with a number, for the key's refusal; nothing where it can be used.
-std::optional<InputError::Problem> problem_of(const toml::node& node, Sign sign,
+std::optional<InputError::Problem> problem_of(const TomlNode& node, Sign sign,
                                               const std::string& key) {
   const auto found = any_number_in(node);
   const double value = found.value_or(0);
@@ -100,27 +82,22 @@ std::optional<InputError::Problem> problem_of(const toml::node& node, Sign sign,
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
   precheck_toml(text, file);
-  try {
-    auto document = std::make_shared<const toml::table>(toml::parse(text, std::string_view(file)));
-    const toml::table* top = document.get();
-    return TomlTable(std::make_shared<View>(View{std::move(document), top, file, ""}));
-  } catch (const toml::parse_error& error) {
-    throw InputError(location_of(file, error.source()),
-                     {"not valid TOML: " + std::string(error.description()), "", "", ""});
-  }
+  auto document = std::make_shared<const TomlNode>(parse_toml(text, file));
+  const TomlNode* top = document.get();
+  return TomlTable(std::make_shared<View>(View{std::move(document), top, file, ""}));
 }
 
 bool TomlTable::has(const std::string& key) const { return view_->find(key) != nullptr; }
 
 bool TomlTable::has_misplaced(const std::string& key) const {
-  return view_->table->get(key) != nullptr;
+  return view_->table->member(key) != nullptr;
 }
 
-Location TomlTable::where() const { return location_of(view_->file, view_->table->source()); }
+Location TomlTable::where() const { return location_of(view_->file, *view_->table); }
 
 Location TomlTable::where(const std::string& key) const {
-  const toml::node* node = view_->table->get(key);
-  return node == nullptr ? where() : location_of(view_->file, node->source());
+  const TomlNode* node = view_->table->member(key);
+  return node == nullptr ? where() : location_of(view_->file, *node);
 }
 
 void TomlTable::refuse(const std::string& key, InputError::Problem problem) const {
@@ -131,15 +108,13 @@ void TomlTable::refuse(const std::string& key, InputError::Problem problem) cons
 
 void TomlTable::refuse_unknown_keys() const {
   const std::vector<std::string> known(view_->asked.begin(), view_->asked.end());
-  const toml::node* first = nullptr;
+  const TomlNode* first = nullptr;
   std::string first_name;
-  for (auto&& [name, value] : *view_->table) {
-    if (view_->asked.count(std::string(std::string_view(name))) > 0) continue;
-    const bool is_earlier =
-        first == nullptr || value.source().begin.line < first->source().begin.line;
-    if (is_earlier) {
+  for (const auto& [name, value] : *view_->table->as<TomlMembers>()) {
+    if (view_->asked.count(name) > 0) continue;
+    if (first == nullptr || value.line < first->line) {
       first = &value;
-      first_name = std::string(std::string_view(name));
+      first_name = name;
     }
   }
   if (first == nullptr) return;
@@ -149,13 +124,12 @@ void TomlTable::refuse_unknown_keys() const {
                     meant.empty() ? "known here: " + list_of_names(known) : meant});
 }
 
-const toml::node& TomlTable::View::need(const TomlTable& self, const std::string& key,
-                                        const std::string& hint) {
-  if (const toml::node* node = find(key)) return *node;
+const TomlNode& TomlTable::View::need(const TomlTable& self, const std::string& key,
+                                      const std::string& hint) {
+  if (const TomlNode* node = find(key)) return *node;
   std::vector<std::string> unasked;  // one of them may be the missing one, misspelt
-  for (auto&& [name, value] : *table) {
-    std::string text{std::string_view(name)};
-    if (asked.count(text) == 0) unasked.push_back(std::move(text));
+  for (const auto& [name, value] : *table->as<TomlMembers>()) {
+    if (asked.count(name) == 0) unasked.push_back(name);
   }
   const std::string near = closest_match(key, unasked);
   const std::string misspelt = near.empty() ? "" : "is " + in_quotes(near) + " meant to be it?";
@@ -163,27 +137,27 @@ const toml::node& TomlTable::View::need(const TomlTable& self, const std::string
 }
 
 std::string TomlTable::text(const std::string& key, const std::string& hint) const {
-  const toml::node& node = view_->need(*this, key, hint);
-  const auto* text = node.as_string();
+  const TomlNode& node = view_->need(*this, key, hint);
+  const auto* text = node.as<std::string>();
   if (text == nullptr) refuse(key, {"wrong type", describe(node), "a text", hint});
-  return text->get();
+  return *text;
 }
 
 double TomlTable::number(const std::string& key, Sign sign, const std::string& hint) const {
-  const toml::node& node = view_->need(*this, key, hint);
+  const TomlNode& node = view_->need(*this, key, hint);
   if (const auto problem = problem_of(node, sign, key)) refuse(key, *problem);
   return *any_number_in(node);
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, Sign sign) const {
-  const toml::node& node = view_->need(*this, key, "");
-  const auto* array = node.as_array();
+  const TomlNode& node = view_->need(*this, key, "");
+  const auto* array = node.as<TomlArray>();
   if (array == nullptr) refuse(key, {"wrong type", describe(node), "an array of numbers", ""});
   std::vector<double> values;
-  for (const toml::node& element : *array) {
+  for (const TomlNode& element : *array) {
     if (auto problem = problem_of(element, sign, key)) {
       problem->what = "key " + in_quotes(view_->path + key) + ": " + problem->what;
-      throw InputError(location_of(view_->file, element.source()), *problem);
+      throw InputError(location_of(view_->file, element), *problem);
     }
     values.push_back(*any_number_in(element));
   }
@@ -191,27 +165,28 @@ std::vector<double> TomlTable::numbers(const std::string& key, Sign sign) const 
 }
 
 std::vector<std::string> TomlTable::texts(const std::string& key, const std::string& hint) const {
-  const toml::node& node = view_->need(*this, key, hint);
-  const auto* array = node.as_array();
+  const TomlNode& node = view_->need(*this, key, hint);
+  const auto* array = node.as<TomlArray>();
   if (array == nullptr) refuse(key, {"wrong type", describe(node), "an array of texts", hint});
   std::vector<std::string> values;
-  for (const toml::node& element : *array) {
-    const auto* text = element.as_string();
+  for (const TomlNode& element : *array) {
+    const auto* text = element.as<std::string>();
     if (text == nullptr) {
-      throw InputError(location_of(view_->file, element.source()),
+      throw InputError(location_of(view_->file, element),
                        {"key " + in_quotes(view_->path + key) + ": wrong type", describe(element),
                         "a text", hint});
     }
-    values.push_back(text->get());
+    values.push_back(*text);
   }
   return values;
 }
 
 TomlTable TomlTable::table(const std::string& key, const std::string& hint) const {
-  const toml::node& node = view_->need(*this, key, hint);
-  const auto* table = node.as_table();
-  if (table == nullptr) refuse(key, {"wrong type", describe(node), "a table", hint});
-  return view_->below(*table, key);
+  const TomlNode& node = view_->need(*this, key, hint);
+  if (node.as<TomlMembers>() == nullptr) {
+    refuse(key, {"wrong type", describe(node), "a table", hint});
+  }
+  return view_->below(node, key);
 }
 
 std::size_t TomlTable::choice(const std::string& key, const std::vector<std::string>& options,
@@ -230,11 +205,10 @@ std::string TomlTable::text_or(const std::string& key, const std::string& otherw
 }
 
 std::string TomlTable::text_or_date(const std::string& key, const std::string& otherwise) const {
-  const toml::node* node = view_->find(key);
+  const TomlNode* node = view_->find(key);
   if (node == nullptr) return otherwise;
-  if (const auto* date = node->as_date()) return iso(date->get());
-  if (const auto* at = node->as_date_time()) return iso(at->get());
-  return text(key);
+  const auto* date = node->as<TomlDate>();
+  return date != nullptr && !date->iso8601.empty() ? date->iso8601 : text(key);
 }
 
 double TomlTable::number_or(const std::string& key, double otherwise, Sign sign) const {
@@ -246,21 +220,21 @@ std::optional<double> TomlTable::find_number(const std::string& key, Sign sign) 
 }
 
 bool TomlTable::flag_or(const std::string& key, bool otherwise) const {
-  const toml::node* node = view_->find(key);
+  const TomlNode* node = view_->find(key);
   if (node == nullptr) return otherwise;
-  const auto* flag = node->as_boolean();
+  const auto* flag = node->as<bool>();
   if (flag == nullptr) refuse(key, {"wrong type", describe(*node), "true or false", ""});
-  return flag->get();
+  return *flag;
 }
 
 std::uint64_t TomlTable::count_or(const std::string& key, std::uint64_t otherwise) const {
-  const toml::node* node = view_->find(key);
+  const TomlNode* node = view_->find(key);
   if (node == nullptr) return otherwise;
-  const auto* whole = node->as_integer();
-  if (whole == nullptr || whole->get() < 0) {
+  const auto* whole = node->as<std::int64_t>();
+  if (whole == nullptr || *whole < 0) {
     refuse(key, {"not usable", describe(*node), "a whole number >= 0", ""});
   }
-  return static_cast<std::uint64_t>(whole->get());
+  return static_cast<std::uint64_t>(*whole);
 }
 
 std::optional<TomlTable> TomlTable::find_table(const std::string& key) const {
@@ -268,21 +242,20 @@ std::optional<TomlTable> TomlTable::find_table(const std::string& key) const {
 }
 
 std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
-  const toml::node* node = view_->find(key);
+  const TomlNode* node = view_->find(key);
   if (node == nullptr) return {};
-  const auto* array = node->as_array();
+  const auto* array = node->as<TomlArray>();
   if (array == nullptr) {
     refuse(key, {"wrong type", describe(*node), "an array of tables",
                  "write [[" + view_->path + key + "]]"});
   }
   std::vector<TomlTable> tables;
-  for (const toml::node& element : *array) {
-    const auto* table = element.as_table();
-    if (table == nullptr) {
+  for (const TomlNode& element : *array) {
+    if (element.as<TomlMembers>() == nullptr) {
       refuse(key,
              {"wrong type", describe(element), "a table", "write [[" + view_->path + key + "]]"});
     }
-    tables.push_back(view_->below(*table, key));
+    tables.push_back(view_->below(element, key));
   }
   return tables;
 }
@@ -295,8 +268,8 @@ Location place_in_toml(std::string_view text, const std::string& file, const std
 }
 
 std::vector<TomlTable> TomlTable::one_or_more_tables(const std::string& key) const {
-  const toml::node* node = view_->find(key);
-  if (node != nullptr && node->is_array()) return tables(key);
+  const TomlNode* node = view_->find(key);
+  if (node != nullptr && node->as<TomlArray>() != nullptr) return tables(key);
   std::vector<TomlTable> one;
   if (const auto table = find_table(key)) one.push_back(*table);
   return one;

@@ -97,7 +97,10 @@ TEST(TomlTable, RefusesKeysThatNobodyAskedFor) {
 }
 
 TEST(TomlTable, RefusesWhatIsNoToml) {
-  EXPECT_EQ(refusal([] { return parse("a = \n"); }).substr(0, 29), "m.toml:1:5: not valid TOML: E");
+  // Which column a missing value stands in, and the words, are the parser's.
+  const std::string missing = refusal([] { return parse("a = \n"); });
+  EXPECT_EQ(missing.substr(0, 9), "m.toml:1:") << missing;
+  EXPECT_NE(missing.find(": not valid TOML: "), std::string::npos) << missing;
   EXPECT_NE(refusal([] { return parse("a = 1\na = 2\n"); }).find("m.toml:2:"), std::string::npos);
 }
 
