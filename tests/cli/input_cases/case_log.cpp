@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/small_dataset.h"
 
