@@ -44,10 +44,20 @@ void refuse_empty_location(const std::vector<std::string>& arguments) {
   }
 }
 
+/// From version 2.6 on CLI11 would break our lines anew, and take their indents away.
+template <class Formatter>
+void keep_lines_as_written(Formatter& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); }) {
+    formatter.enable_description_formatting(false);
+    formatter.enable_footer_formatting(false);
+  }
+}
+
 }  // namespace
 
 ExitStatus run_command_line(int argc, char** argv) {
   CLI::App app{overview, "tribolog"};
+  keep_lines_as_written(*app.get_formatter());
   app.footer(exit_statuses);
   app.require_subcommand(0, 1);
   bool quiet = false;

@@ -101,7 +101,8 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
     for (std::size_t r = 0; r < inputs.size(); ++r) {
       if (inputs[r].traced == nullptr) continue;
       MotionTrace& trace = traces[r];
-      trace = trace_motion(recorded_again(*inputs[r].recording, *inputs[r].traced, random));
+      const TracedMotion& traced = *inputs[r].traced;
+      trace = trace_motion(recorded_again(*inputs[r].recording, traced, random), &traced);
       // Refused by chance, at the edge of what can be traced: the motion stays as it was.
       if (trace.motion) again[r].traced = &*trace.motion;
     }

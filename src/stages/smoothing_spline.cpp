@@ -164,13 +164,14 @@ class Smoother {
 
 /// Powers of ten between which the weight is looked for: next to nothing is smoothed, all but a
 /// straight line is.
-constexpr int lowest_power = -4;
-constexpr int highest_power = 16;
+constexpr double lowest_power = -4;
+constexpr double highest_power = 16;
+constexpr double beside = 0.5;       // of what the same curve had before
 constexpr double resolution = 0.05;  // of the power
 
 /// From so many points on the weight is found on some stretches of the curve, spread over it and
 /// as many points together: they tell it as well as all of them.
-constexpr std::size_t most_points_to_weigh = 50'000;
+constexpr std::size_t most_points_to_weigh = 20'000;
 constexpr std::size_t stretches_to_weigh = 10;
 
 std::vector<Smoother> stretches_of(const CurvePoints& p) {
@@ -201,18 +202,19 @@ double score_of(std::span<Smoother> parts, const Smoother& whole, double weight)
 }
 
 /// The score may have several valleys: the deepest on a grid, then down into it.
-double best_weight(std::span<Smoother> parts, const Smoother& whole) {
+double best_power(std::span<Smoother> parts, const Smoother& whole, double from, double to,
+                  double grid) {
   const auto score = [&](double power) { return score_of(parts, whole, std::pow(10, power)); };
-  double best = lowest_power;
+  double best = from;
   double least = score(best);
-  for (int power = lowest_power + 1; power <= highest_power; ++power) {
+  for (double power = from + grid; power < to + grid / 2; power += grid) {
     const double s = score(power);
     if (s < least) {
       least = s;
       best = power;
     }
   }
-  for (double step = 0.5; step > resolution; step /= 2) {
+  for (double step = grid / 2; step > resolution; step /= 2) {
     for (const double power : {best - step, best + step}) {
       const double s = score(power);
       if (s < least) {
@@ -221,7 +223,7 @@ double best_weight(std::span<Smoother> parts, const Smoother& whole) {
       }
     }
   }
-  return std::pow(10, best);
+  return best;
 }
 
 void require_points(const CurvePoints& p) {
@@ -246,23 +248,53 @@ void require_points(const CurvePoints& p) {
 
 }  // namespace
 
-SmoothingSpline::SmoothingSpline(const CurvePoints& points) : t_(points.t) {
+SmoothingSpline::SmoothingSpline(const CurvePoints& points) : SmoothingSpline(points, nullptr) {}
+
+SmoothingSpline::SmoothingSpline(const CurvePoints& points, const SmoothingSpline& found)
+    : SmoothingSpline(points, &found) {}
+
+SmoothingSpline::SmoothingSpline(const CurvePoints& points, const SmoothingSpline* found)
+    : t_(points.t) {
   require_points(points);
   Smoother smoother(points);
-  if (points.t.size() <= most_points_to_weigh) {
-    smoother.solve_with(best_weight({&smoother, 1}, smoother));
-  } else {
-    std::vector<Smoother> stretches = stretches_of(points);
-    smoother.solve_with(best_weight(stretches, smoother));
+  double from = lowest_power;
+  double to = highest_power;
+  double grid = 1;
+  if (found != nullptr) {
+    const double power = std::log10(found->weight_ / smoother.unit_of_weight());
+    from = std::max(lowest_power, power - beside);
+    to = std::min(highest_power, power + beside);
+    grid = beside;
   }
+  const bool is_long = points.t.size() > most_points_to_weigh;
+  std::vector<Smoother> stretches;
+  if (is_long) stretches = stretches_of(points);
+  const std::span<Smoother> weighed =
+      is_long ? std::span<Smoother>(stretches) : std::span<Smoother>(&smoother, 1);
+  const double weight = std::pow(10, best_power(weighed, smoother, from, to, grid));
+  smoother.solve_with(weight);
+  weight_ = weight * smoother.unit_of_weight();
   freedom_ = smoother.freedom();
   value_ = smoother.values();
   curvature_ = smoother.curvatures();
 }
 
-SmoothingSpline::Point SmoothingSpline::at(double t) const {
+/// The piece between points i and i + 1 that holds t; the outermost ones go on beyond the points.
+std::size_t SmoothingSpline::piece_of(double t) const {
+  // Clocks mostly tick evenly: where the point stands then, or near there.
+  constexpr std::size_t near = 2;
+  const std::size_t last = t_.size() - 2;
+  const double share = (t - t_.front()) / (t_.back() - t_.front());
+  auto i = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(last));
+  for (std::size_t k = 0; k < near && i > 0 && t < t_[i]; ++k) --i;
+  for (std::size_t k = 0; k < near && i < last && t >= t_[i + 1]; ++k) ++i;
+  if ((i == 0 || t >= t_[i]) && (i == last || t < t_[i + 1])) return i;
   const auto after = std::upper_bound(t_.begin() + 1, t_.end() - 1, t);
-  const auto i = static_cast<std::size_t>(after - t_.begin()) - 1;
+  return static_cast<std::size_t>(after - t_.begin()) - 1;
+}
+
+SmoothingSpline::Point SmoothingSpline::at(double t) const {
+  const std::size_t i = piece_of(t);
   const double h = t_[i + 1] - t_[i];
   const double chord = (value_[i + 1] - value_[i]) / h;
   const double slope = chord - h / 6 * (2 * curvature_[i] + curvature_[i + 1]);

@@ -7,8 +7,9 @@
 // number of points. The weight is the one that predicts a point best from the others, by
 // generalised cross-validation (P. Craven, G. Wahba, Numer. Math. 31 (1979) 377-403): it needs no
 // word on how large errors are, only how they compare and that they are independent. Of more than
-// 50,000 points ten stretches spread over them choose the weight; the curve goes by all points.
+// 20,000 points ten stretches spread over them choose the weight; the curve goes by all points.
 
+#include <cstddef>
 #include <vector>
 
 namespace tribolog {
@@ -31,6 +32,9 @@ class SmoothingSpline {
   /// @throw std::invalid_argument if there are fewer than four points, vectors of other sizes,
   /// times that do not increase or errors that are not > 0.
   explicit SmoothingSpline(const CurvePoints& points);
+  /// For points of the same curve recorded once more: the weight is looked for beside the one that
+  /// was found, within half a power of ten, which takes a third of the work.
+  SmoothingSpline(const CurvePoints& points, const SmoothingSpline& found);
 
   /// Beyond the points: the straight line that leaves the end.
   [[nodiscard]] Point at(double t) const;
@@ -38,10 +42,14 @@ class SmoothingSpline {
   [[nodiscard]] double degrees_of_freedom() const { return freedom_; }
 
  private:
+  SmoothingSpline(const CurvePoints& points, const SmoothingSpline* found);
+  [[nodiscard]] std::size_t piece_of(double t) const;
+
   std::vector<double> t_;
   std::vector<double> value_;      // at the points
   std::vector<double> curvature_;  // at the points; linear between them
   double freedom_{};
+  double weight_{};
 };
 
 }  // namespace tribolog

@@ -73,7 +73,7 @@ std::unique_ptr<Motion> TracedMotion::motor_motion(double gear_ratio) const {
   return std::make_unique<SplineMotion>(spline, origin_rad, gear_ratio);
 }
 
-MotionTrace trace_motion(const Recording& r) {
+MotionTrace trace_motion(const Recording& r, const TracedMotion* found) {
   if (r.size() < fewest_samples) {
     return refused(fmt::format("{} samples of motion; at least {} are needed to follow the angle",
                                r.size(), fewest_samples));
@@ -99,8 +99,9 @@ MotionTrace trace_motion(const Recording& r) {
     t.push_back(r.t_s[i] - r.t_s.front());
     q.push_back(r.q_rad[i] - out.origin_rad);
   }
-  out.spline = std::make_shared<SmoothingSpline>(
-      angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0));
+  const CurvePoints points = angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0);
+  out.spline = found != nullptr ? std::make_shared<SmoothingSpline>(points, *found->spline)
+                                : std::make_shared<SmoothingSpline>(points);
   std::vector<double> smooth;
   double squares = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -46,6 +46,7 @@ struct MotionTrace {
 
 /// Refuses an angle that is too short, does not turn round twice, is sampled too coarsely for its
 /// strokes, or is too rough to have a speed.
-MotionTrace trace_motion(const Recording& recording);
+/// @param found the same motion, traced before: it is smoothed much the same (see SmoothingSpline).
+MotionTrace trace_motion(const Recording& recording, const TracedMotion* found = nullptr);
 
 }  // namespace tribolog

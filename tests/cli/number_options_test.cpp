@@ -56,7 +56,7 @@ TEST(NumberOptions, RefuseWhatIsNoNumberByTheirName) {
   const std::string there = "cd '" + dataset.scratch().path() + "' && " + program;
   for (const NumberOption& one : all_options) {
     std::vector<std::string> values{"nan",   "inf", "-inf", "-5", "-1e-320",
-                                    "1e400", "",    "x",    "0x", "5 "};
+                                    "1e400", "",    "x",    "0x", "5 x"};
     if (one.is_whole) values.insert(values.end(), {"1.5", "99999999999999999999999"});
     for (const std::string& value : values) {
       const std::string command = std::string(one.command) + " " + one.option + "='" + value + "'";

@@ -145,8 +145,11 @@ TEST_F(Hdf5ChunksTest, MoreBytesThanTheFileHasAreRefused) {
   ASSERT_EQ(changed, 1U);
   path_ = directory_.file("log.h5", bytes);
   const std::string note = read_hdf5(path_)[0].notes[0];
-  EXPECT_EQ(note, fmt::format("'t' is not read: damaged: {} of the file's {} bytes are claimed",
-                              0x0100'0050, bytes.size()));
+  const std::string claimed = fmt::format(
+      "'t' is not read: damaged: {} of the file's {} bytes are claimed", 0x0100'0050, bytes.size());
+  // libhdf5 2 writes a checksum beside the layout.
+  const std::string sum_is_wrong = "'t' is not read: damaged: incorrect metadata checksum";
+  EXPECT_TRUE(note == claimed || note.starts_with(sum_is_wrong)) << note;
 }
 
 }  // namespace
