@@ -27,7 +27,9 @@ void expect_valid(const Calibration& c) {
       "import json, sys, jsonschema\n"
       "schema = json.load(open('" TRIBOLOG_SOURCE_DIR
       "/templates/calibration.schema.json'))\n"
+      // Before version 4 it knows drafts up to 7, and finds no place in what a urn names.
       "newest = getattr(jsonschema, 'Draft202012Validator', jsonschema.Draft7Validator)\n"
+      "if newest is jsonschema.Draft7Validator: del schema['$id']\n"
       "validator = newest(schema)\n"
       "validator.check_schema(schema)\n"
       "faults = list(validator.iter_errors(json.load(open(sys.argv[1]))))\n"

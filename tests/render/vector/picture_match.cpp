@@ -134,8 +134,8 @@ double most_unmatched(const DrawList& list) {
   int minor = 0;
   char dot = 0;
   std::istringstream(Font::freetype_version()) >> major >> dot >> minor;
-  const bool hints_more = major > 2 || (major == 2 && minor >= 14);
-  const double to_each_px_per_mm = hints_more ? 0.00017 : 0.00005;
+  const bool hints_little = major == 2 && (minor == 12 || minor == 13);
+  const double to_each_px_per_mm = hints_little ? 0.00005 : 0.00019;
   return to_each_px_per_mm * list.width / list.width_mm;
 }
 
