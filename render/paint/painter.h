@@ -26,7 +26,7 @@ class Painter {
   virtual Picture paint(const DrawList& list, int strip_rows) = 0;
   Picture paint(const DrawList& list) { return paint(list, usual_strip_rows); }
 
-  static constexpr int usual_strip_rows = 128;
+  static constexpr int usual_strip_rows = 512;
 
   [[nodiscard]] virtual RendererInfo info() const = 0;
 };

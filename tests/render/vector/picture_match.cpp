@@ -6,11 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <sstream>
 #include <variant>
 #include <vector>
-
-#include "render/text/font.h"
 
 namespace tribolog::render {
 namespace {
@@ -127,16 +124,6 @@ SampledInk sampled_ink(const DrawList& list, const Picture& first, const Picture
     }
   }
   return out;
-}
-
-double most_unmatched(const DrawList& list) {
-  int major = 0;
-  int minor = 0;
-  char dot = 0;
-  std::istringstream(Font::freetype_version()) >> major >> dot >> minor;
-  const bool hints_little = major == 2 && (minor == 12 || minor == 13);
-  const double to_each_px_per_mm = hints_little ? 0.00005 : 0.00019;
-  return to_each_px_per_mm * list.width / list.width_mm;
 }
 
 }  // namespace tribolog::render
