@@ -90,7 +90,6 @@ std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& r
   for (std::size_t i = 0; i < recording.size() && rows.size() < most; i += step) {
     rows.push_back({i, std::min(i + step, recording.size())});
   }
-  if (grain.samples_in_row == 1) return rows;
   double before = motion_->speed(0);
   for (Together& row : rows) {
     const std::size_t next = std::min(row.end, recording.size() - 1);
@@ -103,9 +102,21 @@ std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& r
   return rows;
 }
 
-LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
-                               double gear_ratio, double q_peak_rad, const LuGreGrain& grain)
-    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
+/// Each sample is a row. @return the instants of the samples
+std::vector<double> LuGreLoopModel::look_at_samples(const Recording& recording,
+                                                    const LuGreGrain& grain) {
+  std::vector<double> instants;
+  for (std::size_t i = 0; i < recording.size() && instants.size() < grain.most_samples;
+       i += grain.stride) {
+    instants.push_back(recording.t_s[i] - recording.t_s.front());
+    measured_Nm_.push_back(recording.torque_Nm[i]);
+  }
+  return instants;
+}
+
+/// @return the instants at which the model is looked at
+std::vector<double> LuGreLoopModel::look_at_rows(const Recording& recording,
+                                                 const LuGreGrain& grain) {
   std::vector<double> instants;
   for (const Together& row : rows_of(recording, grain)) {
     const double start = recording.t_s[row.first] - recording.t_s.front();
@@ -124,11 +135,18 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const
     mean /= count;
     measured_Nm_.push_back(torque / count);
     if (row.is_smooth) instants.push_back(start + mean);
-    if (samples_in_row_ == 1) continue;
     row_of_instant_.resize(instants.size(), static_cast<Eigen::Index>(row_.size()));
     row_.push_back({start + mean, row.is_smooth ? square / count - mean * mean : 0,
                     row.is_smooth ? 1 : static_cast<std::size_t>(count)});
   }
+  return instants;
+}
+
+LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
+                               double gear_ratio, double q_peak_rad, const LuGreGrain& grain)
+    : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
+  const std::vector<double> instants =
+      samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
   for (const double t : instants) add_instant(t, gear_ratio, q_peak_rad);
   start_speed_ = motion_->speed(0);
   starts_at_instant_ = !(instants.front() > 0);

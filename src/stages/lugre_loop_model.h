@@ -89,6 +89,8 @@ class LuGreLoopModel {
   struct Together;
   [[nodiscard]] std::vector<Together> rows_of(const Recording& recording,
                                               const LuGreGrain& grain) const;
+  std::vector<double> look_at_samples(const Recording& recording, const LuGreGrain& grain);
+  std::vector<double> look_at_rows(const Recording& recording, const LuGreGrain& grain);
   static void tell_smooth_rows(std::vector<Together>& rows);
   void add_instant(double time_s, double gear_ratio, double q_peak_rad);
   void add_way(double from_s, double to_s, double start_speed, double end_speed);
