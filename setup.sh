@@ -27,6 +27,11 @@ case $goal in
   bench) needed+=(libbenchmark-dev python3-scipy python3-matplotlib python3-pandas) ;;
 esac
 
+# Of each line the first that the distribution has: Ubuntu 22.04 has no toml++; newer Mesa has no
+# OSMesa.
+alternatives=("libtomlplusplus-dev | libtoml11-dev"
+  "libosmesa6-dev | libegl-dev libegl1 libgl1-mesa-dri")
+
 # What not every distribution has; a test that misses its own says so.
 offered=()
 case $goal in
@@ -46,7 +51,20 @@ say() { printf 'tribolog: %s\n' "$*"; }
 installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
 
 offers() { [ -n "$(apt-cache policy "$1" 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
-offers_osmesa() { offers libosmesa6-dev; }
+all_installed() {
+  local package
+  for package in "$@"; do installed "$package" || return 1; done
+}
+
+# choice "A | B C": the packages of the first that is installed or can be; else of the last.
+choice() {
+  local packages chosen
+  while IFS= read -r packages; do
+    read -ra chosen <<<"$packages"
+    if all_installed "${chosen[@]}" || offers "${chosen[0]}"; then break; fi
+  done < <(tr '|' '\n' <<<"$1")
+  echo "${chosen[@]}"
+}
 
 # The tests start servers of their own: nothing starts because it was installed, and nothing fails
 # because it cannot start (a container without systemd). Until the end of the (sub)shell.
@@ -67,14 +85,11 @@ install() {
 install_missing() {
   local missing=()
   for package in "${needed[@]}"; do installed "$package" || missing+=("$package"); done
-  # toml++; toml11 where the distribution does not have it (Ubuntu 22.04).
-  installed libtomlplusplus-dev || installed libtoml11-dev || missing+=(toml)
-  # Off-screen drawing: OSMesa where Mesa still has it, even if EGL is installed; else EGL.
-  if ! installed libosmesa6-dev; then
-    if offers_osmesa || ! { installed libegl-dev && installed libegl1; }; then
-      missing+=(offscreen)
-    fi
-  fi
+  local packages
+  for one in "${alternatives[@]}"; do
+    read -ra packages < <(choice "$one")
+    all_installed "${packages[@]}" || missing+=("$one")
+  done
   local extra=()
   for package in "${offered[@]}"; do installed "$package" || extra+=("$package"); done
   [ ${#missing[@]} -eq 0 ] && [ ${#extra[@]} -eq 0 ] && return
@@ -97,24 +112,9 @@ install_missing() {
     "${root[@]}" apt-get -qq update
   fi
   local wanted=()
-  for package in "${missing[@]}"; do
-    case $package in
-      toml)
-        if offers libtomlplusplus-dev; then
-          wanted+=(libtomlplusplus-dev)
-        else
-          wanted+=(libtoml11-dev)
-        fi
-        ;;
-      offscreen)
-        if offers_osmesa; then
-          wanted+=(libosmesa6-dev)
-        else
-          wanted+=(libegl-dev libegl1 libgl1-mesa-dri)
-        fi
-        ;;
-      *) wanted+=("$package") ;;
-    esac
+  for one in "${missing[@]}"; do
+    read -ra packages < <(choice "$one")
+    wanted+=("${packages[@]}")
   done
   local offered_here=()
   for package in "${extra[@]}"; do offers "$package" && offered_here+=("$package"); done

@@ -10,23 +10,14 @@
 #include <cvode/cvode.h>
 #include <fmt/format.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_config.h>
-#include <sundials/sundials_types.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "simulate/sundials_versions.h"
+
 namespace tribolog {
 namespace {
-
-// SUNDIALS 6 brought a context to every constructor; 5 (Ubuntu 22.04) has none.
-#if SUNDIALS_VERSION_MAJOR >= 6
-using Real = sunrealtype;
-#define TRIBOLOG_SUN(context) , context
-#else
-using Real = realtype;
-#define TRIBOLOG_SUN(context)
-#endif
 
 void require(int flag, const char* what) {
   if (flag < 0) throw std::runtime_error(fmt::format("CVODE refuses {} (flag {})", what, flag));
@@ -36,16 +27,14 @@ struct Parts {
   CvodeSolver::Rates rates;
   CvodeSolver::Events events;
   std::size_t event_count{};
-#if SUNDIALS_VERSION_MAJOR >= 6
-  SUNContext context{};
-#endif
+  SunContext context;
   N_Vector y{};
   N_Vector tolerances{};
   void* solver{};
   SUNMatrix matrix{};
   SUNLinearSolver linear{};
   SUNNonlinearSolver fixed_point{};
-  Real time{0};
+  SunReal time{0};
 
   ~Parts() {
     if (solver != nullptr) CVodeFree(&solver);
@@ -54,19 +43,16 @@ struct Parts {
     if (matrix != nullptr) SUNMatDestroy(matrix);
     if (tolerances != nullptr) N_VDestroy(tolerances);
     if (y != nullptr) N_VDestroy(y);
-#if SUNDIALS_VERSION_MAJOR >= 6
-    if (context != nullptr) SUNContext_Free(&context);
-#endif
   }
 
   static std::span<double> values(N_Vector v) {
     return {NV_DATA_S(v), static_cast<std::size_t>(NV_LENGTH_S(v))};
   }
-  static int rate(Real t, N_Vector y, N_Vector dy, void* self) {
+  static int rate(SunReal t, N_Vector y, N_Vector dy, void* self) {
     static_cast<Parts*>(self)->rates(t, values(y), values(dy));
     return 0;
   }
-  static int event(Real t, N_Vector y, Real* out, void* self) {
+  static int event(SunReal t, N_Vector y, SunReal* out, void* self) {
     const auto* parts = static_cast<Parts*>(self);
     parts->events(t, values(y), {out, parts->event_count});
     return 0;
@@ -105,10 +91,7 @@ Integrator::Integrator(const std::vector<double>& start, CvodeSolver::Rates rate
   p.events = std::move(events);
   p.event_count = options.events;
 #if SUNDIALS_VERSION_MAJOR >= 7
-  SUNContext_Create(SUN_COMM_NULL, &p.context);
-  SUNContext_ClearErrHandlers(p.context);
-#elif SUNDIALS_VERSION_MAJOR == 6
-  SUNContext_Create(nullptr, &p.context);
+  SUNContext_ClearErrHandlers(p.context.get());
 #endif
   const auto n = static_cast<sunindextype>(start.size());
   p.y = N_VNew_Serial(n TRIBOLOG_SUN(p.context));

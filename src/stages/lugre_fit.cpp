@@ -133,10 +133,10 @@ void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const
 }
 
 /// Gravity of each recording, and the fit's bristle in it.
-/// @param problem of every sample.
+/// @param problem of every sample, and `residuals` of them.
 void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
-                    const LuGreClimb& climb, double gear_ratio, LuGreFit& fit) {
-  const Eigen::VectorXd residuals = residuals_of(climb, problem);
+                    const Eigen::VectorXd& residuals, const LuGreClimb& climb, double gear_ratio,
+                    LuGreFit& fit) {
   const Eigen::Index freedom = residuals.size() - climb.linear.r_factor.cols();
   fit.residual_Nm =
       std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
@@ -314,9 +314,9 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
                   [](const LuGreLoopModel& model) { return model.samples_in_row() > 1; });
   if (is_of_means) {
     const LuGreProblem by_sample = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
-    describe_loops(loops, by_sample, climb, gear_ratio, fit);
+    describe_loops(loops, by_sample, residuals_of(climb, by_sample), climb, gear_ratio, fit);
   } else {
-    describe_loops(loops, problem, climb, gear_ratio, fit);
+    describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, fit);
   }
   if (climb.free.starts) {
     fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);

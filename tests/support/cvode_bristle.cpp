@@ -5,29 +5,20 @@
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_config.h>
-#include <sundials/sundials_types.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include "simulate/sundials_versions.h"
+
 namespace tribolog::test {
 namespace {
-
-// SUNDIALS 6 brought a context to every constructor; 5 (Ubuntu 22.04) has none.
-#if SUNDIALS_VERSION_MAJOR >= 6
-using Real = sunrealtype;
-#define TRIBOLOG_SUN(context) , context
-#else
-using Real = realtype;
-#define TRIBOLOG_SUN(context)
-#endif
 
 struct Equation {
   const LuGreFriction& friction;
   const Motion& motion;
 };
 
-int rate(Real t, N_Vector z, N_Vector dz, void* data) {
+int rate(SunReal t, N_Vector z, N_Vector dz, void* data) {
   const auto* e = static_cast<const Equation*>(data);
   NV_Ith_S(dz, 0) = e->friction.deflection_rate_rad_s(NV_Ith_S(z, 0), e->motion.speed(t));
   return 0;
@@ -49,13 +40,7 @@ std::vector<double> sine_reversals(double frequency_Hz, double end_s) {
 
 void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motion, double dt_s,
                               const CvodeOptions& options, std::span<double> z_rad) {
-#if SUNDIALS_VERSION_MAJOR >= 7
-  SUNContext context = nullptr;
-  SUNContext_Create(SUN_COMM_NULL, &context);
-#elif SUNDIALS_VERSION_MAJOR == 6
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
-#endif
+  const SunContext context;
   Equation equation{friction, motion};
   N_Vector z = N_VNew_Serial(1 TRIBOLOG_SUN(context));
   NV_Ith_S(z, 0) = 0;
@@ -77,7 +62,7 @@ void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motio
     require(CVodeSetStopTime(solver, next < reversals.size() ? reversals[next] : never));
   };
   set_stop();
-  Real reached = 0;
+  SunReal reached = 0;
   if (!z_rad.empty()) z_rad[0] = 0;
   for (std::size_t i = 1; i < z_rad.size(); ++i) {
     const double t = static_cast<double>(i) * dt_s;
@@ -100,9 +85,6 @@ void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motio
   SUNLinSolFree(linear);
   SUNMatDestroy(matrix);
   N_VDestroy(z);
-#if SUNDIALS_VERSION_MAJOR >= 6
-  SUNContext_Free(&context);
-#endif
 }
 
 }  // namespace tribolog::test

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "archive/calibration_member.h"
 #include "present.h"
 
 namespace tribolog::archive {
@@ -23,12 +23,6 @@ struct MergedSpeed {
   int runs{};
   [[nodiscard]] double speed() const { return speed_sum / runs; }
 };
-
-const Json& member(const Json& object, std::string_view key) {
-  static const Json none;
-  const auto at = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && at != object.end() ? *at : none;
-}
 
 /// Friction against absolute speed, by the curve that was selected, sorted.
 std::vector<FrictionRow> measured_points(const Json& whole) {

@@ -4,21 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
+
+#include "archive/calibration_member.h"
 
 namespace tribolog::history {
 namespace {
 
 using Json = nlohmann::json;
-
-const Json& member(const Json& object, std::string_view key) {
-  static const Json none;
-  if (!object.is_object()) return none;
-  const auto at = object.find(key);
-  return at == object.end() ? none : *at;
-}
+using archive::member;
 
 double number(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
