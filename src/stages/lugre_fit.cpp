@@ -87,6 +87,14 @@ std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
   return blocks;
 }
 
+LuGreClimb climb_from_coarse(const std::vector<LuGreInput>& loops, double gear_ratio,
+                             double q_peak_rad, const LuGreProblem& problem) {
+  const LuGreProblem coarse = problem_of(loops, gear_ratio, q_peak_rad, thinned);
+  const std::optional<LuGreProblem> between = problem_halfway(loops, gear_ratio, q_peak_rad);
+  return climb_lugre_ladder({coarse, between ? &*between : nullptr, problem},
+                            half_loop_blocks(loops, problem));
+}
+
 /// All samples, each compared by itself.
 LuGreGrain every_sample(const LuGreInput& /*loop*/) { return {}; }
 
@@ -151,6 +159,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     const auto rows = static_cast<Eigen::Index>(recording.size());
     const auto part = residuals.segment(top, rows);
     loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(rows));
+    loop.torque_Nm.reserve(recording.size());
     for (Eigen::Index i = 0; i < rows; ++i) {
       loop.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
     }
@@ -239,13 +248,20 @@ std::string what_is_not_shown(const LuGreFit& fit) {
   }
 }
 
+/// Of each recording.
+std::vector<std::size_t> samples_in_rows(const LuGreProblem& problem) {
+  std::vector<std::size_t> samples;
+  for (const LuGreLoopModel& model : problem.models()) samples.push_back(model.samples_in_row());
+  return samples;
+}
+
 /// Says where neighbouring samples were taken together.
-void add_grain(const LuGreProblem& problem, LuGreFit& fit) {
+void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
-    const std::size_t together = problem.models()[r].samples_in_row();
-    if (together == 1) continue;
+    if (samples_in_row[r] == 1) continue;
     fit.reason += fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
-                              fit.reason.empty() ? "" : "; ", fit.loops[r].recording, together);
+                              fit.reason.empty() ? "" : "; ", fit.loops[r].recording,
+                              samples_in_row[r]);
   }
 }
 
@@ -284,16 +300,13 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
                    const Ripple& ripple) {
   if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
   LuGreFit fit;
-  const LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
+  LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
   describe_excitation(loops, problem, fit);
   if (!(fit.height_Nm > 0)) {
     fit.reason = "the torque is the same all over the loop: there is no friction in it to fit";
     return fit;
   }
-  const LuGreProblem coarse = problem_of(loops, gear_ratio, q_peak_rad, thinned);
-  const std::optional<LuGreProblem> between = problem_halfway(loops, gear_ratio, q_peak_rad);
-  LuGreClimb climb = climb_lugre_ladder({coarse, between ? &*between : nullptr, problem},
-                                        half_loop_blocks(loops, problem));
+  LuGreClimb climb = climb_from_coarse(loops, gear_ratio, q_peak_rad, problem);
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
@@ -309,12 +322,12 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   fit.parameters = std::move(readings.parameters);
   fit.identifiability =
       lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
-  const bool is_of_means =
-      std::any_of(problem.models().begin(), problem.models().end(),
-                  [](const LuGreLoopModel& model) { return model.samples_in_row() > 1; });
-  if (is_of_means) {
-    const LuGreProblem by_sample = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
-    describe_loops(loops, by_sample, residuals_of(climb, by_sample), climb, gear_ratio, fit);
+  const std::vector<std::size_t> samples_in_row = samples_in_rows(problem);
+  if (std::any_of(samples_in_row.begin(), samples_in_row.end(),
+                  [](std::size_t together) { return together > 1; })) {
+    problem = LuGreProblem({});  // its room is wanted for the next
+    problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
+    describe_loops(loops, problem, residuals_of(climb, problem), climb, gear_ratio, fit);
   } else {
     describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, fit);
   }
@@ -332,11 +345,11 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
         "extrapolated: a larger amplitude would show it",
         100 * fit.motor_amplitude_rad * stiffness->value / level->value);
   }
-  add_grain(problem, fit);
+  add_grain(samples_in_row, fit);
   const std::string misfit = worst_misfit(fit);
   if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
   fit.linearised = std::make_shared<LinearisedFit>(linearised(
-      climb, std::move(readings.shown), loops.size(), problem.models().front().samples_in_row()));
+      climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);
 }
 

@@ -106,6 +106,9 @@ std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& r
 std::vector<double> LuGreLoopModel::look_at_samples(const Recording& recording,
                                                     const LuGreGrain& grain) {
   std::vector<double> instants;
+  const std::size_t samples = std::min(recording.size() / grain.stride + 1, grain.most_samples);
+  instants.reserve(samples);
+  measured_Nm_.reserve(samples);
   for (std::size_t i = 0; i < recording.size() && instants.size() < grain.most_samples;
        i += grain.stride) {
     instants.push_back(recording.t_s[i] - recording.t_s.front());
@@ -147,20 +150,32 @@ LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const
     : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
   const std::vector<double> instants =
       samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
-  for (const double t : instants) add_instant(t, gear_ratio, q_peak_rad);
+  add_instants(instants, gear_ratio, q_peak_rad);
+  add_ways(instants);
+}
+
+void LuGreLoopModel::add_instants(const std::vector<double>& times_s, double gear_ratio,
+                                  double q_peak_rad) {
+  for (auto* values : {&angle_, &speed_, &acceleration_, &cosine_}) values->reserve(times_s.size());
+  for (const double t : times_s) {
+    angle_.push_back(motion_->angle(t));
+    speed_.push_back(motion_->speed(t));
+    acceleration_.push_back(motion_->acceleration(t));
+    cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
+  }
+}
+
+void LuGreLoopModel::add_ways(const std::vector<double>& instants) {
   start_speed_ = motion_->speed(0);
   starts_at_instant_ = !(instants.front() > 0);
+  std::size_t pieces = instants.size() + 1;
+  for (std::size_t i = 0; i + 1 < instants.size(); ++i) pieces += speed_[i] * speed_[i + 1] < 0;
+  pieces_.reserve(pieces);
+  distance_rad_.reserve(pieces);
   if (!starts_at_instant_) add_way(0, instants.front(), start_speed_, speed_.front());
   for (std::size_t i = 0; i + 1 < instants.size(); ++i) {
     add_way(instants[i], instants[i + 1], speed_[i], speed_[i + 1]);
   }
-}
-
-void LuGreLoopModel::add_instant(double time_s, double gear_ratio, double q_peak_rad) {
-  angle_.push_back(motion_->angle(time_s));
-  speed_.push_back(motion_->speed(time_s));
-  acceleration_.push_back(motion_->acceleration(time_s));
-  cosine_.push_back(std::cos(angle_.back() / gear_ratio - q_peak_rad));
 }
 
 Eigen::Index LuGreLoopModel::row_of(Eigen::Index instant) const {
@@ -172,7 +187,7 @@ void LuGreLoopModel::add_way(double from_s, double to_s, double start_speed, dou
   const auto add = [&](double a, double b, double wa, double wb, bool ends_at_instant) {
     const double wm = motion_->speed((a + b) / 2);
     const double way = (b - a) / 6 * (wa + 4 * wm + wb);
-    pieces_.push_back({a, b, wa, wm, wb, way < 0, ends_at_instant});
+    pieces_.push_back({b, wm, wb, way < 0, ends_at_instant});
     distance_rad_.push_back(std::abs(way));
   };
   if (start_speed * end_speed < 0) {
@@ -213,18 +228,22 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
     }
     return;
   }
+  double from_s = 0;
+  double start_speed = start_speed_;
   for (const Piece& p : pieces_) {
     const Scalar gm = g(p.middle_speed);
     const Scalar g1 = g(p.end_speed);
     const Scalar inverse1 = Scalar(1.0 / g1);
     const StepShape<Scalar> shape =
-        step_shape<Scalar>(p.start_speed, p.middle_speed, p.end_speed, g0, gm, g1, inverse0,
-                           Scalar(1.0 / gm), inverse1, p.to_s - p.from_s);
+        step_shape<Scalar>(start_speed, p.middle_speed, p.end_speed, g0, gm, g1, inverse0,
+                           Scalar(1.0 / gm), inverse1, p.end_s - from_s);
     const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
-                       reverses(p.start_speed, p.middle_speed, p.end_speed);
-    z = rough ? careful_step<Scalar>(g, *motion_, p.from_s, p.to_s, p.start_speed, p.end_speed, z,
+                       reverses(start_speed, p.middle_speed, p.end_speed);
+    z = rough ? careful_step<Scalar>(g, *motion_, from_s, p.end_s, start_speed, p.end_speed, z,
                                      deepest_halving_in_a_fit)
               : relaxed(shape, z);
+    from_s = p.end_s;
+    start_speed = p.end_speed;
     g0 = g1;
     inverse0 = inverse1;
     if (p.ends_at_instant) visit_instant(inverse1);

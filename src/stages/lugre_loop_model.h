@@ -81,9 +81,10 @@ class LuGreLoopModel {
   [[nodiscard]] double mean_torque_Nm() const;
 
  private:
-  /// A piece of the way between two instants in which the speed keeps its sign.
+  /// A piece of the way between two instants in which the speed keeps its sign. It begins where the
+  /// one before ends.
   struct Piece {
-    double from_s, to_s, start_speed, middle_speed, end_speed;
+    double end_s, middle_speed, end_speed;
     bool backward, ends_at_instant;
   };
   struct Together;
@@ -92,7 +93,8 @@ class LuGreLoopModel {
   std::vector<double> look_at_samples(const Recording& recording, const LuGreGrain& grain);
   std::vector<double> look_at_rows(const Recording& recording, const LuGreGrain& grain);
   static void tell_smooth_rows(std::vector<Together>& rows);
-  void add_instant(double time_s, double gear_ratio, double q_peak_rad);
+  void add_instants(const std::vector<double>& times_s, double gear_ratio, double q_peak_rad);
+  void add_ways(const std::vector<double>& instants);
   void add_way(double from_s, double to_s, double start_speed, double end_speed);
   template <class Scalar, class Deflection, class Visit>
   void run(const Deflection& g, const Scalar& start, Visit visit) const;
