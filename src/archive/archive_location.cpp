@@ -19,12 +19,11 @@ std::string absolute_path_in(const char* variable) {
   return value != nullptr && value[0] == '/' ? value : "";
 }
 
-void make_if_missing(const std::string& path, bool is_default) {
-  std::error_code error;
-  if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) return;
-  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-  if (is_default) create_directory(directory.string());
-  check_output_can_be_written(path);
+std::string path_of(const std::string& location) {
+  return location.empty() ? default_location() : location;
+}
+
+void make_archive(const std::string& path) {
   const Uninterrupted together;
   sql::create_sqlite(path, [](sql::Connection& connection) { create_schema(connection); });
   note_kept("the new archive " + printable(path, longest_path));
@@ -67,12 +66,26 @@ bool is_server(const std::string& location) {
   return location.starts_with("postgresql://") || location.starts_with("postgres://");
 }
 
+bool is_there(const std::string& location) {
+  std::error_code error;
+  return is_server(location) ||
+         std::filesystem::exists(std::filesystem::symlink_status(path_of(location), error));
+}
+
+void check_can_be_made(const std::string& location) {
+  const std::string path = path_of(location);
+  if (location.empty()) create_directory(std::filesystem::path(path).parent_path().string());
+  check_output_can_be_written(path);
+}
+
 CalibrationArchive open_archive(const std::string& location, sql::Access access, int wait_ms) {
-  const bool is_default = location.empty();
-  const std::string path = is_default ? default_location() : location;
+  const std::string path = path_of(location);
   if (is_server(path)) return open_on_server(path, access, wait_ms);
   if (access == sql::Access::write) {
-    make_if_missing(path, is_default);
+    if (!is_there(location)) {
+      check_can_be_made(location);
+      make_archive(path);
+    }
   } else if (std::error_code error; !std::filesystem::exists(path, error)) {
     refuse_absent(path);
   }

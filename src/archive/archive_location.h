@@ -18,6 +18,17 @@ std::string default_location();
 /// "postgresql://..." or "postgres://..."; anything else is a file's path.
 bool is_server(const std::string& location);
 
+/// Whether something is there that may be an archive: a file, or a link; a server always counts.
+/// @param location empty: default_location().
+/// @throw UsageError: as default_location().
+bool is_there(const std::string& location);
+
+/// To be called before any computation where nothing is there: can a new archive be made? The
+/// directories of the default one are made.
+/// @param location empty: default_location().
+/// @throw OutputError: no. UsageError: as default_location().
+void check_can_be_made(const std::string& location);
+
 /// @param location empty: default_location().
 /// @param access with Access::write an archive that is not there is made, and the directories of
 ///        the default one; a server's database has to be there, its tables are made.

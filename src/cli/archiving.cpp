@@ -19,20 +19,30 @@ std::string ArchivingOptions::file() const {
 
 Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
   if (options.location) {
-    archive_.emplace(archive::open_archive(*options.location, sql::Access::write,
-                                           static_cast<int>(1e3 * options.wait_s)));
+    // A new one is made when it has something to keep.
+    if (archive::is_there(*options.location)) {
+      open();
+    } else {
+      archive::check_can_be_made(*options.location);
+    }
   } else if (options.inputs || options.again) {
     throw UsageError("--archive-inputs and --archive-again need --archive");
   }
 }
 
+void Archiving::open() {
+  archive_.emplace(archive::open_archive(*options_.location, sql::Access::write,
+                                         static_cast<int>(1e3 * options_.wait_s)));
+}
+
 void Archiving::keep_numbers(const std::string& calibration, const std::string& file,
                              const std::string& manifest, Console& console) {
-  if (!archive_) return;
+  if (!options_.location) return;
   archive::NewCalibration made = archive::entry_of_calibration(calibration, file);
   if (options_.inputs) {
     cli::add_inputs(std::filesystem::path(manifest).parent_path().string(), made);
   }
+  if (!archive_) open();
   const archive::Added added = archive_->add(made, options_.again, make_provenance({}).created_utc);
   id_ = added.id;
   cli::tell_added(added, file, console);

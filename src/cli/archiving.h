@@ -22,14 +22,15 @@ struct ArchivingOptions {
   [[nodiscard]] std::string file() const;
 };
 
-/// Opens the archive before anything is computed, so that one that cannot be written is told early.
+/// Opens the archive before anything is computed, so that one that cannot be written is told early;
+/// one that is not there yet is made with its first calibration, and only looked for before.
 class Archiving {
  public:
-  /// @throw as archive::open_archive(); UsageError: inputs or again without an archive.
+  /// @throw as archive::open_archive() and check_can_be_made(); UsageError: inputs or again without an archive.
   explicit Archiving(const ArchivingOptions& options);
 
   /// @param calibration the JSON that `file` gets. @param manifest the dataset's.
-  /// @throw ArchiveError, OutputError: not archived.
+  /// @throw as archive::open_archive(); ArchiveError, OutputError: not archived.
   void keep_numbers(const std::string& calibration, const std::string& file,
                     const std::string& manifest, Console& console);
 
@@ -44,6 +45,8 @@ class Archiving {
   [[nodiscard]] const std::string& id() const { return id_; }
 
  private:
+  void open();
+
   ArchivingOptions options_;
   std::optional<archive::CalibrationArchive> archive_;
   std::string id_;

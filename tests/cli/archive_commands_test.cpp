@@ -211,6 +211,24 @@ TEST_F(ArchiveCommands, OtherFilesAreNotAdded) {
   EXPECT_FALSE(std::filesystem::exists(dataset_.file("a.tribolog")));
 }
 
+TEST_F(ArchiveCommands, WhatIsRefusedStartsNoArchive) {
+  const auto expect_refusal = [&](const std::string& command, int status) {
+    const ProgramRun refused = run(command);
+    EXPECT_EQ(refused.status, status) << command << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(dataset_.file("a.tribolog"))) << command;
+  };
+  for (const std::string& command : {identified, reported}) {
+    expect_refusal(replaced(command, "--resamples 0", "--resamples 50"), 2);
+    expect_refusal(replaced(command, "dataset.toml", "absent.toml"), 3);
+    expect_refusal(replaced(command, "-o ", "-o absent/"), 4);
+  }
+  EXPECT_EQ(run_shell("cd '" + dataset_.scratch().path() + "' && " + program + identified +
+                      " --archive absent/a.tribolog")
+                .status,
+            4);
+  EXPECT_FALSE(std::filesystem::exists(dataset_.file("cal.json")));
+}
+
 TEST_F(ArchiveCommands, HostileNamesAreShownAsText) {
   const std::string name = "../../x'; DROP TABLE calibration; --\xe2\x80\xae\\u001b[31m";
   dataset_.scratch().write("dataset.toml", replaced(small_manifest(), "test robot", name));
