@@ -7,7 +7,8 @@ set(TRIBOLOG_MODULE_DIR ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/tribolog)
 # Only what its sources declare as exported can be seen in it.
 function(tribolog_module name)
   cmake_parse_arguments(M "" "" "SOURCES;LIBRARIES" ${ARGN})
-  add_library(${name} MODULE ${M_SOURCES})
+  add_library(${name} MODULE ${M_SOURCES} ${PROJECT_SOURCE_DIR}/src/modules/module_version.cpp)
+  target_compile_definitions(${name} PRIVATE TRIBOLOG_VERSION="${PROJECT_VERSION}")
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${name} PRIVATE tribolog_flags tribolog_errors ${M_LIBRARIES})
   # A name that nothing defines would end the program where it is first used.

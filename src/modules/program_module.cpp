@@ -1,6 +1,10 @@
 #include "modules/program_module.h"
 
+#include <string_view>
+
 #include <dlfcn.h>
+
+#include "modules/module_version.h"
 
 namespace tribolog {
 namespace {
@@ -22,9 +26,13 @@ void* function_of(const ProgramModule& module, const char* function) {
   const std::string file = "lib" + module.name + ".so";
   void* const library = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr) refuse(module, file, dlerror());
+  const auto version =
+      reinterpret_cast<decltype(&tribolog_module_version)>(dlsym(library, "tribolog_module_version"));
   void* const found = dlsym(library, function);
-  if (found == nullptr)
+  if (version == nullptr || std::string_view(version()) != TRIBOLOG_MODULE_VERSION ||
+      found == nullptr) {
     throw MissingModule(file + " is of another version; install tribolog again");
+  }
   return found;
 }
 

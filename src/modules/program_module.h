@@ -21,7 +21,7 @@ class MissingModule : public std::runtime_error {
 
 /// The address of a module's function, as dlsym() gives it. The module is looked for along the
 /// program's RUNPATH, which names where the build, or the installation, has put it; once loaded it
-/// stays. @throw MissingModule
+/// stays. @throw MissingModule: also one of another version.
 void* function_of(const ProgramModule& module, const char* function);
 
 }  // namespace tribolog

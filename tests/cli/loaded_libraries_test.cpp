@@ -97,9 +97,13 @@ class ProgramElsewhere {
   }
   /// As if a library that the module stands on were not installed: "libpq" is "nibpq".
   void lose_library_of(const std::string& module_name, const std::string& library) const {
+    alter(module_name, library);
+  }
+  /// Its first letter becomes an n.
+  void alter(const std::string& module_name, const std::string& text) const {
     std::string bytes = read_text(module(module_name));
-    const std::size_t at = bytes.find(library);
-    ASSERT_NE(at, std::string::npos) << module_name << " does not need " << library;
+    const std::size_t at = bytes.find(text);
+    ASSERT_NE(at, std::string::npos) << module_name << " does not hold " << text;
     bytes[at] = 'n';
     scratch_.write(modules + "/lib" + module_name + ".so", bytes);
   }
@@ -130,6 +134,12 @@ TEST(MissingLibraries, WithoutTheModuleThatDrawsTheNumbersAreKept) {
   fs::remove(installed.module("tribolog_vtk"));
   expect_numbers_without_pictures(installed,
                                   "libtribolog_vtk.so is missing; install tribolog again");
+}
+
+TEST(MissingLibraries, AModuleOfAnotherVersionDrawsNothing) {
+  const ProgramElsewhere installed;
+  installed.alter("tribolog_vtk", "tribolog module ");
+  expect_numbers_without_pictures(installed, "libtribolog_vtk.so is of another version; install");
 }
 
 TEST(MissingLibraries, WithoutVtkTheNumbersAreKept) {
