@@ -26,7 +26,8 @@ struct ArchivingOptions {
 /// one that is not there yet is made with its first calibration, and only looked for before.
 class Archiving {
  public:
-  /// @throw as archive::open_archive() and check_can_be_made(); UsageError: inputs or again without an archive.
+  /// @throw as archive::open_archive() and check_can_be_made(); UsageError: inputs or again without
+  /// an archive.
   explicit Archiving(const ArchivingOptions& options);
 
   /// @param calibration the JSON that `file` gets. @param manifest the dataset's.

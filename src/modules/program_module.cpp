@@ -26,8 +26,8 @@ void* function_of(const ProgramModule& module, const char* function) {
   const std::string file = "lib" + module.name + ".so";
   void* const library = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr) refuse(module, file, dlerror());
-  const auto version =
-      reinterpret_cast<decltype(&tribolog_module_version)>(dlsym(library, "tribolog_module_version"));
+  const auto version = reinterpret_cast<decltype(&tribolog_module_version)>(
+      dlsym(library, "tribolog_module_version"));
   void* const found = dlsym(library, function);
   if (version == nullptr || std::string_view(version()) != TRIBOLOG_MODULE_VERSION ||
       found == nullptr) {

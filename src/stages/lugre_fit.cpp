@@ -259,9 +259,9 @@ std::vector<std::size_t> samples_in_rows(const LuGreProblem& problem) {
 void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
     if (samples_in_row[r] == 1) continue;
-    fit.reason += fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
-                              fit.reason.empty() ? "" : "; ", fit.loops[r].recording,
-                              samples_in_row[r]);
+    fit.reason +=
+        fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
+                    fit.reason.empty() ? "" : "; ", fit.loops[r].recording, samples_in_row[r]);
   }
 }
 
@@ -348,8 +348,8 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   add_grain(samples_in_row, fit);
   const std::string misfit = worst_misfit(fit);
   if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
-  fit.linearised = std::make_shared<LinearisedFit>(linearised(
-      climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
+  fit.linearised = std::make_shared<LinearisedFit>(
+      linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);
 }
 
