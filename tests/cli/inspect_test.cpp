@@ -90,7 +90,10 @@ INSTANTIATE_TEST_SUITE_P(Inspect, Ur10e,
                          testing::Values(Ur10eJoint{"ur10e_jointwise/joint_2.csv", 10.696, 5.0,
                                                     62.3, "ur10e_joint_2.toml"},
                                          Ur10eJoint{"ur10e_jointwise/joint_3.csv", 8.457, 5.5, 62.7,
-                                                    "ur10e_joint_3.toml"}));
+                                                    "ur10e_joint_3.toml"}),
+                         [](const auto& tested) {
+                           return std::filesystem::path(tested.param.log).stem().string();
+                         });
 
 /// Travel of a run by the angle alone. A joint that yields before it runs has no sharp start: it is
 /// between the last samples within 2e-5 and 6e-5 rad of where it stood, three steps of this encoder
