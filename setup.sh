@@ -51,6 +51,7 @@ say() { printf 'tribolog: %s\n' "$*"; }
 installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
 
 offers() { [ -n "$(apt-cache policy "$1" 2>/dev/null | grep -E 'Candidate: [0-9]')" ]; }
+
 all_installed() {
   local package
   for package in "$@"; do installed "$package" || return 1; done

@@ -22,11 +22,12 @@ parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(program valgrind tests lint)
 
 # A status of its own, which no command of the program has. Drivers keep what they made for as long
-# as the process lives.
+# as the process lives, and the template engine its modifiers.
 finding=86
-suppressions=$out/leaks_of_drivers
+suppressions=$out/leaks_of_libraries
 mkdir -p "$out"
-printf 'leak:%s\n' libOSMesa libgallium swrast_dri libGLX_mesa libEGL_mesa libLLVM >"$suppressions"
+printf 'leak:%s\n' libOSMesa libgallium swrast_dri libGLX_mesa libEGL_mesa libLLVM \
+  libctemplate >"$suppressions"
 export ASAN_OPTIONS=exitcode=$finding:detect_stack_use_after_return=1
 export UBSAN_OPTIONS=exitcode=$finding:print_stacktrace=1
 export LSAN_OPTIONS=exitcode=$finding:suppressions=$suppressions:print_suppressions=0
