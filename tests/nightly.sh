@@ -3,8 +3,8 @@
 # never set, looked for in the whole program. Exit status 1 on a finding, with the log that tells it.
 #   ./tests/nightly.sh [PART...]    all parts, in this order, unless some are named:
 #     program    ASan, UBSan and libstdc++'s assertions: every command, on every example and on
-#                every real log                                          (half an hour on two cores)
-#     valgrind   memcheck: identify on every real log                         (half an hour)
+#                every real log                          (ten minutes, and half an hour of building)
+#     valgrind   memcheck: identify on every real log                          (three minutes)
 #     tests      ASan and UBSan: the whole test suite                         (some hours)
 #     lint       clang-tidy over all of the source, through clang and libc++  (half an hour)
 # Real logs are those in ../shared/data, by the manifests of tests/data and by those that `init`
