@@ -36,8 +36,8 @@ Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& sam
   for (std::size_t i = 0; i < samples.size(); ++i) {
     contrast(d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = samples.direction[i];
   }
-  const double ups = (contrast.array() > 0).count();
-  const double downs = (contrast.array() < 0).count();
+  const auto ups = static_cast<double>((contrast.array() > 0).count());
+  const auto downs = static_cast<double>((contrast.array() < 0).count());
   return contrast.unaryExpr([&](double sign) {
     return sign > 0 ? 0.5 / ups : sign < 0 ? -0.5 / downs : 0.0;
   });

@@ -49,7 +49,8 @@ LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& mo
     out.falling_Nm.push_back(means[1][bin].value());
     squares += means[0][bin].square_without_scatter() + means[1][bin].square_without_scatter();
   }
-  if (squares > 0) out.systematic_Nm = std::sqrt(squares / (2.0 * out.q_rad.size()));
+  const auto bins_used = static_cast<double>(out.q_rad.size());
+  if (squares > 0) out.systematic_Nm = std::sqrt(squares / (2 * bins_used));
   return out;
 }
 

@@ -1,7 +1,6 @@
 // What examples/ ships is what its commands make.
 
 #include <filesystem>
-#include <regex>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -31,8 +30,13 @@ TEST(Examples, TheLogIsWhatItsScenarioGives) {
 }
 
 /// The letters in use, which another version of the font draws otherwise.
-std::string without_fonts(const std::string& svg) {
-  return std::regex_replace(svg, std::regex("base64,[A-Za-z0-9+/=]*"), "base64,");
+std::string without_fonts(std::string svg) {
+  const std::string mark = "base64,";
+  for (auto at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at)) {
+    at += mark.size();
+    svg.erase(at, svg.find_first_of("')\"", at) - at);
+  }
+  return svg;
 }
 
 TEST(Examples, ThePictureIsTheProgramsOwn) {

@@ -78,9 +78,11 @@ TEST(InputCase40, AnEndlessLineIsRefusedAtOnceAndInLittleMemory) {
             "tribolog: error: log.csv:2: line is longer than 1 MiB, expected a text file of "
             "columns; hint: do its rows end with line ends?\n");
   EXPECT_LT(took, std::chrono::seconds(5));
+#ifndef __SANITIZE_ADDRESS__  // which keeps what was freed
   rusage used{};
   ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &used), 0);
   EXPECT_LT(used.ru_maxrss, 400'000) << "kB, of a file of 800 MB";
+#endif
 }
 
 TEST(InputCase41, AGrowingLogIsReadAsFarAsItReachedAtTheStart) {
