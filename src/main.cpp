@@ -9,12 +9,11 @@
 #include <string>
 #include <string_view>
 
-#include "modules/program_module.h"
-
+#include "base/early_end.h"
+#include "base/error.h"
+#include "base/program_module.h"
+#include "base/standard_output.h"
 #include "cli/command_line.h"
-#include "error.h"
-#include "files/early_end.h"
-#include "files/standard_output.h"
 
 namespace tribolog {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "render/draw_list.h"
-#include "render/paint/picture.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

@@ -2,8 +2,8 @@
 // Whether a finished picture shows the solid parts of its scene.
 
 #include "render/check/picture_check.h"
-#include "render/draw_list.h"
-#include "render/paint/picture.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/dashes.h"
+#include "render/figure/dashes.h"
 
 namespace tribolog::render {
 namespace {

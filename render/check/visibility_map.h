@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render {
 

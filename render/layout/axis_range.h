@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
 #include "render/layout/axis_map.h"
 
 namespace tribolog::render {

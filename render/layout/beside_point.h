@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/pixel_geometry.h"
+#include "render/figure/pixel_geometry.h"
 #include "render/text/text_line.h"
 
 namespace tribolog::render {

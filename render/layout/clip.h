@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/figure/pixel_geometry.h"
 #include "render/layout/polyline_simplifier.h"
-#include "render/pixel_geometry.h"
 
 namespace tribolog::render {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <unordered_set>
 
-#include "render/dashes.h"
+#include "render/figure/dashes.h"
 #include "render/layout/clip.h"
 #include "render/layout/direction_arrows.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "render/diagram.h"
-#include "render/draw_list.h"
+#include "render/figure/diagram.h"
+#include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 
 namespace tribolog::render {

@@ -1,8 +1,8 @@
 #pragma once
 // A drawing to primitives of the draw list.
 
-#include "render/draw_list.h"
-#include "render/figure.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/figure.h"
 #include "render/layout/figure_style.h"
 #include "render/text/font.h"
 

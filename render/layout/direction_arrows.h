@@ -1,7 +1,7 @@
 #pragma once
 // Arrow heads on a line that show the direction of time.
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/panel_frame.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/layout/discrete_marks.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"

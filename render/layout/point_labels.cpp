@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/contrast_ratio.h"
+#include "render/figure/contrast_ratio.h"
 #include "render/layout/beside_point.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/text_backing.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/pixel_geometry.h"
+#include "render/figure/pixel_geometry.h"
 
 namespace tribolog::render {
 

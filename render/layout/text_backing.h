@@ -1,7 +1,7 @@
 #pragma once
 // White, almost opaque ground behind a text that stands on data.
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 
 namespace tribolog::render {

@@ -1,8 +1,7 @@
 #include <memory>
 
-#include "modules/program_module.h"
-
-#include "error.h"
+#include "base/error.h"
+#include "base/program_module.h"
 #include "render/paint/painter.h"
 #include "render/paint/painter_module.h"
 

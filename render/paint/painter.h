@@ -4,9 +4,8 @@
 
 #include <memory>
 
-#include "render/draw_list.h"
-#include "render/paint/picture.h"
-#include "render/renderer.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/picture.h"
 #include "render/text/font.h"
 
 namespace tribolog::render {

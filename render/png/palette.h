@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/paint/picture.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/paint/picture.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

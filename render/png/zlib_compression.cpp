@@ -4,7 +4,7 @@
 
 #include <libdeflate.h>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::render {
 namespace {

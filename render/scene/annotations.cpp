@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "render/dashes.h"
-#include "render/vector3.h"
+#include "render/figure/dashes.h"
+#include "render/figure/vector3.h"
 
 namespace tribolog::render {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 // Lines, arcs and dimensions of a scene, drawn over its solid parts.
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/scene_geometry.h"
 #include "render/layout/figure_style.h"
-#include "render/scene_geometry.h"
 
 namespace tribolog::render {
 

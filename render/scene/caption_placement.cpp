@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/contrast_ratio.h"
+#include "render/figure/contrast_ratio.h"
 #include "render/layout/beside_point.h"
 
 namespace tribolog::render {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"
 

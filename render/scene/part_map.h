@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/scene_geometry.h"
+#include "render/figure/scene_geometry.h"
 
 namespace tribolog::render {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "render/figure/vector3.h"
 #include "render/scene/turned_surface.h"
-#include "render/vector3.h"
 
 namespace tribolog::render {
 namespace {

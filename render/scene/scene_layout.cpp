@@ -3,14 +3,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "error.h"
+#include "base/error.h"
+#include "render/figure/vector3.h"
 #include "render/layout/panel_frame.h"
 #include "render/scene/annotations.h"
 #include "render/scene/caption_placement.h"
 #include "render/scene/part_map.h"
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"
-#include "render/vector3.h"
 
 namespace tribolog::render {
 namespace {

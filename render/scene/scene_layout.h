@@ -1,8 +1,8 @@
 #pragma once
 // From the description of a scene to its draw list. Needs no graphics.
 
-#include "render/draw_list.h"
-#include "render/figure.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/figure.h"
 #include "render/layout/figure_style.h"
 #include "render/text/font.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/scene_geometry.h"
+#include "render/figure/scene_geometry.h"
 
 namespace tribolog::render {
 

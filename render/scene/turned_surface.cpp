@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/vector3.h"
+#include "render/figure/vector3.h"
 
 namespace tribolog::render {
 namespace {

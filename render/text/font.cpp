@@ -10,7 +10,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::render {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/text/font.h"
 
 namespace tribolog::render {

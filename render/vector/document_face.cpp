@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <libdeflate.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/text/utf8.h"
 
 namespace tribolog::render {

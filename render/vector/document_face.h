@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/text/font.h"
 #include "render/vector/true_type_subset.h"
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/vector/document_face.h"
 #include "render/vector/pdf_canvas.h"
 #include "render/vector/pdf_file.h"

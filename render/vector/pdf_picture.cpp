@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/vector/true_type_file.h"
 
 namespace tribolog::render {

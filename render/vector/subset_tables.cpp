@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::render {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
-#include "files/base64.h"
+#include "base/base64.h"
+#include "base/error.h"
 #include "render/text/utf8.h"
 #include "render/vector/document_face.h"
 #include "render/vector/short_number.h"

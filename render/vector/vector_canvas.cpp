@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "render/marker_shapes.h"
+#include "render/figure/marker_shapes.h"
 
 namespace tribolog::render {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
 #include "render/text/font.h"
 
 namespace tribolog::render {

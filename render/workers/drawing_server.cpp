@@ -1,6 +1,6 @@
 #include "render/workers/drawing_server.h"
 
-#include "error.h"
+#include "base/error.h"
 #include "render/workers/drawing_worker.h"
 
 namespace tribolog::render {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "render/renderer.h"
 #include "render/workers/fork_server.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 

@@ -12,9 +12,9 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/check/picture_check.h"
-#include "render/layout/figure_layout.h"
+#include "render/composition/figure_layout.h"
 #include "render/paint/painter.h"
 #include "render/png/png_encoder.h"
 #include "render/text/font.h"

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "render/figure.h"
-#include "render/renderer.h"
+#include "render/figure/figure.h"
 #include "render/workers/message_channel.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 

@@ -1,7 +1,7 @@
 #pragma once
 // A figure's description as a message, for the process that draws it.
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
 #include "render/workers/message_channel.h"
 
 namespace tribolog::render {

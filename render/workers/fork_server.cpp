@@ -11,7 +11,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/workers/descriptor_passing.h"
 #include "render/workers/message_channel.h"
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "archive/archive_location.h"
-#include "archive/entry_of_calibration.h"
-#include "provenance.h"
-
-#include "cli/archive/archived_inputs.h"
-#include "error.h"
+#include "archive/store/archive_location.h"
+#include "base/error.h"
+#include "calibration/entry_of_calibration.h"
+#include "calibration/provenance.h"
+#include "cli/archived_inputs.h"
 
 namespace tribolog {
 

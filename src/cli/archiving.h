@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "archive/history/comparison.h"
 #include "archive/store/calibration_archive.h"
-
 #include "cli/console.h"
+#include "history/comparison.h"
 
 namespace tribolog {
 

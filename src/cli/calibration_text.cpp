@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "inspect/text_table.h"
-
-#include "error.h"
+#include "base/error.h"
+#include "inspect/survey/text_table.h"
 
 namespace tribolog::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "archive/archived_calibration.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::cli {
 

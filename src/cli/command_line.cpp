@@ -6,10 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/archive/archive_commands.h"
+#include "base/standard_output.h"
+#include "cli/archive_commands.h"
+#include "cli/command_options.h"
 #include "cli/commands.h"
-#include "cli/options/command_options.h"
-#include "files/standard_output.h"
 
 namespace tribolog {
 namespace {

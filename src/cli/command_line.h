@@ -1,7 +1,7 @@
 #pragma once
 // The command line: which command, with which options.
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog {
 

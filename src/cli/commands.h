@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "inspect/manifest_proposal.h"
-#include "language/language.h"
-
-#include "calibration.h"
+#include "base/error.h"
+#include "calibration/calibration.h"
 #include "cli/archiving.h"
 #include "cli/console.h"
-#include "error.h"
+#include "inspect/survey/manifest_proposal.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

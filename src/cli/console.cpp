@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "shown_text.h"
-
-#include "error.h"
-#include "files/atomic_file.h"
-#include "files/standard_output.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/shown_text.h"
+#include "base/standard_output.h"
 
 namespace tribolog {
 namespace {

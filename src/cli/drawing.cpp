@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "figures/figure_language.h"
 #include "report/html_report.h"
 

@@ -5,12 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "language/language.h"
-#include "provenance.h"
-
+#include "calibration/provenance.h"
 #include "cli/console.h"
 #include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

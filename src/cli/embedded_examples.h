@@ -2,7 +2,7 @@
 // The files of examples/paper that `tribolog paper` and `tribolog study` are computed from,
 // compiled into the program.
 
-#include "files/embedded_file.h"
+#include "base/embedded_file.h"
 
 namespace tribolog {
 

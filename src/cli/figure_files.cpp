@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "cli/drawing.h"
-#include "error.h"
-#include "render/layout/figure_layout.h"
-#include "render/publication.h"
+#include "render/composition/figure_layout.h"
+#include "render/composition/publication.h"
 #include "render/text/font.h"
 #include "render/vector/vector_document.h"
 

@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog {
 

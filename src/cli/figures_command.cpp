@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/figure_files.h"
 #include "cli/identification.h"
 #include "figures/figure_language.h"
 #include "figures/figure_set.h"
-#include "files/atomic_file.h"
 #include "paper/scenes/scene_figures.h"
 
 namespace tribolog {

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "cli/row_accounts.h"
-#include "files/atomic_file.h"
-#include "ingest/dataset_file.h"
+#include "identify/pipeline.h"
+#include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/manifest_file.h"
 #include "joint/degrees.h"
-#include "pipeline.h"
 
 namespace tribolog {
 namespace {

@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "provenance.h"
-
-#include "calibration.h"
+#include "base/error.h"
+#include "calibration/calibration.h"
+#include "calibration/provenance.h"
 #include "cli/console.h"
-#include "error.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog {
 

@@ -1,8 +1,8 @@
-#include "calibration_json.h"
+#include "base/atomic_file.h"
+#include "calibration/calibration_json.h"
 #include "cli/archiving.h"
 #include "cli/commands.h"
 #include "cli/identification.h"
-#include "files/atomic_file.h"
 
 namespace tribolog {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/inspection.h"
-#include "files/atomic_file.h"
 
 namespace tribolog {
 

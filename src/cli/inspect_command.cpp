@@ -1,11 +1,10 @@
 #include <filesystem>
 
-#include "inspect/survey_json.h"
-#include "inspect/survey_text.h"
-
+#include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/inspection.h"
-#include "files/atomic_file.h"
+#include "inspect/survey/survey_json.h"
+#include "inspect/survey/survey_text.h"
 
 namespace tribolog {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 
 namespace tribolog {
 

@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "inspect/log_survey.h"
-#include "inspect/manifest_proposal.h"
-
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "inspect/survey/log_survey.h"
+#include "inspect/survey/manifest_proposal.h"
 
 namespace tribolog {
 

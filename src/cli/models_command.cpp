@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
-#include "error.h"
 #include "figures/model_figures.h"
-#include "files/atomic_file.h"
 #include "friction/catalogue.h"
 #include "report/models_page.h"
 

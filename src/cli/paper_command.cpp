@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
-#include "files/atomic_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/golden_numbers.h"
 #include "paper/checks/paper_figures.h"
-#include "report/paper_page.h"
+#include "paper/page/paper_page.h"
 
 namespace tribolog {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
+#include "base/file_contents.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "export/plan/plan_dataset_toml.h"
@@ -11,8 +13,6 @@
 #include "export/plan/plan_table.h"
 #include "export/plan/set_points_csv.h"
 #include "figures/plan_figure.h"
-#include "files/atomic_file.h"
-#include "files/file_contents.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "report/plan_page.h"

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "calibration_json.h"
+#include "base/atomic_file.h"
+#include "calibration/calibration_json.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/identification.h"
 #include "figures/figure_set.h"
-#include "files/atomic_file.h"
 #include "paper/scenes/scene_figures.h"
 #include "report/html_report.h"
 

@@ -3,14 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "archive/entry_of_calibration.h"
-#include "provenance.h"
-
-#include "cli/archive/archive_commands.h"
-#include "cli/archive/signed_report.h"
-#include "files/atomic_file.h"
-#include "files/file_contents.h"
-#include "files/sha256.h"
+#include "archive/store/digest.h"
+#include "base/atomic_file.h"
+#include "base/file_contents.h"
+#include "base/sha256.h"
+#include "calibration/entry_of_calibration.h"
+#include "calibration/provenance.h"
+#include "cli/archive_commands.h"
+#include "cli/signed_report.h"
 #include "report/embedded_json.h"
 #include "report/sign_off.h"
 
@@ -36,7 +36,7 @@ std::string hint_for(archive::CalibrationArchive& kept, const std::string& page,
                      const std::string& path) {
   const archive::NewCalibration made =
       archive::entry_of_calibration(embedded_json(page, path).json, path);
-  const std::string identity = made.identity();
+  const std::string identity = archive::identity_of(made.inputs);
   const archive::JointName& of = made.facts.of;
   for (const archive::Entry& entry : kept.list({of.robot, of.serial, of.joint})) {
     if (entry.identity != identity) continue;

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
-#include "ingest/row_choice.h"
+#include "base/error.h"
+#include "ingest/dataset/row_choice.h"
 
 namespace tribolog {
 namespace {

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include "archive/entry_of_calibration.h"
-
-#include "cli/archive/archive_commands.h"
+#include "base/file_contents.h"
+#include "calibration/entry_of_calibration.h"
+#include "cli/archive_commands.h"
 #include "cli/calibration_text.h"
 #include "cli/commands.h"
-#include "files/file_contents.h"
 #include "report/embedded_json.h"
 
 namespace tribolog {

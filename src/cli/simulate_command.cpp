@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/file_contents.h"
 #include "cli/commands.h"
-#include "export/simulation_files.h"
-#include "files/file_contents.h"
+#include "export/dataset/simulation_files.h"
 #include "ingest/manifest/scenario_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "simulate/simulate_joint.h"

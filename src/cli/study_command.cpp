@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
+#include "base/file_contents.h"
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/embedded_examples.h"
 #include "figures/study_figures.h"
-#include "files/atomic_file.h"
-#include "files/file_contents.h"
 #include "ingest/manifest/scenario_file.h"
 #include "report/study_page.h"
 #include "study/trust.h"

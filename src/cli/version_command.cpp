@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include "provenance.h"
-
+#include "calibration/provenance.h"
 #include "cli/commands.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog {
 

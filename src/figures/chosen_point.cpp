@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "figures/number_text.h"
+#include "wording/number_text.h"
 
 namespace tribolog::figures {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "calibration.h"
-#include "figures/axis_scale.h"
+#include "calibration/calibration.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::figures {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "figures/estimator_style.h"
-#include "figures/number_text.h"
 #include "figures/run_curves.h"
-#include "figures/shaft.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration.h"
-#include "render/figure.h"
+#include "calibration/calibration.h"
+#include "render/figure/figure.h"
 
 namespace tribolog::figures {
 

@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "figures/folded_curves.h"
-#include "figures/number_text.h"
-#include "figures/shaft.h"
+#include "figures/plot_data.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

@@ -6,9 +6,10 @@
 
 #include "figures/estimator_style.h"
 #include "figures/folded_curves.h"
-#include "figures/number_text.h"
+#include "figures/plot_data.h"
 #include "figures/run_curves.h"
-#include "figures/shaft.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
 
 namespace tribolog::figures {
 

@@ -1,9 +1,8 @@
 #pragma once
 // The texts of figures in another language.
 
-#include "language/language.h"
-
 #include "figures/report_figure.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

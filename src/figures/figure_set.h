@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "figures/report_figure.h"
 #include "joint/dataset.h"
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "figures/estimator_style.h"
+#include "figures/plot_data.h"
 #include "figures/run_curves.h"
 
 namespace tribolog::figures {

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "figures/close_up.h"
-#include "figures/number_text.h"
 #include "figures/run_curves.h"
-#include "figures/shaft.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

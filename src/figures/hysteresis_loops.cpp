@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "figures/loop_panels.h"
-#include "figures/number_text.h"
+#include "figures/plot_data.h"
+#include "wording/number_text.h"
 
 namespace tribolog::figures {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "figures/plot_data.h"
+
 namespace tribolog::figures {
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "figures/loop_view.h"
 #include "figures/report_figure.h"
 

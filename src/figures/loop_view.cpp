@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "figures/estimator_style.h"
+#include "figures/plot_data.h"
 
 namespace tribolog::figures {
 namespace {

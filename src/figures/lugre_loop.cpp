@@ -8,7 +8,8 @@
 
 #include "figures/estimator_style.h"
 #include "figures/loop_panels.h"
-#include "figures/number_text.h"
+#include "figures/plot_data.h"
+#include "wording/number_text.h"
 
 namespace tribolog::figures {
 namespace {

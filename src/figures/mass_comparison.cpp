@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
-#include "figures/axis_scale.h"
-#include "figures/number_text.h"
+#include "base/present.h"
 #include "figures/plot_data.h"
+#include "wording/axis_scale.h"
+#include "wording/number_text.h"
 
 namespace tribolog::figures {
 namespace {

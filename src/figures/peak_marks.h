@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "figures/axis_scale.h"
-#include "render/figure.h"
-#include "stages/cog_sweep.h"
+#include "method/gravity/cog_sweep.h"
+#include "render/figure/figure.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::figures {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "export/plan/plan_table.h"
-#include "figures/number_text.h"
 #include "figures/plot_data.h"
 #include "joint/degrees.h"
+#include "wording/number_text.h"
 
 namespace tribolog {
 namespace {

@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "plan/experiment_plan.h"
-
 #include "figures/report_figure.h"
+#include "plan/experiment_plan.h"
 
 namespace tribolog {
 

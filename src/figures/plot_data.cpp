@@ -5,28 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "figures/axis_scale.h"
-
 namespace tribolog::figures {
-
-void Extent::add(double value) {
-  if (!std::isfinite(value)) return;
-  low = empty ? value : std::min(low, value);
-  high = empty ? value : std::max(high, value);
-  empty = false;
-}
-
-void Extent::add(const std::vector<double>& values) {
-  for (const double value : values) add(value);
-}
-
-double Extent::largest() const { return empty ? 0.0 : std::max(std::abs(low), std::abs(high)); }
-
-Extent extent_of(const std::vector<double>& values) {
-  Extent extent;
-  extent.add(values);
-  return extent;
-}
 
 std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale) {
   std::vector<double> out(si_values.size());

@@ -5,25 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::figures {
-
-/// Smallest and largest of some numbers; those that are not finite do not count.
-struct Extent {
-  double low{};
-  double high{};
-  bool empty{true};
-
-  void add(double value);
-  void add(const std::vector<double>& values);
-  [[nodiscard]] double span() const { return empty ? 0.0 : high - low; }
-  [[nodiscard]] double largest() const;  ///< Largest absolute value; 0 if empty.
-};
-
-Extent extent_of(const std::vector<double>& values);
-
-struct AxisScale;
 
 /// All values as the axis shows them.
 std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale);

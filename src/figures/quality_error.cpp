@@ -10,9 +10,9 @@
 
 #include "figures/close_up.h"
 #include "figures/estimator_style.h"
-#include "figures/number_text.h"
 #include "figures/run_curves.h"
-#include "figures/shaft.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
 
 namespace tribolog {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration.h"
-#include "figures/axis_scale.h"
-#include "render/figure.h"
+#include "calibration/calibration.h"
+#include "render/figure/figure.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::figures {
 

@@ -10,8 +10,8 @@
 
 #include "figures/estimator_style.h"
 #include "figures/plot_data.h"
-#include "figures/reading_label.h"
 #include "joint/degrees.h"
+#include "wording/reading_label.h"
 
 namespace tribolog {
 namespace {

@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "figures/axis_scale.h"
 #include "figures/estimator_style.h"
-#include "figures/number_text.h"
-#include "figures/shaft.h"
+#include "figures/plot_data.h"
 #include "figures/sweep_traces.h"
+#include "wording/axis_scale.h"
+#include "wording/number_text.h"
+#include "wording/shaft.h"
 
 namespace tribolog::figures {
 namespace {

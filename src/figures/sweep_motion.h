@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "figures/report_figure.h"
 #include "joint/dataset.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "stages/plateaus.h"
+#include "method/motion/plateaus.h"
 
 namespace tribolog::figures {
 namespace {

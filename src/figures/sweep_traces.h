@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "joint/dataset.h"
-#include "stages/cog_sweep.h"
+#include "method/gravity/cog_sweep.h"
 
 namespace tribolog::figures {
 

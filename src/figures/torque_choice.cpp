@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "figures/chosen_point.h"
 #include "figures/estimator_style.h"
 #include "figures/loop_panels.h"
-#include "figures/number_text.h"
+#include "figures/plot_data.h"
+#include "wording/number_text.h"
 
 namespace tribolog::figures {
 namespace {

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "figures/number_text.h"
 #include "figures/plot_data.h"
-#include "figures/reading_label.h"
-#include "study/readings.h"
+#include "truth/readings.h"
+#include "wording/number_text.h"
+#include "wording/reading_label.h"
 
 namespace tribolog::figures {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parameter_rules.h"
+#include "base/parameter_rules.h"
 
 namespace tribolog {
 ParameterSlots DahlFriction::Parameters::by_name() {

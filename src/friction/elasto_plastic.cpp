@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "friction/exponential_step.h"
 #include "friction/sign_change.h"
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "friction/speed_step.h"
 
 namespace tribolog {

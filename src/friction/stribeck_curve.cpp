@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "parameter_rules.h"
+#include "base/parameter_rules.h"
 
 namespace tribolog {
 

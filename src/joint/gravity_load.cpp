@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
+#include "base/parameter_rules.h"
 
 namespace tribolog {
 GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad, double gravity_m_s2)

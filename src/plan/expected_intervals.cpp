@@ -6,12 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "parallel/parallel_for.h"
+#include "base/parallel_for.h"
+#include "identify/pipeline.h"
 #include "plan/simulated_plan.h"
-
-#include "pipeline.h"
 #include "simulate/simulated_dataset.h"
-#include "stages/median.h"
+#include "statistics/median.h"
 #include "study/statistics.h"
 #include "study/study.h"
 

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "plan/experiment_plan.h"
-
-#include "study/readings.h"
+#include "truth/readings.h"
 
 namespace tribolog {
 

@@ -13,10 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "joint/recording.h"
 #include "plan/assumed_joint.h"
 #include "plan/planned_motions.h"
-
-#include "joint/recording.h"
 
 namespace tribolog {
 

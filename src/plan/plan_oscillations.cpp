@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_builder.h"
-
 #include "joint/degrees.h"
-#include "stages/encoder_resolution.h"
-#include "stages/position_mean.h"
+#include "method/hysteresis/position_mean.h"
+#include "method/motion/encoder_resolution.h"
+#include "plan/plan_builder.h"
 
 namespace tribolog::planning {
 namespace {

@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_builder.h"
-
 #include "joint/degrees.h"
+#include "plan/plan_builder.h"
 
 namespace tribolog::planning {
 namespace {

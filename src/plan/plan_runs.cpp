@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_builder.h"
-
 #include "joint/degrees.h"
+#include "plan/plan_builder.h"
 #include "simulate/motion.h"
 
 namespace tribolog::planning {

@@ -5,8 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"

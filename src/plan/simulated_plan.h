@@ -6,7 +6,6 @@
 // where they have travelled as far as the plan allows, and are led back.
 
 #include "plan/experiment_plan.h"
-
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

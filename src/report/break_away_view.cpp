@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

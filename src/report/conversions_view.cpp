@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "joint/shared_conversions.h"
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

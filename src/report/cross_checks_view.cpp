@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include "present.h"
-
-#include "report/units.h"
+#include "base/present.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

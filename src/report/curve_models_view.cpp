@@ -1,7 +1,7 @@
 // Stage 8: the ladder of models, each direction by itself, and load.
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "files/base64.h"
+#include "base/base64.h"
 #include "report/view_parts.h"
-#include "report/visible_text.h"
+#include "wording/visible_text.h"
 
 namespace tribolog::report {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The files of templates/, compiled into the program: nothing is looked for at run time.
 
-#include "files/embedded_file.h"
+#include "base/embedded_file.h"
 
 namespace tribolog::report {
 

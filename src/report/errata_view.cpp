@@ -8,9 +8,9 @@
 #include "friction/threshold_speed.h"
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
-#include "paper/printed_paper.h"
-#include "report/units.h"
+#include "paper/drawings/printed_paper.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::report {
 

@@ -1,10 +1,10 @@
 #include "report/html_report.h"
 
-#include "calibration_json.h"
+#include "calibration/calibration_json.h"
 #include "report/page_style.h"
 #include "report/report_values.h"
 #include "report/report_view.h"
-#include "report/review/review_json.h"
+#include "report/review_json.h"
 #include "report/template_engine.h"
 
 namespace tribolog {

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "archive/history/comparison.h"
-#include "language/language.h"
-#include "provenance.h"
-
-#include "calibration.h"
+#include "calibration/calibration.h"
+#include "calibration/provenance.h"
 #include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "history/comparison.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/axis_scale.h"
 #include "report/estimator_words.h"
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/axis_scale.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

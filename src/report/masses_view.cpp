@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 #include "report/estimator_words.h"
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

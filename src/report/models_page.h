@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "language/language.h"
-#include "provenance.h"
-
+#include "calibration/provenance.h"
 #include "figures/model_figures.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "files/base64.h"
-#include "files/sha256.h"
+#include "base/base64.h"
+#include "base/sha256.h"
 #include "report/page_texts.h"
 #include "report/view_parts.h"
 

@@ -1,8 +1,7 @@
 #pragma once
 // Internal to the report: what the head of every page has.
 
-#include "provenance.h"
-
+#include "calibration/provenance.h"
 #include "report/page_texts.h"
 #include "report/template_engine.h"
 

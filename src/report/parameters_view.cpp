@@ -1,7 +1,7 @@
 // Stage 8.
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

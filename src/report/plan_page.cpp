@@ -10,8 +10,8 @@
 #include "joint/degrees.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
-#include "report/rounding.h"
 #include "report/view_parts.h"
+#include "wording/rounding.h"
 
 namespace tribolog {
 namespace {

@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "language/language.h"
+#include "calibration/provenance.h"
+#include "figures/report_figure.h"
 #include "plan/expected_intervals.h"
 #include "plan/experiment_plan.h"
-#include "provenance.h"
-
-#include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

@@ -1,7 +1,7 @@
 // Who, with what, from what: identity of the joint, inputs and software.
 
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "report/estimator_words.h"
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

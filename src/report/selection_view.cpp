@@ -1,8 +1,8 @@
 // Stage 7.
 
 #include "report/estimator_words.h"
-#include "report/units.h"
 #include "report/view_parts.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "report/element_values.h"
 #include "report/template_engine.h"
 #include "report/view_parts.h"

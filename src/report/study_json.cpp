@@ -5,8 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shown_text.h"
-
+#include "base/shown_text.h"
 #include "report/study_page.h"
 #include "study/trust.h"
 

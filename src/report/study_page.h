@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "language/language.h"
-#include "provenance.h"
-
+#include "calibration/provenance.h"
 #include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 #include "study/study.h"
+#include "wording/language.h"
 
 namespace tribolog {
 

@@ -15,7 +15,7 @@
 #include "report/embedded_files.h"
 #include "report/template_language.h"
 #include "report/template_modifiers.h"
-#include "report/visible_text.h"
+#include "wording/visible_text.h"
 
 namespace tribolog::report {
 namespace {

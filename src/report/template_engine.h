@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "language/language.h"
+#include "wording/language.h"
 
 namespace tribolog::report {
 

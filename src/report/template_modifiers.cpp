@@ -5,7 +5,7 @@
 #include <ctemplate/template_emitter.h>
 #include <ctemplate/template_modifiers.h>
 
-#include "files/utf8.h"
+#include "base/utf8.h"
 #include "report/page_texts.h"
 
 namespace tribolog::report {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "report/units.h"
 #include "report/view_parts.h"
-#include "study/readings.h"
+#include "truth/readings.h"
+#include "wording/units.h"
 
 namespace tribolog::report {
 namespace {

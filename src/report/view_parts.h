@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "report/report_view.h"
-#include "report/rounding.h"
+#include "wording/rounding.h"
 
 namespace tribolog::report {
 

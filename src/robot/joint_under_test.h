@@ -4,9 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "robot/serial_arm.h"
-
 #include "joint/gravity_load.h"
+#include "robot/serial_arm.h"
 
 namespace tribolog {
 

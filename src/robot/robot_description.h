@@ -4,9 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "robot/joint_under_test.h"
-
 #include "joint/gravity_load.h"
+#include "robot/joint_under_test.h"
 
 namespace tribolog {
 

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "simulate/forced_motion.h"
 
 namespace tribolog {

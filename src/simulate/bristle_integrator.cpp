@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "friction/exponential_step.h"
 #include "simulate/careful_step.h"
 #include "simulate/reversal.h"

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "modules/program_module.h"
-
+#include "base/program_module.h"
 #include "simulate/cvode_integrator.h"
 
 namespace tribolog {

@@ -6,9 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "parameter_rules.h"
-
-#include "simulate/random_stream.h"
+#include "base/parameter_rules.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog {
 namespace {

@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "simulate/cvode_solver.h"
 
 namespace tribolog {

@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "parameter_rules.h"
+#include "base/parameter_rules.h"
 
 namespace tribolog {
 namespace {

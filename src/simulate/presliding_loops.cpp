@@ -6,8 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "simulate/periodic_orbit.h"
 
 namespace tribolog {

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
-
+#include "base/parameter_rules.h"
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
+#include "base/present.h"
 
 namespace tribolog {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "stages/student_t.h"
+#include "statistics/student_t.h"
 
 namespace tribolog {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "stages/estimate.h"
+#include "statistics/estimate.h"
 
 namespace tribolog {
 

@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "parallel/parallel_for.h"
-
+#include "base/parallel_for.h"
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
-#include "pipeline.h"
-#include "simulate/random_stream.h"
+#include "identify/pipeline.h"
 #include "simulate/simulate_joint.h"
 #include "simulate/simulated_dataset.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog {
 namespace {

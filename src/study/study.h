@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "study/factors.h"
-#include "study/readings.h"
 #include "study/statistics.h"
+#include "truth/readings.h"
 
 namespace tribolog {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "calibration/quantity_verdict.h"
 #include "joint/acceptance_limit.h"
-#include "verdict/quantity_verdict.h"
 
 namespace tribolog {
 

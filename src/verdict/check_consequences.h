@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "stages/data_check.h"
-#include "verdict/quantity_verdict.h"
+#include "calibration/quantity_verdict.h"
+#include "method/checks/data_check.h"
 
 namespace tribolog {
 

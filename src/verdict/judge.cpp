@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "curve_findings.h"
-
 #include "verdict/acceptance.h"
 #include "verdict/check_consequences.h"
+#include "verdict/curve_findings.h"
 #include "verdict/quantity_rooms.h"
 #include "verdict/truth_consequences.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The verdict on each quantity and the one over all, with the findings that they rest on.
 
-#include "calibration.h"
+#include "calibration/calibration.h"
 
 namespace tribolog {
 

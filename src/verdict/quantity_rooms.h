@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration.h"
-#include "verdict/quantity_verdict.h"
+#include "calibration/calibration.h"
+#include "calibration/quantity_verdict.h"
 
 namespace tribolog {
 

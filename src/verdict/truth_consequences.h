@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "study/truth_check_result.h"
-#include "verdict/quantity_verdict.h"
+#include "calibration/quantity_verdict.h"
+#include "calibration/truth_check_result.h"
 
 namespace tribolog {
 

@@ -8,11 +8,10 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 
-#include "archive/archive_location.h"
 #include "archive/sample_calibration.h"
-
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "archive/store/archive_location.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::archive {
 namespace {

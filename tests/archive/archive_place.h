@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/archive_location.h"
 #include "archive/sql/sqlite_connection.h"
+#include "archive/store/archive_location.h"
 #include "archive/store/schema.h"
 
 namespace tribolog::test {

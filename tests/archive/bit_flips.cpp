@@ -11,13 +11,12 @@
 
 #include <fmt/format.h>
 
-#include "archive/archive_json.h"
-#include "archive/archive_location.h"
 #include "archive/sample_calibration.h"
-
-#include "error.h"
-#include "files/file_contents.h"
-#include "files/temporary_directory.h"
+#include "archive/store/archive_json.h"
+#include "archive/store/archive_location.h"
+#include "base/error.h"
+#include "base/file_contents.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::archive {
 namespace {

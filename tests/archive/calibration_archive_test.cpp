@@ -4,8 +4,7 @@
 
 #include "archive/archive_place.h"
 #include "archive/sample_calibration.h"
-
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

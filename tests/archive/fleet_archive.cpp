@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <exception>
 
-#include "archive/archive_location.h"
-#include "archive/sample_fleet.h"
+#include "archive/store/archive_location.h"
+#include "history/sample_fleet.h"
 
 int main(int argc, char** argv) {
   using namespace tribolog;

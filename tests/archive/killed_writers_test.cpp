@@ -10,11 +10,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "archive/archive_location.h"
 #include "archive/sample_calibration.h"
-
-#include "files/temporary_directory.h"
-#include "simulate/random_stream.h"
+#include "archive/store/archive_location.h"
+#include "base/temporary_directory.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::archive {
 namespace {

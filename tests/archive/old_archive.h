@@ -4,8 +4,7 @@
 #include <string>
 
 #include "archive/sql/sqlite_connection.h"
-
-#include "files/file_contents.h"
+#include "base/file_contents.h"
 
 namespace tribolog::test {
 

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/archive_location.h"
-
-#include "error.h"
+#include "archive/store/archive_location.h"
+#include "base/error.h"
 #include "support/postgres_server.h"
 
 namespace tribolog::test {

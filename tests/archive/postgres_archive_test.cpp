@@ -11,9 +11,8 @@
 #include "archive/sql/postgres_connection.h"
 #include "archive/store/schema.h"
 #include "archive/store/upgrade.h"
-
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::archive {
 namespace {

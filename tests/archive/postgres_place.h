@@ -2,7 +2,6 @@
 
 #include "archive/archive_place.h"
 #include "archive/sql/postgres_connection.h"
-
 #include "support/postgres_server.h"
 
 namespace tribolog::test {

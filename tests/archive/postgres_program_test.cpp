@@ -9,9 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/archive_location.h"
 #include "archive/killed_writer.h"
-
+#include "archive/store/archive_location.h"
 #include "cli/small_dataset.h"
 #include "support/postgres_server.h"
 

@@ -2,9 +2,8 @@
 
 #include "archive/archive_place.h"
 #include "archive/sample_calibration.h"
-
-#include "error.h"
-#include "files/sha256.h"
+#include "base/error.h"
+#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

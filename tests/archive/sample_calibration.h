@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "archive/archived_calibration.h"
-
-#include "files/sha256.h"
+#include "base/sha256.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::test {
 

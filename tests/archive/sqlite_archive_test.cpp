@@ -4,8 +4,7 @@
 
 #include "archive/sample_calibration.h"
 #include "archive/sqlite_place.h"
-
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

@@ -5,8 +5,7 @@
 #include <sqlite3.h>
 
 #include "archive/archive_place.h"
-
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::test {
 

@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/archive_location.h"
 #include "archive/old_archive.h"
 #include "archive/sample_calibration.h"
+#include "archive/store/archive_location.h"
 #include "archive/store/schema.h"
-
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::archive {
 namespace {

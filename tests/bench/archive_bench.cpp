@@ -17,8 +17,7 @@
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/calibration_archive.h"
 #include "archive/store/schema.h"
-
-#include "simulate/random_stream.h"
+#include "statistics/random_stream.h"
 
 namespace {
 

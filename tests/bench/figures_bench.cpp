@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "figures/figure_set.h"
-#include "pipeline.h"
-#include "render/renderer.h"
+#include "identify/pipeline.h"
+#include "render/workers/renderer.h"
 #include "support/paper_joint.h"
 
 int main() {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "pipeline.h"
+#include "identify/pipeline.h"
 #include "support/paper_joint.h"
 
 namespace {

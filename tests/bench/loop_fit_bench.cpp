@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "stages/lugre_problem.h"
+#include "method/hysteresis/lugre_problem.h"
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 

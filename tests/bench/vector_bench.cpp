@@ -5,14 +5,14 @@
 #include <cstdio>
 #include <string>
 
-#include "files/atomic_file.h"
+#include "base/atomic_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/paper_figures.h"
-#include "render/layout/figure_layout.h"
-#include "render/publication.h"
-#include "render/renderer.h"
+#include "render/composition/figure_layout.h"
+#include "render/composition/publication.h"
 #include "render/vector/vector_document.h"
+#include "render/workers/renderer.h"
 
 namespace {
 

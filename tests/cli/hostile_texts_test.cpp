@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
+#include "base/hidden_characters.h"
+#include "base/utf8.h"
 #include "cli/small_dataset.h"
-#include "files/hidden_characters.h"
-#include "files/utf8.h"
 
 namespace tribolog::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "export/dataset_toml.h"
+#include "export/dataset/dataset_toml.h"
 
 #include <gtest/gtest.h>
 

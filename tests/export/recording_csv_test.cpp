@@ -1,4 +1,4 @@
-#include "export/recording_csv.h"
+#include "export/dataset/recording_csv.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
-#include "export/simulation_files.h"
+#include "export/dataset/simulation_files.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/robot_description.h"
-
-#include "error.h"
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/scenario_file.h"
+#include "robot/robot_description.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

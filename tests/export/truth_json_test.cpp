@@ -1,4 +1,4 @@
-#include "export/truth_json.h"
+#include "export/dataset/truth_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -7,9 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_calibration.h"
-
 #include "figures/figure_set.h"
+#include "figures/hand_made_calibration.h"
 
 namespace tribolog {
 namespace {

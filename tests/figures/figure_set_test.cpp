@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_calibration.h"
+#include "figures/hand_made_calibration.h"
 
 namespace tribolog {
 namespace {

@@ -1,4 +1,4 @@
-#include "hand_made_calibration.h"
+#include "figures/hand_made_calibration.h"
 
 #include <cmath>
 #include <cstddef>

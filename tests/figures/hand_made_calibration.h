@@ -1,7 +1,7 @@
 #pragma once
 // A dataset and a calibration written by hand: round numbers, no stage involved.
 
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "joint/dataset.h"
 
 namespace tribolog::test {

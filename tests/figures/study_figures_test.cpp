@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "figures/reading_label.h"
 #include "figures/truth_check_figure.h"
+#include "wording/reading_label.h"
 
 namespace tribolog {
 namespace {

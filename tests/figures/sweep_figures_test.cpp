@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_calibration.h"
-
+#include "figures/hand_made_calibration.h"
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 

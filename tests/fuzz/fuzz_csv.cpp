@@ -9,11 +9,10 @@
 #include <string>
 #include <string_view>
 
-#include "check_tables.h"
-#include "outcomes.h"
-
-#include "error.h"
-#include "files/byte_source.h"
+#include "base/byte_source.h"
+#include "base/error.h"
+#include "fuzz/check_tables.h"
+#include "fuzz/outcomes.h"
 #include "ingest/text/csv_reader.h"
 
 namespace {

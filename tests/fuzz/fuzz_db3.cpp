@@ -2,10 +2,9 @@
 
 #include <cstdint>
 
-#include "check_tables.h"
-#include "file_in_memory.h"
-#include "outcomes.h"
-
+#include "fuzz/check_tables.h"
+#include "fuzz/file_in_memory.h"
+#include "fuzz/outcomes.h"
 #include "ingest/bags/rosbag_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,10 +4,9 @@
 
 #include <hdf5.h>
 
-#include "check_tables.h"
-#include "file_in_memory.h"
-#include "outcomes.h"
-
+#include "fuzz/check_tables.h"
+#include "fuzz/file_in_memory.h"
+#include "fuzz/outcomes.h"
 #include "ingest/arrays/hdf5_reader.h"
 
 // The library frees its table of half a megabyte with every file, and page by page gets it anew:

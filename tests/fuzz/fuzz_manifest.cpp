@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "outcomes.h"
-
+#include "fuzz/outcomes.h"
 #include "ingest/manifest/manifest_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

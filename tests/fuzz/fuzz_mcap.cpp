@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "check_tables.h"
-#include "outcomes.h"
-
+#include "fuzz/check_tables.h"
+#include "fuzz/outcomes.h"
 #include "ingest/bags/mcap_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

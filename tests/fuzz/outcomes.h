@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::fuzz {
 

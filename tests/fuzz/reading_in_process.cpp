@@ -5,7 +5,7 @@
 
 #include <new>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/isolated_reading.h"
 

@@ -1,12 +1,12 @@
 // The factor that the report shows is the one that every row was multiplied by.
 
-#include "ingest/column_conversions.h"
+#include "ingest/dataset/column_conversions.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
 
 namespace tribolog {
 namespace {

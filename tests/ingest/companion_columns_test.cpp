@@ -1,6 +1,6 @@
 // A recording whose quantities stand in files of their own is the recording from one file.
 
-#include "ingest/companion_columns.h"
+#include "ingest/dataset/companion_columns.h"
 
 #include <cmath>
 
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "files/sha256.h"
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "base/sha256.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
 
 namespace tribolog {
 namespace {

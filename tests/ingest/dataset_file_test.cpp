@@ -1,13 +1,12 @@
-#include "ingest/dataset_file.h"
+#include "ingest/dataset/dataset_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "base/sha256.h"
+#include "base/temporary_directory.h"
 #include "robot/robot_description.h"
-
-#include "error.h"
-#include "files/sha256.h"
-#include "files/temporary_directory.h"
 
 namespace tribolog {
 namespace {

@@ -1,8 +1,8 @@
-#include "ingest/kept_logs.h"
+#include "ingest/dataset/kept_logs.h"
 
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog {
 namespace {

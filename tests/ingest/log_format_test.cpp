@@ -1,4 +1,4 @@
-#include "ingest/log_format.h"
+#include "ingest/log/log_format.h"
 
 #include <gtest/gtest.h>
 

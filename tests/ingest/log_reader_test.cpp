@@ -1,14 +1,14 @@
 // Logs of other formats as recordings, by the same manifest.
 
-#include "ingest/log_reader.h"
+#include "ingest/dataset/log_reader.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/sha256.h"
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "base/error.h"
+#include "base/sha256.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
 #include "support/cdr_writer.h"
 #include "support/mcap_writer.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/dataset_file.h"
+#include "ingest/dataset/dataset_file.h"
 
 namespace tribolog {
 namespace {

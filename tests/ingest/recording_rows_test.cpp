@@ -1,11 +1,11 @@
-#include "ingest/recording_rows.h"
+#include "ingest/dataset/recording_rows.h"
 
 #include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog {

@@ -1,10 +1,10 @@
-#include "ingest/units.h"
+#include "ingest/log/units.h"
 
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog {
 namespace {

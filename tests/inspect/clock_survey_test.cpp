@@ -1,6 +1,6 @@
 // What a clock is told to be, and what is wrong with it.
 
-#include "inspect/clock_survey.h"
+#include "inspect/survey/clock_survey.h"
 
 #include <cmath>
 

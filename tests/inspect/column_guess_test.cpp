@@ -1,6 +1,6 @@
 // Columns without names that tell, by their numbers.
 
-#include "inspect/column_guess.h"
+#include "inspect/survey/column_guess.h"
 
 #include <cmath>
 

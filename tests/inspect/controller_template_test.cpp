@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "inspect/log_survey.h"
-
+#include "inspect/survey/log_survey.h"
 #include "support/run_program.h"
 
 namespace tribolog {

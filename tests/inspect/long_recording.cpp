@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "simulate/motion.h"
-#include "simulate/random_stream.h"
 #include "simulate/simulate_joint.h"
+#include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "inspect/motion/motion_segments.h"
-
 #include "joint/recording.h"
 #include "simulate/scenario.h"
 

@@ -1,14 +1,14 @@
 // A proposed manifest is one that the reader takes, but for what only the user knows.
 
-#include "inspect/manifest_proposal.h"
+#include "inspect/survey/manifest_proposal.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "ingest/dataset_file.h"
+#include "base/error.h"
+#include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/manifest_file.h"
 #include "support/run_program.h"
 

@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "inspect/long_recording.h"
-
-#include "simulate/random_stream.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog {
 namespace {

@@ -1,6 +1,6 @@
 // Which segment plays which role.
 
-#include "inspect/recording_roles.h"
+#include "inspect/survey/recording_roles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,13 @@
 // What is printed: aligned, within the page, and safe on a terminal.
 
-#include "inspect/survey_text.h"
+#include "inspect/survey/survey_text.h"
 
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "inspect/text_table.h"
-
+#include "inspect/survey/text_table.h"
 #include "support/run_program.h"
 
 namespace tribolog {

@@ -4,13 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "figure_checks.h"
-
-#include "paper/drive_diagram.h"
-#include "paper/joint_diagram.h"
-#include "paper/lugre_diagram.h"
-#include "paper/paper_drawings.h"
-#include "render/layout/figure_layout.h"
+#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/joint_diagram.h"
+#include "paper/drawings/lugre_diagram.h"
+#include "paper/drawings/paper_drawings.h"
+#include "paper/figure_checks.h"
+#include "render/composition/figure_layout.h"
 
 namespace tribolog::paper {
 namespace {

@@ -1,4 +1,4 @@
-#include "figure_checks.h"
+#include "paper/figure_checks.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::test {
 namespace {

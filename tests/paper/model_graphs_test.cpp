@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/drive_diagram.h"
-#include "paper/joint_diagram.h"
-#include "paper/lugre_diagram.h"
-#include "simulate/random_stream.h"
+#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/joint_diagram.h"
+#include "paper/drawings/lugre_diagram.h"
 #include "simulate/simulate_joint.h"
+#include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::paper {

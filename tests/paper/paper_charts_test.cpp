@@ -6,12 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "figure_checks.h"
-
 #include "paper/charts/joint_scale.h"
 #include "paper/charts/linear_zone_figure.h"
 #include "paper/charts/presliding_figure.h"
 #include "paper/charts/static_friction_figure.h"
+#include "paper/figure_checks.h"
 
 namespace tribolog::paper {
 namespace {

@@ -9,7 +9,7 @@
 #include "paper/checks/golden_numbers.h"
 #include "paper/checks/paper_figures.h"
 #include "paper/checks/paper_items.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

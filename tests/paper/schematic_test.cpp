@@ -1,4 +1,4 @@
-#include "paper/schematic.h"
+#include "paper/drawings/schematic.h"
 
 #include <stdexcept>
 

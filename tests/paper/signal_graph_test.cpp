@@ -1,4 +1,4 @@
-#include "paper/signal_graph.h"
+#include "paper/drawings/signal_graph.h"
 
 #include <cmath>
 #include <stdexcept>

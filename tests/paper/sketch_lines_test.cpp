@@ -1,4 +1,4 @@
-#include "paper/sketch_lines.h"
+#include "paper/drawings/sketch_lines.h"
 
 #include <cmath>
 

@@ -6,12 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "parallel/parallel_for.h"
-#include "plan/simulated_plan.h"
-
+#include "base/parallel_for.h"
+#include "identify/pipeline.h"
 #include "ingest/manifest/scenario_file.h"
-#include "paper_facts.h"
-#include "pipeline.h"
+#include "plan/paper_facts.h"
+#include "plan/simulated_plan.h"
 #include "simulate/simulated_dataset.h"
 
 namespace tribolog::test {

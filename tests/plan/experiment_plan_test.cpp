@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "joint/degrees.h"
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

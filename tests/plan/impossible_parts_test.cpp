@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/experiment_plan.h"
-
 #include "joint/degrees.h"
-#include "paper_facts.h"
+#include "plan/experiment_plan.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 #include "joint/degrees.h"
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

@@ -1,6 +1,6 @@
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
-#include "files/file_contents.h"
+#include "base/file_contents.h"
 #include "ingest/manifest/joint_file.h"
 
 namespace tribolog::test {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

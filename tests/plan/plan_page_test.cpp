@@ -7,7 +7,7 @@
 
 #include "export/plan/plan_json.h"
 #include "export/plan/plan_table.h"
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "plan/experiment_plan.h"
-
 #include "joint/degrees.h"
+#include "plan/experiment_plan.h"
 
 namespace tribolog {
 namespace {

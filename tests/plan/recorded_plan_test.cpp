@@ -6,17 +6,16 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/simulated_plan.h"
-
+#include "base/temporary_directory.h"
+#include "export/dataset/recording_csv.h"
 #include "export/plan/plan_dataset_toml.h"
-#include "export/recording_csv.h"
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "identify/pipeline.h"
+#include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/scenario_file.h"
-#include "paper_facts.h"
-#include "pipeline.h"
+#include "plan/paper_facts.h"
+#include "plan/simulated_plan.h"
 #include "simulate/drive_noise.h"
-#include "study/readings.h"
+#include "truth/readings.h"
 
 namespace tribolog::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "export/plan/set_points_csv.h"
 #include "ingest/text/csv_reader.h"
-#include "paper_facts.h"
+#include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {

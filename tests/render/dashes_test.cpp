@@ -1,11 +1,11 @@
-#include "render/dashes.h"
+#include "render/figure/dashes.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "render/paint/strip_builder.h"
+#include "render/vtk/strip_builder.h"
 
 namespace tribolog::render {
 namespace {

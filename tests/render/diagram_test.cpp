@@ -1,15 +1,14 @@
-#include "render/diagram.h"
+#include "render/figure/diagram.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "example_diagram.h"
-#include "png_reading.h"
-
-#include "render/layout/figure_layout.h"
-#include "render/renderer.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_diagram.h"
+#include "render/png_reading.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 namespace {

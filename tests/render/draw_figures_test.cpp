@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "example_figures.h"
-
-#include "error.h"
-#include "render/renderer.h"
+#include "base/error.h"
+#include "render/example_figures.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 namespace {

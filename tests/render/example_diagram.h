@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "render/figure.h"
+#include "render/figure/figure.h"
 
 namespace tribolog::render::examples {
 

@@ -1,4 +1,4 @@
-#include "example_figures.h"
+#include "render/example_figures.h"
 
 #include <cmath>
 #include <limits>

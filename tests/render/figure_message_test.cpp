@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "example_diagram.h"
-#include "example_figures.h"
+#include "render/example_diagram.h"
+#include "render/example_figures.h"
 
 namespace tribolog::render {
 namespace {

@@ -4,13 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "example_figures.h"
-#include "legibility/contrast.h"
-#include "legibility/panel_content.h"
-#include "legibility/text_collisions.h"
-
-#include "error.h"
-#include "render/layout/figure_layout.h"
+#include "base/error.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
+#include "render/legibility/contrast.h"
+#include "render/legibility/panel_content.h"
+#include "render/legibility/text_collisions.h"
 
 namespace tribolog::render {
 namespace {

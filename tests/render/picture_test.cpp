@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "example_figures.h"
-#include "png_reading.h"
-
-#include "render/layout/figure_layout.h"
-#include "render/renderer.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
+#include "render/png_reading.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <png.h>
 
-#include "render/paint/picture.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "png_reading.h"
-
 #include "render/png/palette.h"
 #include "render/png/png_encoder.h"
+#include "render/png_reading.h"
 
 namespace tribolog::render {
 namespace {

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "example_figures.h"
-
-#include "error.h"
-#include "render/layout/figure_layout.h"
+#include "base/error.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
+#include "render/figure/vector3.h"
 #include "render/scene/part_map.h"
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"
-#include "render/vector3.h"
 
 namespace tribolog::render {
 namespace {

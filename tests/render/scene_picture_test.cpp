@@ -9,14 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "example_figures.h"
-#include "png_reading.h"
-
 #include "render/check/picture_check.h"
-#include "render/layout/figure_layout.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
 #include "render/paint/painter.h"
-#include "render/renderer.h"
+#include "render/png_reading.h"
 #include "render/workers/drawing_worker.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "render/text/accents.h"
 #include "render/text/markup.h"
 #include "render/text/text_line.h"

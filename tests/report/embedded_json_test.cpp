@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sample_calibration.h"
-
-#include "calibration_json.h"
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "calibration/calibration_json.h"
 #include "report/html_report.h"
+#include "report/sample_calibration.h"
 
 namespace tribolog {
 namespace {

@@ -2,17 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "archive/history/simulated_history.h"
-#include "document_checks.h"
-#include "run_python.h"
-#include "sample_calibration.h"
-
-#include "figures/history/comparison_figures.h"
-#include "figures/history/trend_figures.h"
-#include "report/history/comparison_page.h"
-#include "report/history/comparison_view.h"
-#include "report/history/trend_page.h"
-#include "report/history/trend_view.h"
+#include "figures/comparison_figures.h"
+#include "figures/trend_figures.h"
+#include "history/simulated_history.h"
+#include "report/comparison_page.h"
+#include "report/comparison_view.h"
+#include "report/document_checks.h"
+#include "report/run_python.h"
+#include "report/sample_calibration.h"
+#include "report/trend_page.h"
+#include "report/trend_view.h"
 
 namespace tribolog::test {
 namespace {

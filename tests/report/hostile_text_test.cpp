@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "document_checks.h"
-#include "run_python.h"
-#include "sample_calibration.h"
-
+#include "report/document_checks.h"
 #include "report/html_report.h"
+#include "report/run_python.h"
+#include "report/sample_calibration.h"
 
 namespace tribolog::test {
 namespace {

@@ -6,10 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sample_calibration.h"
-
-#include "calibration_json.h"
-#include "pipeline.h"
+#include "calibration/calibration_json.h"
+#include "identify/pipeline.h"
+#include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test {

@@ -1,12 +1,11 @@
 // The page of the regenerated paper: what it counts, and what it says of a check that fails.
 
-#include "report/paper_page.h"
+#include "paper/page/paper_page.h"
 
 #include <gtest/gtest.h>
 
-#include "sample_calibration.h"
-
-#include "report/check_rows.h"
+#include "paper/page/check_rows.h"
+#include "report/sample_calibration.h"
 
 namespace tribolog {
 namespace {

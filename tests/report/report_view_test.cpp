@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_calibration.h"
-
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
+#include "report/sample_calibration.h"
 #include "report/view_parts.h"
 
 namespace tribolog::test {

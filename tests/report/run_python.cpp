@@ -1,4 +1,4 @@
-#include "run_python.h"
+#include "report/run_python.h"
 
 #include <array>
 #include <cstdio>

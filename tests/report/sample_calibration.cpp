@@ -1,4 +1,4 @@
-#include "sample_calibration.h"
+#include "report/sample_calibration.h"
 
 #include <cmath>
 

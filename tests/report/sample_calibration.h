@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "provenance.h"
-
-#include "calibration.h"
+#include "calibration/calibration.h"
+#include "calibration/provenance.h"
 #include "figures/report_figure.h"
-#include "render/renderer.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::test {
 

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_calibration.h"
-
-#include "error.h"
+#include "base/error.h"
+#include "report/sample_calibration.h"
 
 namespace tribolog {
 namespace {

@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "language/language.h"
-
 #include "report/embedded_files.h"
 #include "report/page_texts.h"
+#include "wording/language.h"
 
 namespace tribolog::report {
 namespace {

@@ -7,12 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_calibration.h"
-
+#include "figures/hand_made_calibration.h"
 #include "ingest/manifest/robot_file.h"
 #include "paper/scenes/scene_figures.h"
-#include "render/renderer.h"
-#include "render/vector3.h"
+#include "render/figure/vector3.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog {
 namespace {

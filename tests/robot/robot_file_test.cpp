@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog {
 namespace {

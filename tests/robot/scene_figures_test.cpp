@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "ingest/manifest/robot_file.h"
-#include "render/renderer.h"
-#include "render/vector3.h"
+#include "render/figure/vector3.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog {
 namespace {

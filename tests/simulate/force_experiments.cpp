@@ -1,4 +1,4 @@
-#include "force_experiments.h"
+#include "simulate/force_experiments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,10 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "force_experiments.h"
-
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
+#include "simulate/force_experiments.h"
 
 namespace tribolog {
 namespace {

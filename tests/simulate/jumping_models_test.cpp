@@ -6,10 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "force_experiments.h"
-#include "marched_motion.h"
-
 #include "friction/catalogue.h"
+#include "simulate/force_experiments.h"
+#include "simulate/marched_motion.h"
 #include "simulate/model_portrait.h"
 
 namespace tribolog {

@@ -1,4 +1,4 @@
-#include "marched_motion.h"
+#include "simulate/marched_motion.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "simulate/random_stream.h"
+#include "statistics/random_stream.h"
 
 #include <cmath>
 

@@ -5,14 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "small_scenario.h"
-
-#include "pipeline.h"
-#include "simulate/random_stream.h"
-#include "study/found_noise.h"
-#include "study/identified_joint.h"
-#include "study/truth_check.h"
+#include "identify/pipeline.h"
+#include "statistics/random_stream.h"
+#include "study/small_scenario.h"
 #include "support/paper_joint.h"
+#include "truth/found_noise.h"
+#include "truth/identified_joint.h"
+#include "truth/truth_check.h"
 #include "verdict/judge.h"
 
 namespace tribolog {

@@ -1,4 +1,4 @@
-#include "small_scenario.h"
+#include "study/small_scenario.h"
 
 #include "support/paper_joint.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulate/random_stream.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog {
 namespace {

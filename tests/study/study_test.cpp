@@ -10,9 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "small_scenario.h"
-
 #include "simulate/simulate_joint.h"
+#include "study/small_scenario.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {

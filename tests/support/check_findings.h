@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "stages/data_check.h"
+#include "method/checks/data_check.h"
 
 namespace tribolog::test {
 

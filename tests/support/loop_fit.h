@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "method/hysteresis/lugre_fit.h"
 #include "simulate/scenario.h"
-#include "stages/lugre_fit.h"
 
 namespace tribolog::test {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "method/hysteresis/lugre_fit.h"
 #include "simulate/scenario.h"
-#include "stages/lugre_fit.h"
 
 namespace tribolog::test {
 

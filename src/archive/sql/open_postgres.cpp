@@ -3,10 +3,9 @@
 
 #include "archive/sql/postgres_connection.h"
 #include "archive/sql/postgres_module.h"
-#include "modules/program_module.h"
-
-#include "error.h"
-#include "files/early_end.h"
+#include "base/early_end.h"
+#include "base/error.h"
+#include "base/program_module.h"
 
 namespace tribolog::sql {
 

@@ -12,11 +12,10 @@
 #include <unistd.h>
 
 #include "archive/sql/kept_text.h"
-
-#include "error.h"
-#include "files/early_end.h"
-#include "files/file_descriptor.h"
-#include "files/temporary_file.h"
+#include "base/early_end.h"
+#include "base/error.h"
+#include "base/file_descriptor.h"
+#include "base/temporary_file.h"
 
 namespace tribolog::sql {
 namespace {

@@ -9,9 +9,8 @@
 #include "archive/store/kept_texts.h"
 #include "archive/store/schema.h"
 #include "archive/store/schema_check.h"
-
-#include "error.h"
-#include "files/sha256.h"
+#include "base/error.h"
+#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {
@@ -40,7 +39,7 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
                               const std::string& now_utc) {
   Entry entry;
   entry.facts = calibration.facts;
-  entry.identity = calibration.identity();
+  entry.identity = identity_of(calibration.inputs);
   refuse_unkept_texts(calibration);
   const std::vector<StoredDocument> kept = fingerprints_of(calibration.documents);
   Added added;

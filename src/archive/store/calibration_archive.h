@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "archive/archived_calibration.h"
 #include "archive/sql/sql_connection.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::archive {
 
@@ -28,12 +28,6 @@ struct Added {
   std::string id;
   bool is_new{};             ///< false: the same inputs are archived already, under this id.
   std::string tool_version;  ///< By which what is there was made.
-};
-
-/// An entry and its results.
-struct Measured {
-  Entry entry;
-  std::vector<Quantity> quantities;
 };
 
 /// A document's place and fingerprint, without its bytes.

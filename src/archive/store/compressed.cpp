@@ -4,7 +4,7 @@
 
 #include <zstd.h>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "files/sha256.h"
+#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {
@@ -128,8 +128,6 @@ std::string chain_link(const std::string& previous, const Event& event) {
   }
   return fields.hex();
 }
-
-std::string NewCalibration::identity() const { return identity_of(inputs); }
 
 std::string identity_of(const std::vector<Input>& inputs) {
   std::vector<std::string> fingerprints;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "archive/archived_calibration.h"
 #include "archive/store/calibration_archive.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::archive {
 
@@ -23,7 +23,9 @@ std::string narrow_digest_of(const std::string& id, const Facts& facts,
                              const std::vector<Input>& inputs,
                              const std::vector<StoredDocument>& kept);
 
-/// See NewCalibration::identity().
+/// SHA-256 over the fingerprints of all inputs, manifest and recordings: what is measured again
+/// is another calibration; the same is the same, whatever the settings, the program's version and
+/// the files' names. Identified otherwise, it is a revision of the same.
 std::string identity_of(const std::vector<Input>& inputs);
 
 /// Of a review: the place is its number among those of the entry, from 0.

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "archive/archived_calibration.h"
 #include "archive/sql/sql_connection.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::archive {
 

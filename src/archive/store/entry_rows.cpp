@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "files/sha256.h"
+#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

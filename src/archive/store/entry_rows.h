@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "archive/archived_calibration.h"
 #include "archive/sql/sql_value.h"
 #include "archive/store/calibration_archive.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::archive {
 

@@ -2,8 +2,7 @@
 
 #include "archive/sql/kept_text.h"
 #include "archive/store/entry_rows.h"
-
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

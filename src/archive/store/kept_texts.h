@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "archive/archived_calibration.h"
 #include "archive/sql/sql_value.h"
+#include "calibration/archived_calibration.h"
 
 namespace tribolog::archive {
 

@@ -11,9 +11,8 @@
 #include "archive/store/entry_rows.h"
 #include "archive/store/kept_texts.h"
 #include "archive/store/schema.h"
-
-#include "error.h"
-#include "files/sha256.h"
+#include "base/error.h"
+#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

@@ -9,14 +9,6 @@
 #include "archive/store/schema.h"
 
 namespace tribolog::archive {
-const char* to_string(Review::Decision decision) {
-  return decision == Review::Decision::approved ? "approved" : "rejected";
-}
-
-Review::Decision decision_of(const std::string& word) {
-  return word == to_string(Review::Decision::approved) ? Review::Decision::approved
-                                                       : Review::Decision::rejected;
-}
 
 void CalibrationArchive::add_review(const Entry& entry, const Review& review) {
   refuse_unkept_texts(std::vector<sql::Value>{review.reviewer, review.note});

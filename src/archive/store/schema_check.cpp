@@ -10,8 +10,7 @@
 
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/schema.h"
-
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

@@ -10,8 +10,7 @@
 #include "archive/store/digest.h"
 #include "archive/store/entry_proof.h"
 #include "archive/store/schema.h"
-
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ingest/manifest/toml_text.h"
 #include "plan/simulated_plan.h"
-
-#include "export/toml_text.h"
 
 namespace tribolog {
 

@@ -4,8 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shown_text.h"
-
+#include "base/shown_text.h"
 #include "export/plan/plan_table.h"
 
 namespace tribolog {

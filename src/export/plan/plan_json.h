@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "calibration/provenance.h"
 #include "plan/expected_intervals.h"
 #include "plan/experiment_plan.h"
-#include "provenance.h"
 
 namespace tribolog {
 

@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 
 namespace tribolog {

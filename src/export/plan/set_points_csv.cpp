@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "export/shortest_number.h"
+#include "base/shortest_number.h"
 
 namespace tribolog {
 namespace {

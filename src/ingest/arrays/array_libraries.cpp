@@ -1,8 +1,7 @@
 #include "ingest/arrays/array_libraries.h"
 
-#include "modules/program_module.h"
-
-#include "error.h"
+#include "base/error.h"
+#include "base/program_module.h"
 
 namespace tribolog {
 

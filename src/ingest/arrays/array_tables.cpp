@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "ingest/text/csv_dialect.h"
 
 namespace tribolog {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

@@ -14,10 +14,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "error.h"
-#include "files/early_end.h"
-#include "files/file_contents.h"
-#include "files/file_descriptor.h"
+#include "base/early_end.h"
+#include "base/error.h"
+#include "base/file_contents.h"
+#include "base/file_descriptor.h"
 #include "ingest/arrays/array_stream.h"
 
 namespace tribolog {

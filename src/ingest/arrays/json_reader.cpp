@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "files/file_contents.h"
+#include "base/file_contents.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "error.h"
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "ingest/arrays/array_tables.h"
-#include "ingest/closest_match.h"
 
 namespace tribolog {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/npy_header.h"
 #include "ingest/arrays/npy_type.h"
 #include "ingest/arrays/npy_values.h"
-#include "ingest/closest_match.h"
 
 namespace tribolog {
 namespace {

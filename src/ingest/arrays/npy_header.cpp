@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "error.h"
-#include "files/utf8.h"
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "base/utf8.h"
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/python_text.h"
-#include "ingest/closest_match.h"
 
 namespace tribolog {
 namespace {

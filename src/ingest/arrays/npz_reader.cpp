@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "files/file_contents.h"
+#include "base/file_contents.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/npy_array.h"
 #include "ingest/arrays/zip_archive.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <system_error>
 
-#include "files/utf8.h"
+#include "base/utf8.h"
 
 namespace tribolog {
 namespace {

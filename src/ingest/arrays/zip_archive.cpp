@@ -5,9 +5,9 @@
 
 #include <zlib.h>
 
-#include "error.h"
+#include "base/closest_match.h"
+#include "base/error.h"
 #include "ingest/arrays/byte_order.h"
-#include "ingest/closest_match.h"
 
 namespace tribolog {
 namespace {

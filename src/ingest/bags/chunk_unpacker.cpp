@@ -6,7 +6,7 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/bags/byte_reader.h"
 #include "ingest/bags/mcap_chunk.h"
 #include "ingest/bags/mcap_messages.h"

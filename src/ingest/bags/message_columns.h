@@ -19,7 +19,7 @@
 
 #include "ingest/bags/cdr_reader.h"
 #include "ingest/bags/ros2msg_schema.h"
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

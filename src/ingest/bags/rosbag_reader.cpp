@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/bags/byte_reader.h"
 #include "ingest/bags/sqlite_database.h"
 #include "ingest/bags/topic_tables.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog {
 namespace {

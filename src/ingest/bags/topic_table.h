@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ingest/bags/message_columns.h"
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/bags/known_message_types.h"
 
 namespace tribolog {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ingest/bags/topic_table.h"
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 
 namespace tribolog {
 

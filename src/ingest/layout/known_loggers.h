@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "ingest/units.h"
+#include "ingest/log/units.h"
 #include "joint/drive.h"
 
 namespace tribolog {

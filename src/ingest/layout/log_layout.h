@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "ingest/log_table.h"
-#include "ingest/units.h"
+#include "ingest/log/log_table.h"
+#include "ingest/log/units.h"
 #include "joint/drive.h"
 
 namespace tribolog {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "base/closest_match.h"
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
-#include "ingest/closest_match.h"
 #include "ingest/manifest/key_guard.h"
 #include "ingest/manifest/parameter_table.h"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/arrays/json_text.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/key_ranges.h"

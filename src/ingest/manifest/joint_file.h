@@ -27,7 +27,7 @@
 #include <string>
 #include <string_view>
 
-#include "error.h"
+#include "base/error.h"
 #include "joint/joint_facts.h"
 
 namespace tribolog {

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
+#include "ingest/log/units.h"
 #include "ingest/manifest/key_guard.h"
-#include "ingest/units.h"
 #include "joint/degrees.h"
 
 namespace tribolog {

@@ -1,6 +1,6 @@
 #include "ingest/manifest/manifest_columns.h"
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 #include "ingest/manifest/voltage.h"
 
 namespace tribolog {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "error.h"
-#include "ingest/log_table.h"
+#include "base/error.h"
+#include "ingest/log/log_table.h"
+#include "ingest/log/units.h"
 #include "ingest/manifest/toml_table.h"
-#include "ingest/units.h"
 #include "joint/drive.h"
 
 namespace tribolog {

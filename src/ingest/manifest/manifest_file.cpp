@@ -4,14 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "files/file_contents.h"
-#include "ingest/closest_match.h"
-#include "ingest/log_format.h"
+#include "base/closest_match.h"
+#include "base/file_contents.h"
+#include "ingest/log/log_format.h"
 #include "ingest/manifest/friction_tables.h"
 #include "ingest/manifest/key_guard.h"
 #include "ingest/manifest/known_load_tables.h"
 #include "ingest/manifest/limit_tables.h"
 #include "ingest/manifest/robot_file.h"
+#include "ingest/manifest/text_log_table.h"
 #include "ingest/manifest/voltage.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/csv_lines.h"

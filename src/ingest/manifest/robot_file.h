@@ -25,9 +25,8 @@
 #include <string>
 #include <string_view>
 
-#include "robot/robot_description.h"
-
 #include "ingest/manifest/toml_table.h"
+#include "robot/robot_description.h"
 
 namespace tribolog {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
-#include "files/file_contents.h"
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "base/file_contents.h"
 #include "ingest/manifest/experiment_tables.h"
 #include "ingest/manifest/friction_tables.h"
 #include "ingest/manifest/key_guard.h"

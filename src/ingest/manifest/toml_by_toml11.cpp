@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <toml.hpp>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/manifest/toml_document.h"
 
 namespace tribolog {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/manifest/toml_document.h"
 
 // Bounds the recursion of parser and destructor; the files read here need 3.

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
-#include "files/utf8.h"
+#include "base/error.h"
+#include "base/utf8.h"
 
 namespace tribolog {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 #include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_precheck.h"

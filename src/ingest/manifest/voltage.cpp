@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 
 namespace tribolog {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 #include "ingest/text/csv_fields.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 #include "ingest/text/number_field.h"
 
 namespace tribolog {

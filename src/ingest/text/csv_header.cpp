@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "files/utf8.h"
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
+#include "base/utf8.h"
+#include "ingest/log/units.h"
 #include "ingest/text/clock_field.h"
-#include "ingest/units.h"
 
 namespace tribolog {
 namespace {

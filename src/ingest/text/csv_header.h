@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/text/csv_dialect.h"
 #include "ingest/text/number_field.h"
 

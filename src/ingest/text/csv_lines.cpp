@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace tribolog {
 namespace {

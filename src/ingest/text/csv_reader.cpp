@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "files/utf8.h"
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
+#include "base/utf8.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/csv_header.h"
 #include "ingest/text/csv_lines.h"

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "error.h"
-#include "files/byte_source.h"
-#include "ingest/log_table.h"
+#include "base/byte_source.h"
+#include "base/error.h"
+#include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
 #include "ingest/text/text_log_rules.h"
 

@@ -9,8 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
 #include "ingest/text/plain_stretches.h"

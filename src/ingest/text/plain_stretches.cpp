@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "parallel/parallel_for.h"
+#include "base/parallel_for.h"
 
 namespace tribolog {
 namespace {

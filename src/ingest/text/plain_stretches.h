@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ingest/log_table.h"
+#include "ingest/log/log_table.h"
 #include "ingest/text/plain_rows.h"
 
 namespace tribolog {

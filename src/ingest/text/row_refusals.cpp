@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ingest/closest_match.h"
+#include "base/closest_match.h"
 #include "ingest/text/clock_field.h"
 
 namespace tribolog {

@@ -8,8 +8,6 @@
 
 namespace tribolog {
 
-class TomlTable;
-
 /// Of the columns' names; numbers are ASCII in both.
 enum class TextEncoding { utf8, latin1 };
 
@@ -26,10 +24,5 @@ struct TextLogRules {
 
 /// Share of the rows. A log with more is damaged, or not what the manifest says.
 inline constexpr double most_bad_rows = 0.01;
-
-/// [log] decimal_comma = false, delimiter = "comma" | "semicolon" | "tab" | "spaces",
-///       encoding = "utf8" | "latin1", header_line = 7, skip_bad_rows = false.
-/// @throw InputError for an unknown key, or commas for both.
-TextLogRules read_text_log_rules(const TomlTable& log);
 
 }  // namespace tribolog

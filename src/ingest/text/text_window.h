@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "files/byte_source.h"
+#include "base/byte_source.h"
 
 namespace tribolog {
 

@@ -6,8 +6,7 @@
 #include "inspect/motion/noise_floor.h"
 #include "inspect/motion/stroke_groups.h"
 #include "inspect/motion/torque_ramps.h"
-
-#include "stages/plateaus.h"
+#include "method/motion/plateaus.h"
 
 namespace tribolog {
 namespace {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
-#include "stages/encoder_resolution.h"
-#include "stages/median.h"
-#include "stages/white_noise.h"
+#include "method/motion/encoder_resolution.h"
+#include "statistics/median.h"
+#include "statistics/white_noise.h"
 
 namespace tribolog {
 namespace {

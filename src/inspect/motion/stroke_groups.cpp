@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/median.h"
+#include "statistics/median.h"
 
 namespace tribolog {
 namespace {

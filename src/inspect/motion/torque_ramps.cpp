@@ -6,8 +6,7 @@
 
 #include "inspect/motion/noise_floor.h"
 #include "inspect/motion/turning_points.h"
-
-#include "stages/median.h"
+#include "statistics/median.h"
 
 namespace tribolog {
 namespace {

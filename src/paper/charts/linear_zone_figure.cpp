@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "parameter_rules.h"
-#include "present.h"
-
-#include "figures/number_text.h"
+#include "base/parameter_rules.h"
+#include "base/present.h"
 #include "figures/plot_data.h"
 #include "paper/charts/static_law_panel.h"
+#include "wording/number_text.h"
 
 namespace tribolog::paper {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "figures/axis_scale.h"
-#include "figures/number_text.h"
 #include "figures/plot_data.h"
+#include "wording/axis_scale.h"
+#include "wording/number_text.h"
 
 namespace tribolog::paper {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "figures/axis_scale.h"
-#include "render/figure.h"
+#include "render/figure/figure.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::paper {
 

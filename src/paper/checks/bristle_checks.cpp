@@ -6,7 +6,7 @@
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/solved_bristle.h"
 #include "paper/checks/speed_grid.h"
-#include "paper/lugre_diagram.h"
+#include "paper/drawings/lugre_diagram.h"
 
 namespace tribolog::paper {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "figures/axis_scale.h"
 #include "paper/checks/figure_checks.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog::paper {
 namespace {

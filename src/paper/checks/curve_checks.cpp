@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "paper/checks/figure_checks.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
-#include "present.h"
-
-#include "paper/bristle_sketch.h"
+#include "base/present.h"
 #include "paper/checks/figure_checks.h"
-#include "paper/drive_diagram.h"
-#include "paper/joint_diagram.h"
-#include "paper/lugre_diagram.h"
-#include "paper/printed_paper.h"
-#include "simulate/random_stream.h"
+#include "paper/drawings/bristle_sketch.h"
+#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/joint_diagram.h"
+#include "paper/drawings/lugre_diagram.h"
+#include "paper/drawings/printed_paper.h"
+#include "statistics/random_stream.h"
 
 namespace tribolog::paper {
 namespace {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 #include "paper/checks/equation_checks.h"
-#include "paper/drive_diagram.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 #include "paper/checks/plain_loop.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 #include "paper/checks/golden_numbers.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

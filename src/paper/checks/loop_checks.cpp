@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "paper/checks/figure_checks.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/solved_bristle.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {

@@ -7,7 +7,7 @@
 #include "paper/charts/linear_zone_figure.h"
 #include "paper/charts/presliding_figure.h"
 #include "paper/charts/static_friction_figure.h"
-#include "paper/paper_drawings.h"
+#include "paper/drawings/paper_drawings.h"
 #include "paper/scenes/scene_figures.h"
 
 namespace tribolog::paper {

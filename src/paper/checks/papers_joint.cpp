@@ -5,10 +5,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "present.h"
-
+#include "base/present.h"
+#include "identify/pipeline.h"
 #include "paper/charts/joint_scale.h"
-#include "pipeline.h"
 #include "simulate/simulate_joint.h"
 #include "simulate/simulated_dataset.h"
 

@@ -4,14 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "robot/robot_description.h"
-
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "friction/lugre.h"
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
 #include "joint/dataset.h"
+#include "robot/robot_description.h"
 #include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "present.h"
+#include "base/present.h"
 
 namespace tribolog::paper {
 

@@ -3,8 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "simulate/cvode_solver.h"
 
 namespace tribolog::paper {

@@ -4,7 +4,7 @@
 
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/speed_grid.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {

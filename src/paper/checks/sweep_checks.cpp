@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 namespace {}  // namespace

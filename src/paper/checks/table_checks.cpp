@@ -1,7 +1,7 @@
 #include "paper/checks/table_checks.h"
 
 #include "friction/catalogue.h"
-#include "paper/printed_paper.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
 Checks check_table_1() {

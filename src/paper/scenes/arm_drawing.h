@@ -1,10 +1,9 @@
 #pragma once
 // An arm in a pose as solid parts of a scene.
 
+#include "render/figure/scene.h"
 #include "robot/joint_under_test.h"
 #include "robot/serial_arm.h"
-
-#include "render/scene.h"
 
 namespace tribolog::scenes {
 

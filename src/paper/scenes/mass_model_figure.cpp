@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "present.h"
-
+#include "base/present.h"
 #include "joint/degrees.h"
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"

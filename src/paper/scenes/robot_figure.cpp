@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "figures/number_text.h"
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
+#include "wording/number_text.h"
 
 namespace tribolog {
 namespace {

@@ -4,11 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "robot/robot_description.h"
-
-#include "calibration.h"
+#include "calibration/calibration.h"
 #include "figures/report_figure.h"
 #include "paper/scenes/test_numbers.h"
+#include "robot/robot_description.h"
 
 namespace tribolog {
 

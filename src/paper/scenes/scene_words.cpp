@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "joint/degrees.h"
 
 namespace tribolog::scenes {

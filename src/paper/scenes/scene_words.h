@@ -6,9 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "render/figure/scene.h"
 #include "robot/robot_description.h"
-
-#include "render/scene.h"
 
 namespace tribolog::scenes {
 

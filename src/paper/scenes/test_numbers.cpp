@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "figures/axis_scale.h"
-#include "figures/number_text.h"
 #include "paper/scenes/scene_words.h"
+#include "wording/axis_scale.h"
+#include "wording/number_text.h"
 
 namespace tribolog::scenes {
 namespace {

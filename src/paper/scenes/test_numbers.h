@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "calibration/calibration.h"
 #include "robot/robot_description.h"
-
-#include "calibration.h"
-#include "stages/estimate.h"
+#include "statistics/estimate.h"
 
 namespace tribolog::scenes {
 

@@ -6,12 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "legibility/picture_border.h"
-#include "png_reading.h"
-#include "readings.h"
-#include "swept_figures.h"
-
-#include "render/renderer.h"
+#include "figures/sweep/readings.h"
+#include "figures/sweep/swept_figures.h"
+#include "render/legibility/picture_border.h"
+#include "render/png_reading.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::test {
 namespace {

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "legibility/contrast.h"
-#include "legibility/letter_sizes.h"
-#include "legibility/panel_content.h"
-#include "legibility/text_collisions.h"
-#include "readings.h"
-#include "swept_figures.h"
-
-#include "render/layout/figure_layout.h"
+#include "figures/sweep/readings.h"
+#include "figures/sweep/swept_figures.h"
+#include "render/composition/figure_layout.h"
+#include "render/legibility/contrast.h"
+#include "render/legibility/letter_sizes.h"
+#include "render/legibility/panel_content.h"
+#include "render/legibility/text_collisions.h"
 
 namespace tribolog::test {
 namespace {

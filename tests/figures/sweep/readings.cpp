@@ -1,9 +1,9 @@
-#include "readings.h"
+#include "figures/sweep/readings.h"
 
 #include <utility>
 
 #include "figures/figure_language.h"
-#include "render/publication.h"
+#include "render/composition/publication.h"
 
 namespace tribolog::test {
 

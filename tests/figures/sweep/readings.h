@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "language/language.h"
-
 #include "figures/report_figure.h"
 #include "render/text/font.h"
+#include "wording/language.h"
 
 namespace tribolog::test {
 

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "hand_made_calibration.h"
-#include "swept_figures.h"
+#include "figures/hand_made_calibration.h"
 
-#include "render/renderer.h"
+#include <utility>
+#include "figures/sweep/swept_figures.h"
+#include "render/workers/renderer.h"
 #include "report/html_report.h"
 
 namespace tribolog::test {

@@ -1,4 +1,4 @@
-#include "swept_figures.h"
+#include "figures/sweep/swept_figures.h"
 
 #include <functional>
 #include <iterator>
@@ -7,23 +7,22 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "drawn_set.h"
-#include "hand_made_calibration.h"
-#include "plan/experiment_plan.h"
-#include "small_scenario.h"
-
+#include "base/file_contents.h"
 #include "figures/figure_set.h"
+#include "figures/hand_made_calibration.h"
 #include "figures/model_figures.h"
 #include "figures/plan_figure.h"
 #include "figures/study_figures.h"
-#include "files/file_contents.h"
 #include "friction/catalogue.h"
+#include "identify/pipeline.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/scenes/scene_figures.h"
-#include "pipeline.h"
+#include "plan/experiment_plan.h"
+#include "render/vector/drawn_set.h"
 #include "simulate/simulated_dataset.h"
+#include "study/small_scenario.h"
 
 namespace tribolog::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/recording_rows.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/scenario_file.h"
-#include "ingest/recording_rows.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog {

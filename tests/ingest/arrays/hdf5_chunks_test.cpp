@@ -1,14 +1,14 @@
 // A chunk that does not unpack to what the layout claims is refused; every way in which the library
 // stores chunks is read.
 
-#include "ingest/arrays/hdf5_chunks.h"
+#include "ingest/hdf5_matlab/hdf5_chunks.h"
 
 #include <numeric>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 #include "ingest/arrays/hdf5_reader.h"
 
 namespace tribolog {

@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <matio.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
-#include "ingest/arrays/hdf5_objects.h"
-#include "ingest/log_format.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "ingest/hdf5_matlab/hdf5_objects.h"
+#include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 
 namespace tribolog {

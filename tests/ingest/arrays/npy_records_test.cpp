@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/arrays/npz_reader.h"
 #include "ingest/arrays/numpy_files.h"
 #include "support/damaged_files.h"

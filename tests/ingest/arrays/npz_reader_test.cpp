@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "base/error.h"
 #include "ingest/arrays/numpy_files.h"
-#include "ingest/log_format.h"
+#include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 
 namespace tribolog {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 
 namespace tribolog::test {
 

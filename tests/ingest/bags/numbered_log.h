@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 #include "ingest/bags/mcap_reader.h"
 #include "support/cdr_writer.h"
 #include "support/mcap_writer.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
 namespace tribolog {

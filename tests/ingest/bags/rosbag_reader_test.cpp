@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
 namespace tribolog {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "files/file_contents.h"
-#include "files/temporary_directory.h"
+#include "base/file_contents.h"
+#include "base/temporary_directory.h"
 #include "friction/catalogue.h"
 
 namespace tribolog {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/temporary_directory.h"
-#include "ingest/dataset_file.h"
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "ingest/dataset/dataset_file.h"
 
 namespace tribolog {
 namespace {

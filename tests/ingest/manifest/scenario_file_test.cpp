@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "files/file_contents.h"
-#include "files/temporary_directory.h"
+#include "base/error.h"
+#include "base/file_contents.h"
+#include "base/temporary_directory.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/temporary_directory.h"
+#include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog {

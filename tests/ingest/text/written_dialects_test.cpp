@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "files/byte_source.h"
-#include "files/temporary_directory.h"
+#include "base/byte_source.h"
+#include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 #include "support/run_program.h"
 

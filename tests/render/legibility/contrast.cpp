@@ -1,4 +1,4 @@
-#include "legibility/contrast.h"
+#include "render/legibility/contrast.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "legibility/texts_of_list.h"
-
-#include "render/contrast_ratio.h"
+#include "render/figure/contrast_ratio.h"
+#include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {
 namespace {

@@ -1,9 +1,8 @@
 #pragma once
 // Texts and lines that are too faint.
 
-#include "legibility/finding.h"
-
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
+#include "render/legibility/finding.h"
 
 namespace tribolog::render::legibility {
 

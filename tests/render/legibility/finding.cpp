@@ -1,4 +1,4 @@
-#include "legibility/finding.h"
+#include "render/legibility/finding.h"
 
 #include <cmath>
 #include <string>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/pixel_geometry.h"
+#include "render/figure/pixel_geometry.h"
 
 namespace tribolog::render::legibility {
 

@@ -2,16 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "example_figures.h"
-#include "legibility/contrast.h"
-#include "legibility/letter_sizes.h"
-#include "legibility/panel_content.h"
-#include "legibility/picture_border.h"
-#include "legibility/text_collisions.h"
-#include "legibility/texts_of_list.h"
-
-#include "render/contrast_ratio.h"
-#include "render/layout/figure_layout.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
+#include "render/figure/contrast_ratio.h"
+#include "render/legibility/contrast.h"
+#include "render/legibility/letter_sizes.h"
+#include "render/legibility/panel_content.h"
+#include "render/legibility/picture_border.h"
+#include "render/legibility/text_collisions.h"
+#include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {
 namespace {

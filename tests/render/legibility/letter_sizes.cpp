@@ -1,8 +1,8 @@
-#include "legibility/letter_sizes.h"
+#include "render/legibility/letter_sizes.h"
 
 #include <cstdio>
 
-#include "legibility/texts_of_list.h"
+#include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {
 

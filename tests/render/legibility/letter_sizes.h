@@ -1,9 +1,8 @@
 #pragma once
 // Letters as large as they are in print.
 
-#include "legibility/finding.h"
-
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
+#include "render/legibility/finding.h"
 
 namespace tribolog::render::legibility {
 

@@ -1,4 +1,4 @@
-#include "legibility/panel_content.h"
+#include "render/legibility/panel_content.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,8 @@
 #pragma once
 // Panels that show nothing, or not what it is.
 
-#include "legibility/finding.h"
-
-#include "render/draw_list.h"
+#include "render/figure/draw_list.h"
+#include "render/legibility/finding.h"
 
 namespace tribolog::render::legibility {
 

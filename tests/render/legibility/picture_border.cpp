@@ -1,4 +1,4 @@
-#include "legibility/picture_border.h"
+#include "render/legibility/picture_border.h"
 
 #include <algorithm>
 #include <string>

@@ -1,9 +1,8 @@
 #pragma once
 // What is cut off at the edge of a finished picture.
 
-#include "legibility/finding.h"
-
-#include "render/paint/picture.h"
+#include "render/figure/picture.h"
+#include "render/legibility/finding.h"
 
 namespace tribolog::render::legibility {
 

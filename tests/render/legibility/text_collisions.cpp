@@ -1,4 +1,4 @@
-#include "legibility/text_collisions.h"
+#include "render/legibility/text_collisions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "legibility/texts_of_list.h"
-
 #include "render/layout/line_geometry.h"
+#include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {
 namespace {

@@ -1,4 +1,4 @@
-#include "legibility/texts_of_list.h"
+#include "render/legibility/texts_of_list.h"
 
 #include <algorithm>
 #include <cstddef>

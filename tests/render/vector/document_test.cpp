@@ -5,13 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "../example_diagram.h"
-#include "../example_figures.h"
-#include "outside_renderers.h"
-
-#include "error.h"
-#include "render/layout/figure_layout.h"
+#include "base/error.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_diagram.h"
+#include "render/example_figures.h"
 #include "render/text/font.h"
+#include "render/vector/outside_renderers.h"
 #include "render/vector/short_number.h"
 #include "render/vector/vector_document.h"
 

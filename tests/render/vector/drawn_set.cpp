@@ -1,20 +1,19 @@
-#include "drawn_set.h"
+#include "render/vector/drawn_set.h"
 
 #include <stdexcept>
 
-#include "../example_diagram.h"
-#include "../example_figures.h"
-#include "../png_reading.h"
-#include "archive/history/simulated_history.h"
-
-#include "figures/history/comparison_figures.h"
-#include "figures/history/trend_figures.h"
+#include "figures/comparison_figures.h"
+#include "figures/trend_figures.h"
+#include "history/simulated_history.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/checks/paper_figures.h"
-#include "render/layout/figure_layout.h"
-#include "render/publication.h"
-#include "render/renderer.h"
+#include "render/composition/figure_layout.h"
+#include "render/composition/publication.h"
+#include "render/example_diagram.h"
+#include "render/example_figures.h"
+#include "render/png_reading.h"
+#include "render/workers/renderer.h"
 
 namespace tribolog::render {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "figures/report_figure.h"
-#include "render/draw_list.h"
-#include "render/paint/picture.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/picture.h"
 #include "render/vector/vector_document.h"
 
 namespace tribolog::render {

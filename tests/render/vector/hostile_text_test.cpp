@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../example_figures.h"
-#include "outside_renderers.h"
-
-#include "render/layout/figure_layout.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_figures.h"
 #include "render/text/font.h"
+#include "render/vector/outside_renderers.h"
 #include "render/vector/vector_document.h"
 
 namespace tribolog::render {

@@ -1,4 +1,4 @@
-#include "outside_renderers.h"
+#include "render/vector/outside_renderers.h"
 
 #include <cstddef>
 #include <sstream>
@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "../png_reading.h"
-
+#include "render/png_reading.h"
 #include "support/run_program.h"
 
 namespace tribolog::render {

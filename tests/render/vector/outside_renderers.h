@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/paint/picture.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

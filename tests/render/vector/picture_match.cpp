@@ -1,4 +1,4 @@
-#include "picture_match.h"
+#include "render/vector/picture_match.h"
 
 #include <algorithm>
 #include <array>

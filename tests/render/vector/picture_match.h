@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "render/draw_list.h"
-#include "render/paint/picture.h"
+#include "render/figure/draw_list.h"
+#include "render/figure/picture.h"
 
 namespace tribolog::render {
 

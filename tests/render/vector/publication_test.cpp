@@ -1,17 +1,16 @@
 // Figures for a journal: widths, sizes of letters, what is left out.
 
-#include "render/publication.h"
+#include "render/composition/publication.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "../example_diagram.h"
-#include "../example_figures.h"
-#include "drawn_set.h"
-
-#include "render/layout/figure_layout.h"
+#include "render/composition/figure_layout.h"
+#include "render/example_diagram.h"
+#include "render/example_figures.h"
 #include "render/text/font.h"
+#include "render/vector/drawn_set.h"
 
 namespace tribolog::render {
 namespace {

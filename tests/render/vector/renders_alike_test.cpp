@@ -4,12 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "drawn_set.h"
-#include "outside_renderers.h"
-#include "picture_match.h"
-
 #include "render/check/picture_check.h"
 #include "render/text/font.h"
+#include "render/vector/drawn_set.h"
+#include "render/vector/outside_renderers.h"
+#include "render/vector/picture_match.h"
 
 namespace tribolog::render {
 namespace {

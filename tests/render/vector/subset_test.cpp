@@ -9,7 +9,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include "error.h"
+#include "base/error.h"
 #include "render/text/font.h"
 #include "render/vector/true_type_subset.h"
 #include "support/run_program.h"

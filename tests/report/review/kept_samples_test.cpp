@@ -1,4 +1,4 @@
-#include "report/review/kept_samples.h"
+#include "report/kept_samples.h"
 
 #include <algorithm>
 #include <cmath>

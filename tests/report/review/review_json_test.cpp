@@ -1,6 +1,6 @@
 // The viewer's data against the calibration that they come from and the report around them.
 
-#include "report/review/review_json.h"
+#include "report/review_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../document_checks.h"
-#include "../sample_calibration.h"
-
-#include "pipeline.h"
+#include "identify/pipeline.h"
+#include "report/document_checks.h"
 #include "report/html_report.h"
 #include "report/page_texts.h"
+#include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
 namespace tribolog::test {

@@ -1,0 +1,40 @@
+#pragma once
+// The solid parts of a scene in VTK: surfaces in soft light, each with a dark outline.
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+#include "render/figure/scene_geometry.h"
+
+namespace tribolog::render {
+
+/// Puts a scene into a renderer and takes it away again when it ends.
+class ScenePainter {
+ public:
+  /// Both must live as long as this. @param outline_px width of the outlines in pixels
+  ScenePainter(vtkRenderer* renderer, const SceneGeometry& scene, double outline_px);
+  ~ScenePainter();
+  ScenePainter(const ScenePainter&) = delete;
+  ScenePainter& operator=(const ScenePainter&) = delete;
+
+  /// Points the camera at the part of a picture `width` pixels wide from row `top` on.
+  void show_rows(int width, int top, int rows);
+
+ private:
+  void add_surfaces(const SceneGeometry& scene);
+  void add_flat_areas(const SceneGeometry& scene);
+  void add_outlines(const SceneGeometry& scene, double outline_px);
+  void add_lights();
+
+  vtkRenderer* renderer_;
+  const SceneView& view_;
+  vtkNew<vtkCamera> camera_;
+  vtkNew<vtkActor> surfaces_;
+  vtkNew<vtkActor> flat_areas_;
+  vtkNew<vtkActor> outlines_;
+};
+
+}  // namespace tribolog::render

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkFreeTypeTools.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
+
+#include "base/error.h"
+#include "render/paint/painter.h"
+#include "render/paint/painter_module.h"
+#include "render/vtk/draw_list_item.h"
+#include "render/vtk/gl_context.h"
+#include "render/vtk/headless_window.h"
+#include "render/vtk/scene_painter.h"
+#include "render/vtk/vtk_messages.h"
+#include "render/vtk/vtk_threads.h"
+
+namespace tribolog::render {
+namespace {
+
+constexpr int samples_per_pixel = 4;          // llvmpipe has no more
+constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
+
+class VtkPainter final : public Painter {
+ public:
+  explicit VtkPainter(const Font& font);
+  using Painter::paint;
+  Picture paint(const DrawList& list, int strip_rows) override;
+  [[nodiscard]] RendererInfo info() const override;
+
+ private:
+  void paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture);
+
+  const Font& font_;
+  std::unique_ptr<GlContext> context_;  // outlives the window below
+  vtkNew<VtkMessages> messages_;
+  vtkNew<HeadlessWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkContextActor> actor_;
+  vtkNew<DrawListItem> item_;
+};
+
+VtkPainter::VtkPainter(const Font& font) : font_(font), context_(make_gl_context()) {
+  vtkOutputWindow::SetInstance(messages_);
+  // FreeType's glyph cache may start out believing that it is full and reload every glyph.
+  vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfBytes(~0UL);
+  window_->attach(context_.get());
+  window_->SetMultiSamples(samples_per_pixel);
+  window_->SwapBuffersOff();
+  renderer_->SetBackground(1, 1, 1);
+  window_->AddRenderer(renderer_);
+  renderer_->AddActor(actor_);
+  actor_->GetScene()->SetRenderer(renderer_);
+  actor_->GetScene()->AddItem(item_);
+}
+
+Picture VtkPainter::paint(const DrawList& list, int strip_rows) {
+  Picture picture{list.width, list.height, {}, list.width_mm};
+  picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
+                     static_cast<std::size_t>(list.height));
+  window_->SetSize(list.width, strip_rows);
+  std::unique_ptr<ScenePainter> scene;
+  if (list.scene) {
+    const double outline_px = std::max(1.0, outline_share * list.width);
+    scene = std::make_unique<ScenePainter>(renderer_, *list.scene, outline_px);
+  }
+  window_->keep_depth(scene != nullptr);
+  for (int top = 0; top < list.height; top += strip_rows) {
+    if (scene) scene->show_rows(list.width, top, strip_rows);
+    paint_strip(list, top, strip_rows, picture);
+  }
+  const std::string error = messages_->take_error();
+  if (!error.empty()) throw FigureError("VTK: " + error);
+  return picture;
+}
+
+void VtkPainter::paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture) {
+  item_->show(&list, &font_, top, strip_rows);
+  window_->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window_->GetPixelData(0, 0, list.width - 1, strip_rows - 1, 0, pixels, 0);
+  const std::size_t row = 3 * static_cast<std::size_t>(list.width);
+  if (static_cast<std::size_t>(pixels->GetNumberOfValues()) !=
+      row * static_cast<std::size_t>(strip_rows)) {
+    throw FigureError("VTK gave a picture of the wrong size");
+  }
+  const unsigned char* bottom_up = pixels->GetPointer(0);
+  const int rows = std::min(strip_rows, list.height - top);
+  for (int y = 0; y < rows; ++y) {
+    std::copy_n(bottom_up + static_cast<std::size_t>(strip_rows - 1 - y) * row, row,
+                picture.rgb.begin() + static_cast<std::ptrdiff_t>(row) * (top + y));
+  }
+}
+
+RendererInfo VtkPainter::info() const {
+  return {vtkVersion::GetVTKVersion(), context_->back_end(),        context_->gl_version(),
+          context_->gl_renderer(),     font_.file(Weight::regular), Font::freetype_version()};
+}
+
+}  // namespace
+}  // namespace tribolog::render
+
+extern "C" tribolog::render::Painter* tribolog_vtk_painter(
+    const tribolog::render::Font& font, tribolog::render::PainterThreads threads) {
+  if (threads == tribolog::render::PainterThreads::one) tribolog::render::keep_vtk_to_one_thread();
+  return new tribolog::render::VtkPainter(font);
+}

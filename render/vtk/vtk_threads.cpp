@@ -1,0 +1,10 @@
+// Compiled as C++17: a header of VTK 9.1 names constructors in a way that C++20 has done away with.
+#include "render/vtk/vtk_threads.h"
+
+#include <vtkSMPTools.h>
+
+namespace tribolog::render {
+
+void keep_vtk_to_one_thread() { vtkSMPTools::SetBackend("Sequential"); }
+
+}  // namespace tribolog::render

@@ -1,0 +1,116 @@
+#pragma once
+// A calibration as an archive holds it.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/quantity_verdict.h"
+#include "statistics/estimate.h"
+
+namespace tribolog::archive {
+
+/// A joint is one by these three texts, as the manifests state them. They are shown, compared and
+/// never used as a path or a part of a statement.
+struct JointName {
+  std::string robot;
+  std::string serial;
+  std::string joint;
+  auto operator<=>(const JointName&) const = default;
+};
+
+/// What was measured, when and how. Texts are empty where nothing is stated.
+struct Facts {
+  JointName of;
+  std::string measured_at;  ///< "2026-01-31T12:00:00Z", for the order in time.
+  std::string measured_on;  ///< As the manifest states it.
+  bool time_is_stated{};    ///< false: nothing readable is stated; it is created_utc.
+  std::string created_utc;  ///< When it was identified.
+  std::string operator_name;
+  std::string note;
+  std::string payload;
+  std::optional<double> payload_kg;
+  std::optional<double> payload_distance_m;
+  std::optional<double> temperature_C;
+  double gear_ratio{1};
+  std::optional<double> sampling_Hz;  ///< Median of the recordings' rates.
+  Verdict verdict{Verdict::not_identifiable};
+  std::string sentence;
+  std::string configuration;  ///< "Resamples: 1000\nSeed of the resamples: 1\n"
+  std::string tool_version;
+  std::string git_revision;
+};
+
+/// A result: SI, motor side.
+struct Quantity {
+  std::string name;   ///< Stable: "coulomb_torque".
+  std::string words;  ///< "Coulomb torque".
+  std::string unit;   ///< Empty for a curve.
+  Verdict verdict{Verdict::not_identifiable};
+  std::optional<Estimate> estimate;
+};
+
+/// A file that the calibration was made from.
+struct Input {
+  std::string name;
+  std::string role;
+  std::uint64_t bytes{};
+  std::string sha256;
+};
+
+enum class DocumentKind { calibration, report, input };
+
+struct Document {
+  DocumentKind kind{};
+  std::string name;  ///< Of an input; else empty.
+  std::string bytes;
+};
+
+/// What is to be archived.
+struct NewCalibration {
+  Facts facts;
+  std::vector<Quantity> quantities;
+  std::vector<Input> inputs;
+  std::vector<Document> documents;  ///< The calibration (JSON); its report and inputs if wanted.
+};
+
+/// One that is archived.
+struct Entry {
+  std::int64_t number{};  ///< Within this archive.
+  std::string id;         ///< 64 hex digits, the same in every archive.
+  std::string identity;
+  int revision{1};  ///< From 2 on: archived again although it was there.
+  Facts facts;
+  std::string digest;  ///< SHA-256 over all it says.
+};
+
+/// An entry and its results.
+struct Measured {
+  Entry entry;
+  std::vector<Quantity> quantities;
+};
+
+/// What a reviewer decided on an entry. A later one wins; none is ever changed.
+struct Review {
+  enum class Decision { approved, rejected };
+  std::string at_utc;
+  std::string reviewer;
+  Decision decision{Decision::rejected};
+  std::string note;  ///< May be empty.
+};
+
+/// "approved", "rejected"
+const char* to_string(Review::Decision decision);
+
+/// Of the two words.
+Review::Decision decision_of(const std::string& word);
+
+/// The last decision on each entry that was reviewed, by its id.
+using Decisions = std::map<std::string, Review::Decision>;
+
+/// Hex digits of an id that are shown; a command takes any that are enough.
+inline constexpr std::size_t shown_digits = 10;
+
+}  // namespace tribolog::archive

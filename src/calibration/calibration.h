@@ -1,0 +1,76 @@
+#pragma once
+// A calibration: every stage's result, what it was made from, and the verdict.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/quantity_verdict.h"
+#include "calibration/truth_check_result.h"
+#include "joint/dataset.h"
+#include "method/checks/data_check.h"
+#include "method/gravity/cog_sweep.h"
+#include "method/gravity/run_gravity.h"
+#include "method/hysteresis/break_away.h"
+#include "method/hysteresis/hysteresis_loop.h"
+#include "method/hysteresis/loop_shape.h"
+#include "method/hysteresis/position_plan.h"
+#include "method/hysteresis/surrogate_masses.h"
+#include "method/intervals/bootstrap.h"
+#include "method/intervals/cross_checks.h"
+#include "method/motion/speed_source.h"
+#include "method/selection/friction_parameters.h"
+#include "method/selection/quality_errors.h"
+#include "method/selection/selection.h"
+#include "method/viscous/direction_asymmetry.h"
+#include "method/viscous/direction_lines.h"
+#include "method/viscous/load_dependence.h"
+#include "method/viscous/model_choice.h"
+#include "method/viscous/viscous_curves.h"
+
+namespace tribolog {
+
+/// The verdict, with what it rests on.
+struct Judgement {
+  Verdict verdict{Verdict::not_identifiable};
+  std::string sentence;                     ///< One sentence for the top of the report.
+  std::vector<std::string> findings;        ///< What the reader must know, most important first.
+  std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
+};
+
+struct Calibration {
+  Manifest manifest;
+  std::vector<InputFile> inputs;
+  std::vector<std::string> notes;  ///< From reading the input.
+  std::vector<SpeedSource> speed_sources;
+
+  DataChecksResult data_checks;
+  CogSweepResult rough;
+  CogSweepResult precise;
+  std::optional<Estimate> q_peak_rad;  ///< The one of the two with the narrower interval.
+  std::string q_peak_source;           ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
+  HysteresisResult hysteresis;
+  RunGravityResult run_gravity;
+  SurrogateMassesResult masses;
+  ViscousCurvesResult viscous;
+  QualityErrorsResult quality;
+  SelectionResult selection;
+  FrictionParametersResult friction;
+  DirectionLinesResult direction_lines;
+  LoadDependenceResult load_dependence;
+  DirectionAsymmetryResult direction_asymmetry;
+  CurveModelChoice curve_model;
+  std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
+  BreakAwayResult break_away;
+  IntervalsResult intervals;
+  CrossChecksResult cross_checks;
+  std::optional<PositionPlan> position_plan;  ///< Where to oscillate next, if ripple asks for it.
+  Judgement judgement;
+  TruthCheckResult truth_check;
+
+  /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
+  /// only where there are some.
+  [[nodiscard]] std::vector<StageReport> stages() const;
+};
+
+}  // namespace tribolog

@@ -1,0 +1,240 @@
+#include "calibration/entry_of_calibration.h"
+
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "ingest/text/clock_field.h"
+#include "statistics/median.h"
+
+namespace tribolog::archive {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& file, const std::string& what,
+                         const std::string& expected) {
+  throw InputError({file, 0, 0},
+                   {what, "", expected, "tribolog identify writes a file that can be archived"});
+}
+
+/// Reads members, and names the one that is missing or of another type.
+class Members {
+ public:
+  Members(const Json& object, std::string path, const std::string& file)
+      : object_(object), path_(std::move(path)), file_(file) {
+    if (!object.is_object()) refuse(file_, path_ + " is missing", "an object");
+  }
+
+  [[nodiscard]] Members object(const char* key) const {
+    return {member(key), path_ + "." + key, file_};
+  }
+  [[nodiscard]] const Json& list(const char* key) const {
+    const Json& value = member(key);
+    if (!value.is_array()) refuse(file_, path_ + "." + key + " is missing", "a list");
+    return value;
+  }
+  /// Empty for null.
+  [[nodiscard]] std::string text(const char* key) const {
+    const Json& value = member(key);
+    if (value.is_null()) return "";
+    if (!value.is_string()) refuse(file_, path_ + "." + key, "a text");
+    return value.get<std::string>();
+  }
+  [[nodiscard]] std::optional<double> number(const char* key) const {
+    const Json& value = member(key);
+    if (value.is_null()) return std::nullopt;
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+      refuse(file_, path_ + "." + key, "a number");
+    }
+    return value.get<double>();
+  }
+  [[nodiscard]] Verdict verdict(const char* key) const {
+    const std::string word = text(key);
+    for (const Verdict verdict : {Verdict::usable, Verdict::doubtful, Verdict::not_identifiable}) {
+      if (to_string(verdict) == word) return verdict;
+    }
+    refuse(file_, path_ + "." + key, "usable, doubtful or not_identifiable");
+  }
+  [[nodiscard]] std::optional<Estimate> estimate(const char* key) const {
+    if (member(key).is_null()) return std::nullopt;
+    const Members e = object(key);
+    const auto value = e.number("estimate");
+    if (!value) return std::nullopt;
+    const Estimate estimate{*value, e.number("low").value_or(*value),
+                            e.number("high").value_or(*value), e.text("method")};
+    if (estimate.low > estimate.value || estimate.high < estimate.value) {
+      refuse(file_, path_ + "." + key + " lies outside of its interval", "low <= estimate <= high");
+    }
+    return estimate;
+  }
+
+ private:
+  [[nodiscard]] const Json& member(const char* key) const {
+    static const Json none;
+    const auto at = object_.find(key);
+    return at == object_.end() ? none : *at;
+  }
+
+  const Json& object_;
+  std::string path_;
+  const std::string& file_;
+};
+
+std::optional<double> sampling_rate(const Members& top, const std::string& file) {
+  std::vector<double> rates_Hz;
+  for (const Json& speed : top.list("speeds")) {
+    const Members of_recording(speed, "speeds", file);
+    const auto samples = of_recording.number("window_samples");
+    const auto seconds = of_recording.number("window_s");
+    if (samples && seconds && *seconds > 0) rates_Hz.push_back(*samples / *seconds);
+  }
+  if (rates_Hz.empty()) return std::nullopt;
+  return median(std::move(rates_Hz));
+}
+
+/// What no joint can have.
+void refuse_impossible(const Facts& f, const std::string& file) {
+  constexpr double absolute_zero_C = -273.15;
+  const auto need = [&](bool holds, const char* what, const char* expected) {
+    if (!holds) refuse(file, std::string(what) + " is not usable", expected);
+  };
+  need(f.gear_ratio != 0, "drive.gear_ratio", "another number than 0");
+  need(f.payload_kg.value_or(0) >= 0, "robot.payload_kg", "a number >= 0");
+  need(f.payload_distance_m.value_or(1) > 0, "robot.payload_distance_m", "a number > 0");
+  need(f.temperature_C.value_or(0) > absolute_zero_C, "robot.temperature_C",
+       "a number above -273.15");
+  need(f.sampling_Hz.value_or(1) > 0 && std::isfinite(f.sampling_Hz.value_or(1)),
+       "speeds: the number of samples in the window", "more than none");
+}
+
+Facts facts_of(const Members& top, const std::string& file) {
+  const Members robot = top.object("robot");
+  const Members verdict = top.object("verdict");
+  const Members provenance = top.object("provenance");
+  Facts f;
+  f.of = {robot.text("name"), robot.text("serial"), robot.text("joint")};
+  f.created_utc = provenance.text("created_utc");
+  f.measured_on = robot.text("measured_on");
+  f.measured_at = utc_of_iso_text(f.measured_on);
+  f.time_is_stated = !f.measured_at.empty();
+  if (!f.time_is_stated) f.measured_at = utc_of_iso_text(f.created_utc);
+  if (f.measured_at.empty()) {
+    refuse(file, "says neither when it was measured nor when it was made",
+           "provenance.created_utc");
+  }
+  f.operator_name = robot.text("operator");
+  f.note = robot.text("note");
+  f.payload = robot.text("payload");
+  f.payload_kg = robot.number("payload_kg");
+  f.payload_distance_m = robot.number("payload_distance_m");
+  f.temperature_C = robot.number("temperature_C");
+  f.gear_ratio = top.object("drive").number("gear_ratio").value_or(1);
+  f.sampling_Hz = sampling_rate(top, file);
+  f.verdict = verdict.verdict("verdict");
+  f.sentence = verdict.text("sentence");
+  for (const Json& setting : provenance.list("configuration")) {
+    const Members one(setting, "provenance.configuration", file);
+    f.configuration += one.text("name") + ": " + one.text("text") + "\n";
+  }
+  f.tool_version = provenance.text("version");
+  f.git_revision = provenance.text("git_revision");
+  refuse_impossible(f, file);
+  return f;
+}
+
+/// A text for the tables must not hold NUL, which PostgreSQL has no place for.
+void refuse_nul(const Json& value, const std::string& file) {
+  if (value.is_string()) {
+    const auto& text = value.get_ref<const std::string&>();
+    if (text.find('\0') != std::string::npos) {
+      refuse(file, "the character NUL stands in " + in_quotes(text), "text without it");
+    }
+    return;  // the elements of a text that is not structured would be itself
+  }
+  if (!value.is_structured()) return;
+  for (const Json& inner : value) refuse_nul(inner, file);
+}
+
+std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
+  std::vector<Quantity> quantities;
+  for (const Json& listed : verdict.list("quantities")) {
+    const Members one(listed, "verdict.quantities", file);
+    quantities.push_back({one.text("key"), one.text("words"), one.text("unit"),
+                          one.verdict("verdict"), one.estimate("estimate")});
+  }
+  return quantities;
+}
+
+std::vector<Input> inputs_of(const Members& top, const std::string& file) {
+  constexpr double largest = 9e15;  // whole in a double
+  std::vector<Input> inputs;
+  for (const Json& listed : top.list("inputs")) {
+    const Members one(listed, "inputs", file);
+    Input input{one.text("name"), one.text("role"), 0, one.text("sha256")};
+    const double bytes = one.number("bytes").value_or(-1);
+    const bool is_hash = input.sha256.size() == 64 &&
+                         input.sha256.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!is_hash || bytes < 0 || bytes > largest) {
+      refuse(file, "inputs: " + in_quotes(input.name), "its bytes and SHA-256");
+    }
+    input.bytes = static_cast<std::uint64_t>(bytes);
+    inputs.push_back(std::move(input));
+  }
+  if (inputs.empty()) refuse(file, "names no input", "the files it was made from");
+  return inputs;
+}
+
+Json parsed(const std::string& json, const std::string& file) {
+  try {
+    return Json::parse(json);
+  } catch (const Json::exception& error) {
+    throw InputError({file, 0, 0}, {"is no JSON", error.what(), "a calibration",
+                                    "tribolog identify writes a file that can be archived"});
+  }
+}
+
+}  // namespace
+
+std::string utc_of_iso_text(const std::string& text) {
+  for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
+    const auto read = read_iso_time(text + rest);
+    if (!read) continue;
+    const std::chrono::sys_seconds time{std::chrono::seconds(read->whole)};
+    const auto day = std::chrono::floor<std::chrono::days>(time);
+    const std::chrono::year_month_day date(day);
+    const std::chrono::hh_mm_ss clock(time - day);
+    const int year = static_cast<int>(date.year());
+    if (year < 0 || year > 9999) return "";  // by its offset
+    return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", year,
+                       static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                       clock.hours().count(), clock.minutes().count(), clock.seconds().count());
+  }
+  return "";
+}
+
+double seconds_of_utc(const std::string& utc) {
+  const auto time = read_iso_time(utc);
+  return time ? static_cast<double>(time->whole) : 0;
+}
+
+NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {
+  const Json whole = parsed(json, file);
+  const Members top(whole, "the file", file);
+  if (top.text("schema") != "tribolog-calibration-1") {
+    refuse(file, "is no calibration", "schema \"tribolog-calibration-1\"");
+  }
+  refuse_nul(whole, file);
+  NewCalibration made;
+  made.facts = facts_of(top, file);
+  made.quantities = quantities_of(top.object("verdict"), file);
+  made.inputs = inputs_of(top, file);
+  made.documents.push_back({DocumentKind::calibration, "", json});
+  return made;
+}
+
+}  // namespace tribolog::archive

@@ -1,0 +1,72 @@
+// What was measured, on which files, and by what program.
+
+#include <utility>
+
+#include "calibration/parts.h"
+
+namespace tribolog::json {
+
+Json robot(const Manifest& m) {
+  return {{"name", text_or_null(m.robot)},
+          {"serial", text_or_null(m.serial)},
+          {"joint", text_or_null(m.joint)},
+          {"operator", text_or_null(m.operator_name)},
+          {"measured_on", text_or_null(m.measured_on)},
+          {"note", text_or_null(m.note)},
+          {"payload", text_or_null(m.payload)},
+          {"payload_kg", number(m.payload_kg)},
+          {"payload_distance_m", number(m.payload_distance_m)},
+          {"temperature_C", number(m.temperature_C)}};
+}
+
+Json drive(const Manifest& m) {
+  const Drive& d = m.drive;
+  return {{"gear_ratio", number(d.gear_ratio())},
+          {"effort_kind", to_string(d.kind())},
+          {"effort_side", to_string(d.side())},
+          {"effort_confirmed", m.effort_is_confirmed},
+          {"torque_constant_Nm_A", number(d.torque_constant_Nm_A())},
+          {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
+}
+
+Json inputs(const std::vector<InputFile>& files) {
+  Json list = Json::array();
+  for (const InputFile& file : files) {
+    Json skipped = Json::array();
+    for (const SkippedRows& rows : file.skipped) {
+      skipped.push_back({{"reason", rows.reason}, {"rows", rows.count}});
+    }
+    list.push_back({{"name", file.name},
+                    {"role", file.role},
+                    {"bytes", file.bytes},
+                    {"sha256", file.sha256},
+                    {"rows_read", file.rows_read},
+                    {"rows_used", file.rows_used},
+                    {"skipped", std::move(skipped)}});
+  }
+  return list;
+}
+
+Json provenance_json(const Provenance& p) {
+  Json drawing = nullptr;
+  if (p.drawing) {
+    drawing = {{"vtk", p.drawing->vtk_version}, {"back_end", p.drawing->back_end},
+               {"gl", p.drawing->gl_version},   {"renderer", p.drawing->gl_renderer},
+               {"font", p.drawing->font},       {"freetype", p.drawing->freetype_version}};
+  }
+  Json configuration = Json::array();
+  for (const NamedText& setting : p.configuration) {
+    configuration.push_back({{"name", setting.name}, {"text", setting.text}});
+  }
+  return {{"tool", "tribolog"},
+          {"version", p.tool_version},
+          {"git_revision", p.git_revision},
+          {"compiler", p.compiler},
+          {"eigen", p.eigen_version},
+          {"drawing", std::move(drawing)},
+          {"created_utc", p.created_utc},
+          {"command_line", p.command_line},
+          {"configuration", std::move(configuration)}};
+}
+
+}  // namespace tribolog::json

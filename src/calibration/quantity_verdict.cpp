@@ -1,0 +1,43 @@
+#include "calibration/quantity_verdict.h"
+
+#include <algorithm>
+
+namespace tribolog {
+
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::usable:
+      return "usable";
+    case Verdict::doubtful:
+      return "doubtful";
+    case Verdict::not_identifiable:
+      return "not_identifiable";
+  }
+  return "unknown";
+}
+
+std::string to_string(LimitState state) {
+  switch (state) {
+    case LimitState::inside:
+      return "inside";
+    case LimitState::outside:
+      return "outside";
+    case LimitState::crosses:
+      return "crosses";
+    case LimitState::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
+           const std::string& experiment) {
+  auto& reasons = quantity.reasons;
+  const bool is_worse = to > quantity.verdict;
+  if (is_worse) quantity.verdict = to;
+  if (std::find(reasons.begin(), reasons.end(), reason) != reasons.end()) return;
+  reasons.insert(is_worse ? reasons.begin() : reasons.end(), reason);
+  if (is_worse || quantity.experiment.empty()) quantity.experiment = experiment;
+}
+
+}  // namespace tribolog

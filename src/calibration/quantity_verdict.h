@@ -1,0 +1,53 @@
+#pragma once
+// The verdict on one quantity: can it be used, why not, and what to record next.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+enum class Verdict { usable, doubtful, not_identifiable };
+
+std::string to_string(Verdict verdict);
+
+/// What came of one number of a `[[limit]]`.
+enum class LimitState {
+  inside,   ///< Estimate and interval keep it.
+  outside,  ///< Estimate and interval break it.
+  crosses,  ///< The interval lies on both sides: it is not shown that the limit is kept.
+  unknown,  ///< There is no estimate.
+};
+
+std::string to_string(LimitState state);
+
+struct LimitOutcome {
+  std::string key;   ///< As the manifest has it: "coulomb_joint_Nm".
+  std::string rule;  ///< "max", "min", "half_width" or "half_width_percent".
+  double limit{};    ///< In `unit`.
+  std::string unit;
+  std::optional<Estimate> estimate;  ///< In the key's unit.
+  LimitState state{LimitState::unknown};
+  std::string words;  ///< "Coulomb torque 13.4 N·m breaks the limit of at most 12 N·m".
+};
+
+struct QuantityVerdict {
+  std::string key;    ///< Stable: "coulomb_torque".
+  std::string words;  ///< "Coulomb torque".
+  Verdict verdict{Verdict::usable};
+  bool decides{true};                ///< Takes part in the verdict over all.
+  std::vector<std::string> reasons;  ///< Empty only if usable. The weightiest first.
+  std::string experiment;            ///< What to record next; empty only if usable.
+  std::optional<Estimate> estimate;  ///< SI, motor side; absent for a curve, or where not found.
+  std::string unit;                  ///< Of the estimate; empty for a curve.
+  std::vector<LimitOutcome> limits;
+};
+
+/// Lowers the verdict to `to` if it is better, and adds the reason, which goes in front if it is
+/// what the verdict now rests on. The experiment is taken from the weightiest reason.
+void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
+           const std::string& experiment);
+
+}  // namespace tribolog

@@ -1,0 +1,75 @@
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "archive/store/archive_json.h"
+#include "base/early_end.h"
+#include "base/file_contents.h"
+#include "calibration/entry_of_calibration.h"
+#include "calibration/provenance.h"
+#include "cli/archive_commands.h"
+#include "cli/archived_inputs.h"
+
+namespace tribolog::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> calibrations;
+  std::string report;
+  std::string inputs;
+  bool again{false};
+  bool json{false};
+};
+
+void check(const Options& options) {
+  const bool of_one = !options.report.empty() || !options.inputs.empty();
+  if (of_one && options.calibrations.size() > 1) {
+    throw UsageError("--report and --inputs belong to one calibration; add them one by one");
+  }
+}
+
+}  // namespace
+
+Run add_add(CLI::App& archive) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *archive.add_subcommand("add", "keep calibrations that identify wrote");
+  command.add_option("CALIBRATION", options->calibrations, "calibration files (JSON)")->required();
+  command.add_option("--report", options->report, "its report (HTML), kept as it is");
+  command.add_option("--inputs", options->inputs,
+                     "directory of its manifest: manifest and recordings are kept too");
+  command.add_flag("--again", options->again,
+                   "where the same inputs are archived already: keep it beside that one");
+  command.add_flag("--json", options->json, "a line of JSON for each, as soon as it is kept");
+  const auto where = add_archive_options(command);
+  command.footer(
+      "\nWhat was said to be archived is on the disk. The same inputs archived twice are one\n"
+      "entry. All files are read before the first one is kept.");
+  return [where, options](const Invocation& call) {
+    check(*options);
+    const std::string now = make_provenance({}).created_utc;
+    std::vector<archive::NewCalibration> made;
+    for (const std::string& file : options->calibrations) {
+      made.push_back(archive::entry_of_calibration(read_file(file), file));
+    }
+    if (!options->inputs.empty()) add_inputs(options->inputs, made.front());
+    const std::string report = options->report.empty() ? "" : read_file(options->report);
+    archive::CalibrationArchive kept = where->open(sql::Access::write);
+    for (std::size_t k = 0; k < made.size(); ++k) {
+      const archive::Added added = kept.add(made[k], options->again, now);
+      if (options->json) {
+        if (added.is_new) note_kept("its entry " + added.id);
+        print_json(archive::added_json(added, options->calibrations[k]));
+      } else {
+        tell_added(added, options->calibrations[k], call.console);
+      }
+      if (!report.empty() && !kept.attach_report(added.id, report, now)) {
+        call.console.warn("note: " + added.id.substr(0, archive::shown_digits) +
+                          " has a report already, which stays");
+      }
+    }
+    return ExitStatus::done;
+  };
+}
+
+}  // namespace tribolog::cli

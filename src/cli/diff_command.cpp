@@ -1,0 +1,110 @@
+#include <CLI/CLI.hpp>
+
+#include "cli/archive_commands.h"
+#include "cli/history_page.h"
+#include "cli/shared_options.h"
+#include "figures/comparison_figures.h"
+#include "history/comparison_json.h"
+#include "history/recorded_curves.h"
+#include "report/comparison_page.h"
+#include "report/comparison_view.h"
+
+namespace tribolog::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> ids;
+  std::string output;
+  history::AllowedDifference allowed;
+  bool different_joints{false};
+  bool json{false};
+  int processes{2};
+  Language language{Language::english};
+};
+
+history::RecordedCurves curves_of(archive::CalibrationArchive& kept, const archive::Entry& entry) {
+  const auto json = kept.document(entry, archive::DocumentKind::calibration);
+  return json ? history::recorded_curves(*json) : history::RecordedCurves{};
+}
+
+/// Which curves cannot be laid over each other, and why.
+std::string missing_curves(const history::RecordedCurves& a, const history::RecordedCurves& b) {
+  std::string words;
+  if (a.friction.speed_rad_s.empty() || b.friction.speed_rad_s.empty()) {
+    words = "Not both calibrations hold a friction curve of constant-speed runs.";
+  }
+  if (a.loops.empty() || b.loops.empty()) {
+    words += (words.empty() ? "" : " ") +
+             std::string(
+                 "Not both hold a hysteresis loop: none was recorded, or the calibration "
+                 "was made by a version that did not keep it.");
+  }
+  return words;
+}
+
+ExitStatus write_page(const Options& options, const history::Comparison& comparison,
+                      const history::RecordedCurves& first, const history::RecordedCurves& second,
+                      const Invocation& call) {
+  const auto figures = comparison_figures(comparison, first, second);
+  return write_history_page(
+      {options.output, options.processes, options.language}, figures, call,
+      [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
+        return comparison_page(comparison, provenance, missing_curves(first, second), figures,
+                               drawn, options.language);
+      });
+}
+
+void tell(const history::Comparison& comparison, Console& console) {
+  console.say(text_of(report::compared_conditions_table(comparison)));
+  console.say(text_of(report::compared_quantities_table(comparison)));
+  for (const std::string& note : report::comparison_notes(comparison)) {
+    console.say(printable(note, longest_note));
+  }
+  console.say(report::comparison_sentence(comparison));
+}
+
+}  // namespace
+
+Run add_diff(CLI::App& archive) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *archive.add_subcommand("diff", "two calibrations: what changed");
+  command.add_option("ID", options->ids, "the first digits of both ids")->required()->expected(2);
+  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_flag("--json", options->json, "as JSON, to standard output");
+  command
+      .add_option("--allowed-kelvin", options->allowed.temperature_K,
+                  "friction is compared up to this difference of temperature")
+      ->check(number_between(0, 1000))
+      ->capture_default_str();
+  command.add_flag("--different-joints", options->different_joints,
+                   "compare two that are not of one joint");
+  add_processes(command, options->processes);
+  add_language(command, options->language);
+  const auto where = add_archive_options(command);
+  command.footer(
+      "\nEach quantity's change has a 95 % interval, made of both intervals. \"changed\" takes "
+      "into\n"
+      "account that several quantities are looked at.");
+  return [where, options](const Invocation& call) {
+    where->protect_from(options->output);
+    make_way(call.console, options->output, options->json);
+    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    std::vector<archive::Measured> both;
+    for (const std::string& id : options->ids) {
+      const archive::Entry entry = kept.find(id);
+      both.push_back({entry, kept.quantities(entry)});
+    }
+    const history::Comparison comparison =
+        history::compare(both[0], both[1], options->allowed, options->different_joints);
+    if (options->json) {
+      print_json(history::comparison_json(comparison));
+    } else {
+      tell(comparison, call.console);
+    }
+    if (options->output.empty()) return ExitStatus::done;
+    return write_page(*options, comparison, curves_of(kept, both[0].entry),
+                      curves_of(kept, both[1].entry), call);
+  };
+}
+
+}  // namespace tribolog::cli

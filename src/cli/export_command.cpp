@@ -1,0 +1,93 @@
+#include <CLI/CLI.hpp>
+
+#include "base/atomic_file.h"
+#include "base/standard_output.h"
+#include "cli/archive_commands.h"
+#include "cli/shared_options.h"
+#include "export/calibration/csv_table.h"
+#include "export/calibration/json_document.h"
+#include "export/calibration/latex_table.h"
+#include "export/calibration/mjcf_joint.h"
+#include "export/calibration/modelica_friction.h"
+#include "export/calibration/urdf_joint.h"
+
+namespace tribolog::cli {
+namespace {
+
+struct Options {
+  std::string id;
+  std::string format;
+  std::string output;
+  std::string side;
+  archive::SimulatorOptions simulator;
+};
+
+void check(Options& options) {
+  if (!options.side.empty() && options.format != "modelica") {
+    throw UsageError(
+        "archive export: --side is for modelica; tables have both sides, URDF and "
+        "MJCF the joint's");
+  }
+  if (options.simulator.arm_inertia_kgm2 && options.format != "mjcf") {
+    throw UsageError("archive export: --arm-inertia is for mjcf");
+  }
+  options.simulator.side = options.side == "motor" ? Side::motor : Side::joint;
+}
+
+std::string text_of(const Options& options, const archive::ArchivedJoint& joint) {
+  if (options.format == "csv") return csv_table(joint);
+  if (options.format == "json") return json_document(joint);
+  if (options.format == "latex") return latex_table(joint);
+  if (options.format == "urdf") return urdf_joint(joint, options.simulator);
+  if (options.format == "mjcf") return mjcf_joint(joint, options.simulator);
+  return modelica_friction(joint, options.simulator);
+}
+
+}  // namespace
+
+Run add_export(CLI::App& archive) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *archive.add_subcommand("export", "one calibration for where it is used");
+  command.add_option("ID", options->id, "the first digits of its id")->required();
+  command.add_option("--format", options->format, "csv, json, latex, urdf, mjcf or modelica")
+      ->required()
+      ->check(CLI::IsMember({"csv", "json", "latex", "urdf", "mjcf", "modelica"}));
+  command.add_option("-o,--output", options->output, "file to write; default: standard output");
+  command.add_flag("--doubtful-too", options->simulator.doubtful_too,
+                   "urdf, mjcf, modelica: also numbers whose verdict is not usable");
+  command
+      .add_option("--side", options->side,
+                  "modelica: side of the gear on which the bearing stands; default: joint")
+      ->check(CLI::IsMember({"joint", "motor"}));
+  command
+      .add_option("--arm-inertia", options->simulator.arm_inertia_kgm2,
+                  "mjcf: inertia of all that the joint moves, about its axis (kg·m²), as in the "
+                  "model's bodies; what was identified beyond it is the armature")
+      ->check(number_between(0, 1e9));
+  const auto where = add_archive_options(command);
+  command.footer(
+      "\nEach file says in its comments what it is of, and the conversions of units and sides.\n"
+      "csv, json, latex: every quantity on both sides of the gear, marked with its verdict.\n"
+      "urdf: <dynamics damping friction>. mjcf: <joint damping frictionloss armature>.\n"
+      "modelica: tau_pos and peak of Modelica.Mechanics.Rotational.Components.BearingFriction.");
+  return [where, options](const Invocation& call) {
+    check(*options);
+    where->protect_from(options->output);
+    call.console.make_way_for(options->output);
+    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    archive::ArchivedJoint joint;
+    joint.entry = kept.find(options->id);
+    joint.quantities = kept.quantities(joint.entry);
+    joint.calibration = kept.document(joint.entry, archive::DocumentKind::calibration).value_or("");
+    const std::string text = text_of(*options, joint);
+    if (options->output.empty()) {
+      print(text);
+    } else {
+      write_file_atomically(options->output, text);
+      call.console.say("export: " + printable(options->output, longest_path));
+    }
+    return ExitStatus::done;
+  };
+}
+
+}  // namespace tribolog::cli

@@ -1,0 +1,38 @@
+#pragma once
+// What `archive diff` and `archive trend` have in common: text from tables, and a page with
+// figures.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calibration/provenance.h"
+#include "cli/archive_commands.h"
+#include "figures/report_figure.h"
+#include "render/workers/renderer.h"
+#include "report/report_view.h"
+#include "wording/language.h"
+
+namespace tribolog::cli {
+
+/// Characters of a note that are printed at most.
+inline constexpr std::size_t longest_note = 1000;
+
+/// The table in aligned columns, safe for a terminal.
+std::string text_of(const report::Table& table);
+
+struct PageOutput {
+  std::string path;
+  int processes{2};
+  Language language{Language::english};  ///< Of the pictures.
+};
+
+/// Draws, makes the page of it, and writes that.
+/// @return figure_failed where one could not be drawn; the page is written all the same.
+ExitStatus write_history_page(
+    const PageOutput& output, const std::vector<ReportFigure>& figures, const Invocation& call,
+    const std::function<std::string(const Provenance&, const std::vector<render::DrawnFigure>&)>&
+        make_page);
+
+}  // namespace tribolog::cli

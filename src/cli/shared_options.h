@@ -1,0 +1,35 @@
+#pragma once
+// Options that several commands have, each with the same words.
+
+#include <cstddef>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "calibration/calibration.h"
+#include "cli/archiving.h"
+#include "wording/language.h"
+
+namespace tribolog {
+
+/// A finite number from lowest to highest: CLI::Range takes "nan".
+CLI::Validator number_between(double lowest, double highest);
+/// Digits alone: "-5" would become a huge number.
+CLI::Validator whole_number();
+
+/// `--fail-on VERDICT`
+void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);
+/// `--resamples`, `--seed`
+void add_intervals(CLI::App& command, IntervalSettings& intervals);
+/// `--archive [LOCATION]`, `--archive-inputs`, `--archive-again`, `--wait`
+void add_archiving(CLI::App& command, ArchivingOptions& archiving);
+/// `-j,--processes`
+void add_processes(CLI::App& command, int& processes);
+/// `--truth-runs`
+void add_truth_runs(CLI::App& command, std::size_t& truth_runs);
+/// `--threads`
+void add_threads(CLI::App& command, std::size_t& threads);
+/// `--language CODE`
+void add_language(CLI::App& command, Language& language);
+
+}  // namespace tribolog

@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/archive_commands.h"
+#include "cli/history_page.h"
+#include "cli/shared_options.h"
+#include "figures/trend_figures.h"
+#include "history/joint_trend.h"
+#include "history/trend_json.h"
+#include "report/trend_page.h"
+#include "report/trend_view.h"
+
+namespace tribolog::cli {
+namespace {
+
+using history::JointTrend;
+using history::TrendState;
+
+/// A page of more would be slow to draw and to read.
+constexpr std::size_t most_joints_of_a_page = 12;
+
+struct Options {
+  archive::Filter filter;
+  std::string output;
+  history::Baseline baseline;
+  bool json{false};
+  bool fails_on_warning{false};
+  int processes{2};
+  Language language{Language::english};
+};
+
+void tell(const JointTrend& trend, Console& console) {
+  console.say(printable(report::joint_words(trend), longest_note));
+  console.say(text_of(report::trend_table(trend, "")));
+  for (const std::string& note : report::trend_notes(trend)) {
+    console.say(printable(note, longest_note));
+  }
+  const std::vector<std::string> changes = report::change_sentences(trend);
+  for (const std::string& change : changes) {
+    console.say(printable("change: " + change, longest_note));
+  }
+  if (changes.empty()) console.say(fmt::format("outcome: {}", to_string(trend.state())));
+}
+
+ExitStatus write_page(const Options& options, const std::vector<JointTrend>& trends,
+                      const Invocation& call) {
+  if (trends.empty()) throw UsageError("no calibration is of that robot, serial number and joint");
+  if (trends.size() > most_joints_of_a_page) {
+    throw UsageError(fmt::format(
+        "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
+        trends.size(), most_joints_of_a_page));
+  }
+  const auto figures = trend_figures(trends);
+  return write_history_page(
+      {options.output, options.processes, options.language}, figures, call,
+      [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
+        return trend_page(trends, provenance, figures, drawn, options.language);
+      });
+}
+
+}  // namespace
+
+Run add_trend(CLI::App& archive) {
+  const auto options = std::make_shared<Options>();
+  options->filter.latest_revisions = true;
+  CLI::App& command =
+      *archive.add_subcommand("trend", "joints over time: what moved, and from when on");
+  add_filter(command, options->filter);
+  command.add_option("-o,--output", options->output, "page (HTML) to write");
+  command.add_flag("--json", options->json, "as JSON, to standard output");
+  CLI::Option* const count = command
+                                 .add_option("--baseline", options->baseline.count,
+                                             "the first so many calibrations are only learned from")
+                                 ->check(whole_number())
+                                 ->capture_default_str();
+  command
+      .add_option("--baseline-from", options->baseline.from,
+                  "instead: those from this date on; what is older is not used")
+      ->excludes(count);
+  command.add_option("--baseline-to", options->baseline.to, "and up to the end of this date")
+      ->excludes(count);
+  command.add_flag("--fail-on-warning", options->fails_on_warning,
+                   "status 1 where a change stands");
+  add_processes(command, options->processes);
+  add_language(command, options->language);
+  const auto where = add_archive_options(command);
+  command.footer(
+      "\nEach quantity has a control chart (CUSUM), and a straight line over time for slow drifts. "
+      "A\nchange is told with the date from which it is visible; single odd calibrations are "
+      "none.\n"
+      "Friction is brought to one temperature where the calibrations state it.");
+  return [where, options](const Invocation& call) {
+    where->protect_from(options->output);
+    make_way(call.console, options->output, options->json);
+    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    const std::vector<JointTrend> trends =
+        history::joint_trends(kept.measured(options->filter), options->baseline);
+    if (options->json) {
+      print_json(history::trend_json(trends));
+    } else {
+      if (trends.empty()) call.console.say("no calibrations");
+      for (const JointTrend& trend : trends) tell(trend, call.console);
+    }
+    if (!options->output.empty()) {
+      const ExitStatus written = write_page(*options, trends, call);
+      if (written != ExitStatus::done) return written;
+    }
+    const bool warns = std::any_of(trends.begin(), trends.end(), [](const JointTrend& t) {
+      return t.state() == TrendState::warning;
+    });
+    return warns && options->fails_on_warning ? ExitStatus::verdict_failed : ExitStatus::done;
+  };
+}
+
+}  // namespace tribolog::cli

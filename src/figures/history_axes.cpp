@@ -1,0 +1,35 @@
+#include "figures/history_axes.h"
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+
+namespace tribolog::figures {
+
+double day_of(const std::string& utc) {
+  namespace chrono = std::chrono;
+  int year = 0;
+  unsigned month = 0, day = 0, hour = 0, minute = 0, second = 0;
+  if (std::sscanf(utc.c_str(), "%4d-%2u-%2uT%2u:%2u:%2uZ", &year, &month, &day, &hour, &minute,
+                  &second) != 6) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const chrono::year_month_day date = chrono::year(year) / chrono::month(month) / chrono::day(day);
+  if (!date.ok()) return std::numeric_limits<double>::quiet_NaN();
+  const chrono::sys_days days = date;
+  constexpr double seconds_per_day = 86400;
+  return static_cast<double>(days.time_since_epoch().count()) +
+         (hour * 3600.0 + minute * 60.0 + second) / seconds_per_day;
+}
+
+AxisScale quantity_axis(const std::string& unit, double largest) {
+  if (unit == "rad") return degrees();
+  if (unit == "N·m" || unit == "N·m·s/rad" || unit == "N·m/rad") return prefixed(unit, largest);
+  return {1.0, unit};
+}
+
+std::string date_of(const std::string& utc) {
+  return utc.substr(0, std::string("2026-01-31").size());
+}
+
+}  // namespace tribolog::figures

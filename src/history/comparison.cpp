@@ -1,0 +1,189 @@
+#include "history/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "history/quantity_traits.h"
+#include "history/same_conditions.h"
+
+namespace tribolog::history {
+namespace {
+
+using archive::Facts;
+using archive::Measured;
+using archive::Quantity;
+
+std::string payload_text(const Facts& f) {
+  std::string text = f.payload.empty() ? "" : "“" + f.payload + "”";
+  if (f.payload_kg) text += fmt::format("{}{:.6g} kg", text.empty() ? "" : ", ", *f.payload_kg);
+  if (f.payload_distance_m) text += fmt::format(" at {:.6g} m", *f.payload_distance_m);
+  return text.empty() ? "none stated" : text;
+}
+
+void judge_temperature(const Facts& a, const Facts& b, const AllowedDifference& allowed,
+                       ComparedQuantity& q) {
+  if (a.temperature_C && b.temperature_C) {
+    const double apart = std::abs(*a.temperature_C - *b.temperature_C);
+    if (apart <= allowed.temperature_K) return;
+    q.why_not.push_back(
+        fmt::format("the temperatures differ by {:.3g} K ({:.4g} °C and {:.4g} °C), more than the "
+                    "{:.3g} K allowed, and friction changes with temperature",
+                    apart, *a.temperature_C, *b.temperature_C, allowed.temperature_K));
+    return;
+  }
+  const char* const which = a.temperature_C   ? "of the second calibration"
+                            : b.temperature_C ? "of the first calibration"
+                                              : "of both calibrations";
+  q.cautions.push_back(
+      fmt::format("the temperature {} is not stated; it alone can change friction", which));
+}
+
+void judge_sampling(const Facts& a, const Facts& b, const AllowedDifference& allowed,
+                    ComparedQuantity& q) {
+  if (!a.sampling_Hz || !b.sampling_Hz) return;
+  const auto [slow, fast] = std::minmax(*a.sampling_Hz, *b.sampling_Hz);
+  if (fast <= allowed.rate_factor * slow) return;
+  q.why_not.push_back(
+      fmt::format("the sampling rates differ more than {:.3g}-fold ({:.4g} Hz and "
+                  "{:.4g} Hz), and it is read from fast changes",
+                  allowed.rate_factor, *a.sampling_Hz, *b.sampling_Hz));
+}
+
+void judge_conditions(const Facts& a, const Facts& b, const AllowedDifference& allowed,
+                      ComparedQuantity& q) {
+  const QuantityTraits traits = traits_of(q.name);
+  if (!has_same_gear(a, b)) {
+    q.why_not.push_back(
+        fmt::format("the gear ratios differ ({:.6g} and {:.6g})", a.gear_ratio, b.gear_ratio));
+  }
+  if (!has_same_payload(a, b)) {
+    const std::string words =
+        fmt::format("the payloads differ ({} and {})", payload_text(a), payload_text(b));
+    if (traits.depends_on_payload) {
+      q.why_not.push_back(words);
+    } else {
+      q.cautions.push_back(words + "; friction grows with the load of the gear");
+    }
+  }
+  if (traits.depends_on_temperature) judge_temperature(a, b, allowed, q);
+  if (traits.depends_on_sampling) judge_sampling(a, b, allowed, q);
+}
+
+void judge_verdicts(const Quantity& a, const Quantity& b, ComparedQuantity& q) {
+  for (const auto& [one, which] : {std::pair{&a, "first"}, std::pair{&b, "second"}}) {
+    if (one->verdict == Verdict::usable && one->estimate) continue;
+    q.why_not.push_back(fmt::format("the {} calibration's verdict on it is “{}”", which,
+                                    tribolog::to_string(one->verdict)));
+  }
+  if (a.unit != b.unit) q.why_not.push_back("the units differ (" + a.unit + " and " + b.unit + ")");
+}
+
+ComparedQuantity compared(const Quantity& a, const Quantity& b, const Facts& first,
+                          const Facts& second, const AllowedDifference& allowed) {
+  ComparedQuantity q;
+  q.name = a.name;
+  q.words = a.words;
+  q.unit = a.unit;
+  q.first = a.estimate;
+  q.second = b.estimate;
+  judge_verdicts(a, b, q);
+  judge_conditions(first, second, allowed, q);
+  if (q.first && q.second && a.unit == b.unit) {
+    q.change = change_between(*q.first, *q.second, traits_of(q.name).is_angle);
+  }
+  return q;
+}
+
+/// The word of each that is comparable.
+void give_words(std::vector<ComparedQuantity>& quantities) {
+  std::vector<ComparedQuantity*> comparable;
+  std::vector<double> chances;
+  for (ComparedQuantity& q : quantities) {
+    if (!q.why_not.empty() || !q.change) continue;
+    comparable.push_back(&q);
+    chances.push_back(q.change->chance);
+  }
+  const std::vector<double> adjusted = holm_adjusted(chances);
+  for (std::size_t k = 0; k < comparable.size(); ++k) {
+    comparable[k]->adjusted_chance = adjusted[k];
+    comparable[k]->word =
+        adjusted[k] <= changed_chance ? ChangeWord::changed : ChangeWord::no_change_seen;
+  }
+}
+
+std::string name_text(const archive::JointName& of) {
+  return fmt::format("{} {}, joint {}", printable(of.robot), printable(of.serial),
+                     printable(of.joint));
+}
+
+std::vector<std::string> remarks_on(const Facts& a, const Facts& b) {
+  std::vector<std::string> remarks;
+  if (a.of != b.of) {
+    remarks.push_back(
+        fmt::format("these are different joints ({} and {}): a difference is no change",
+                    name_text(a.of), name_text(b.of)));
+  }
+  if (a.measured_at > b.measured_at) {
+    remarks.push_back("the first one was measured after the second: changes run backwards in time");
+  }
+  if (!a.time_is_stated || !b.time_is_stated) {
+    remarks.push_back("not both say when they were measured; the time of identification stands in");
+  }
+  if (a.configuration != b.configuration) {
+    remarks.push_back("they were identified with different settings, which the intervals feel");
+  }
+  if (a.tool_version != b.tool_version || a.git_revision != b.git_revision) {
+    remarks.push_back(
+        "they were identified by different versions of the program; the same inputs identified "
+        "again by one version would exclude that");
+  }
+  return remarks;
+}
+
+}  // namespace
+
+std::string to_string(ChangeWord word) {
+  switch (word) {
+    case ChangeWord::no_change_seen:
+      return "no change seen";
+    case ChangeWord::changed:
+      return "changed";
+    case ChangeWord::not_comparable:
+      break;
+  }
+  return "not comparable";
+}
+
+std::size_t Comparison::count(ChangeWord word) const {
+  return static_cast<std::size_t>(
+      std::count_if(quantities.begin(), quantities.end(),
+                    [&](const ComparedQuantity& q) { return q.word == word; }));
+}
+
+Comparison compare(const Measured& first, const Measured& second, const AllowedDifference& allowed,
+                   bool different_joints) {
+  const Facts& a = first.entry.facts;
+  const Facts& b = second.entry.facts;
+  if (first.entry.id == second.entry.id) {
+    throw UsageError("both ids are the same calibration; there is nothing to compare");
+  }
+  if (a.of != b.of && !different_joints) {
+    throw UsageError(fmt::format("{} and {} are different joints; --different-joints compares them",
+                                 name_text(a.of), name_text(b.of)));
+  }
+  Comparison made{first.entry, second.entry, allowed, {}, remarks_on(a, b)};
+  for (const Quantity& of_first : first.quantities) {
+    const auto of_second = std::find_if(second.quantities.begin(), second.quantities.end(),
+                                        [&](const Quantity& q) { return q.name == of_first.name; });
+    if (of_second == second.quantities.end()) continue;
+    if (!of_first.estimate && !of_second->estimate) continue;
+    made.quantities.push_back(compared(of_first, *of_second, a, b, allowed));
+  }
+  give_words(made.quantities);
+  return made;
+}
+
+}  // namespace tribolog::history

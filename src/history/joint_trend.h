@@ -1,0 +1,112 @@
+#pragma once
+// The calibrations of a joint over time: each quantity with its control chart.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/archived_calibration.h"
+#include "history/control_chart.h"
+
+namespace tribolog::history {
+
+/// Which calibrations are only learned from. Those before are shown and not used.
+struct Baseline {
+  std::size_t count{fewest_learned};  ///< The first so many that can be used.
+  std::string from;                   ///< "2026-01-31..."; with `to`: instead of the count.
+  std::string to;                     ///< A day is meant whole.
+  [[nodiscard]] bool is_by_date() const { return !from.empty() || !to.empty(); }
+};
+
+/// Temperatures within less are not told from: the line over them would be guessed.
+inline constexpr double least_temperature_span_K = 2;
+
+enum class LeftOut {
+  none,
+  before_baseline,
+  not_usable,      ///< The calibration's own verdict on the quantity.
+  other_gear,      ///< Another gear ratio than the latest calibration has.
+  other_payload,   ///< Another payload than the latest, and the quantity holds it.
+  no_temperature,  ///< Not stated, where the others' is taken into account.
+};
+std::string to_string(LeftOut why);  ///< In words.
+
+/// How temperature was treated.
+enum class TemperatureUse {
+  corrected,     ///< By a straight line, fitted along.
+  hardly_felt,   ///< The quantity hardly depends on it.
+  too_even,      ///< It varied by less than least_temperature_span_K.
+  not_recorded,  ///< By fewer than half of the calibrations.
+};
+std::string to_string(TemperatureUse use);  ///< A sentence.
+
+struct HistoryPoint {
+  std::string id;
+  std::string measured_at;  ///< "2026-01-31T12:00:00Z"
+  Estimate estimate;        ///< SI, motor side.
+  std::optional<double> temperature_C;
+  LeftOut left_out{LeftOut::none};
+  std::optional<double> corrected;  ///< Of a charted point: brought to the reference's temperature.
+  ChartPoint chart;                 ///< Of a charted point.
+};
+
+enum class TrendState {
+  too_few,    ///< Nothing can be said yet.
+  steady,     ///< No change is visible.
+  recovered,  ///< There was one; the values are back.
+  warning,    ///< One stands.
+};
+std::string to_string(TrendState state);  ///< In words.
+
+/// A change that was found, in the quantity's unit.
+struct FoundChange {
+  bool is_slow{};     ///< A steady drift over all calibrations (slow_drift.h); else a shift.
+  int direction{};    ///< 1: risen.
+  std::string from;   ///< Date from which it is visible; of a drift the first calibration's.
+  std::string alarm;  ///< Date on which enough calibrations showed it.
+  std::string back;   ///< Date of the first that is back; empty: it stands.
+  std::size_t calibrations_to_alarm{};
+  Estimate size;                  ///< Mean of the last three of it less the reference; of a
+                                  ///< drift, along its line from the first to the last.
+  double drift_start{};           ///< Of a drift: its line at the first calibration.
+  std::optional<double> percent;  ///< Of the reference.
+};
+
+struct QuantityTrend {
+  std::string name;
+  std::string words;
+  std::string unit;
+  std::vector<HistoryPoint> points;  ///< In time; those with an estimate.
+  std::size_t without_estimate{};
+  std::size_t learned{};  ///< Charted points that were only learned from.
+  std::size_t judged{};
+  TemperatureUse temperature{TemperatureUse::not_recorded};
+  double limit{};
+  std::optional<ReferenceLine> reference;
+  std::vector<FoundChange> changes;
+  TrendState state{TrendState::too_few};
+
+  [[nodiscard]] std::size_t count(LeftOut why) const;
+};
+
+struct JointTrend {
+  archive::JointName of;
+  std::size_t calibrations{};
+  std::string first_at;  ///< Times of the first and the last calibration.
+  std::string last_at;
+  Baseline baseline;
+  std::size_t watched{};  ///< Quantities with a chart.
+  std::vector<QuantityTrend> quantities;
+  std::vector<std::string> cautions;
+
+  /// The worst of all.
+  [[nodiscard]] TrendState state() const;
+};
+
+/// One for each joint, in their order.
+/// @param calibrations as CalibrationArchive::measured() gives them, each inputs' latest revision.
+/// @throw UsageError: a baseline of fewer than fewest_learned, or dates that are none.
+std::vector<JointTrend> joint_trends(const std::vector<archive::Measured>& calibrations,
+                                     const Baseline& baseline);
+
+}  // namespace tribolog::history

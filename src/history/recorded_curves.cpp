@@ -1,0 +1,74 @@
+#include "history/recorded_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "calibration/calibration_member.h"
+
+namespace tribolog::history {
+namespace {
+
+using Json = nlohmann::json;
+using archive::member;
+
+double number(const Json& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<double> numbers(const Json& list) {
+  std::vector<double> values;
+  if (!list.is_array()) return values;
+  for (const Json& value : list) values.push_back(number(value));
+  return values;
+}
+
+RecordedFriction friction_of(const Json& top) {
+  const Json& viscous = member(top, "viscous");
+  const Json& runs = member(viscous, "runs");
+  const Json& chosen = member(member(top, "selection"), "recommended");
+  const Json& curves = member(viscous, "curves");
+  if (!runs.is_array() || !chosen.is_string()) return {};
+  const std::vector<double> friction = numbers(member(curves, chosen.get<std::string>()));
+  if (friction.size() != runs.size()) return {};
+  RecordedFriction made;
+  made.estimator = chosen.get<std::string>();
+  for (std::size_t k = 0; k < friction.size(); ++k) {
+    const double speed = number(member(runs[k], "speed_rad_s"));
+    if (!std::isfinite(speed) || !std::isfinite(friction[k])) continue;
+    made.speed_rad_s.push_back(speed);
+    made.friction_Nm.push_back(friction[k]);
+    made.half_width_Nm.push_back(number(member(runs[k], "torque_half_width_Nm")));
+  }
+  return made;
+}
+
+std::vector<RecordedLoop> loops_of(const Json& top) {
+  std::vector<RecordedLoop> loops;
+  const Json& oscillations = member(member(top, "hysteresis"), "oscillations");
+  if (!oscillations.is_array()) return loops;
+  for (const Json& oscillation : oscillations) {
+    const Json& steady = member(oscillation, "steady_loop");
+    RecordedLoop loop;
+    loop.centre_rad = number(member(steady, "centre_rad"));
+    loop.from_centre_rad = numbers(member(steady, "angle_from_centre_rad"));
+    loop.torque_Nm = numbers(member(steady, "torque_Nm"));
+    const bool is_whole = std::isfinite(loop.centre_rad) && loop.torque_Nm.size() > 2 &&
+                          loop.torque_Nm.size() == loop.from_centre_rad.size();
+    if (is_whole) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+}  // namespace
+
+RecordedCurves recorded_curves(const std::string& json) {
+  const Json top = Json::parse(json, nullptr, false);
+  if (top.is_discarded()) return {};
+  return {friction_of(top), loops_of(top)};
+}
+
+}  // namespace tribolog::history

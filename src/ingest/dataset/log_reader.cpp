@@ -1,0 +1,140 @@
+#include "ingest/dataset/log_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/byte_source.h"
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "ingest/arrays/hdf5_reader.h"
+#include "ingest/arrays/json_reader.h"
+#include "ingest/arrays/mat_reader.h"
+#include "ingest/arrays/npz_reader.h"
+#include "ingest/bags/mcap_reader.h"
+#include "ingest/bags/rosbag_reader.h"
+
+namespace tribolog {
+namespace {
+
+/// Index among the table's columns: by the full name, with the group in front, or without unit.
+std::optional<std::size_t> index_of(const LogTable& table, const std::string& name) {
+  std::optional<std::size_t> bare;
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const ColumnHeader& header = table.columns[k].header;
+    if (header.full == name || table.group + "/" + header.full == name) return k;
+    if (header.name == name && !bare) bare = k;
+  }
+  return bare;
+}
+
+std::vector<std::string> missing_in(const LogTable& table,
+                                    const std::vector<WantedColumn>& columns) {
+  std::vector<std::string> missing;
+  for (const WantedColumn& wanted : columns) {
+    if (!wanted.is_optional && !index_of(table, wanted.name)) missing.push_back(wanted.name);
+  }
+  return missing;
+}
+
+std::vector<std::string> names_of(const LogTable& table) {
+  std::vector<std::string> names;
+  for (const LogColumn& column : table.columns) names.push_back(column.header.full);
+  return names;
+}
+
+[[noreturn]] void refuse_missing(const std::vector<LogTable>& tables,
+                                 const std::vector<WantedColumn>& columns) {
+  // What is missing in the table that lacks least, of those the largest.
+  const auto best =
+      std::min_element(tables.begin(), tables.end(), [&](const LogTable& a, const LogTable& b) {
+        const std::size_t lacks_a = missing_in(a, columns).size();
+        const std::size_t lacks_b = missing_in(b, columns).size();
+        return lacks_a != lacks_b ? lacks_a < lacks_b : a.columns.size() > b.columns.size();
+      });
+  const std::string name = missing_in(*best, columns).front();
+  const std::vector<std::string> names = names_of(*best);
+  std::string hint = did_you_mean(name, names);
+  for (const WantedColumn& wanted : columns) {
+    if (wanted.name == name && !wanted.if_missing.empty()) {
+      hint += (hint.empty() ? "" : " ") + wanted.if_missing;
+    }
+  }
+  const std::string where = best->group.empty() ? "" : " in " + in_quotes(best->group);
+  throw InputError({best->file, 0, 0}, {"column " + in_quotes(name) + " is missing" + where,
+                                        list_of_names(names), "", hint});
+}
+
+}  // namespace
+
+LogFormat format_of_log(const std::string& path) {
+  InputFileSource file(path);
+  std::string start(log_format_bytes, '\0');
+  std::size_t filled = 0;
+  while (filled < start.size()) {
+    const std::size_t got = file.read(start.data() + filled, start.size() - filled);
+    if (got == 0) break;
+    filled += got;
+  }
+  start.resize(filled);
+  return detect_log_format(start, path);
+}
+
+std::vector<LogTable> read_tables(const std::string& path, LogFormat format) {
+  switch (format) {
+    case LogFormat::mcap:
+      return read_mcap(path);
+    case LogFormat::sqlite_bag:
+      return read_rosbag_db3(path);
+    case LogFormat::mat:
+      return read_mat(path);
+    case LogFormat::hdf5:
+      return read_hdf5(path);
+    case LogFormat::npz:
+    case LogFormat::npy:
+      return read_npz(path);
+    case LogFormat::json:
+      return read_bam_json(path);
+    case LogFormat::text:
+      break;
+  }
+  throw InputError({path, 0, 0}, {"is a text log", "", "", ""});
+}
+
+void count_from_first(LogColumn& clock) {
+  const auto first = std::find_if(clock.values.begin(), clock.values.end(),
+                                  [](double value) { return !std::isnan(value); });
+  if (first == clock.values.end() || std::abs(*first) < counts_from_1970) return;
+  clock.origin = std::floor(*first);
+  for (double& value : clock.values) value -= clock.origin;
+}
+
+LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns) {
+  std::vector<std::size_t> having;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    if (missing_in(tables[k], columns).empty()) having.push_back(k);
+  }
+  if (having.empty()) refuse_missing(tables, columns);
+  if (having.size() > 1) {
+    std::vector<std::string> groups;
+    for (const std::size_t k : having) groups.push_back(tables[k].group);
+    throw InputError({tables[having[0]].file, 0, 0},
+                     {"the columns stand in several tables", list_of_names(groups), "",
+                      "put the table in front of a column's name: " +
+                          in_quotes(groups[0] + "/" + columns.front().name)});
+  }
+  LogTable& table = tables[having[0]];
+  if (!table.refusal.empty()) throw InputError({table.file, 0, 0}, {table.refusal, "", "", ""});
+  std::vector<LogColumn> chosen;
+  for (const WantedColumn& wanted : columns) {
+    const auto index = index_of(table, wanted.name);
+    if (!index) continue;
+    chosen.push_back(table.columns[*index]);
+    if (wanted.reading == ColumnReading::clock) count_from_first(chosen.back());
+  }
+  table.columns = std::move(chosen);
+  return std::move(table);
+}
+
+}  // namespace tribolog

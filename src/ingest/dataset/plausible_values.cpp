@@ -1,0 +1,158 @@
+#include "ingest/dataset/plausible_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/closest_match.h"
+#include "base/present.h"
+#include "ingest/log/units.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double likely_largest_angle_rad = 7.0;  // a little more than a turn
+constexpr double likely_largest_torque_Nm = 1e5;  // the largest robots hold 1 t at 3 m: 3e4 N·m
+// Controllers log 10 Hz to 8 kHz; half of the slowest leaves room for dropouts.
+constexpr double slowest_possible_Hz = 5.0;
+constexpr double slowest_likely_Hz = 10.0;
+constexpr double fastest_likely_Hz = 1e4;
+constexpr double fastest_possible_Hz = 1e5;
+// Ten samples on each reversal of an oscillation of 0.3 Hz, the slowest that is usual.
+constexpr double slowest_for_loops_Hz = 30.0;
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+double median_rate_Hz(const std::vector<double>& t_s) {
+  constexpr std::size_t sampled = 10'000;
+  const std::size_t stride = t_s.size() / sampled + 1;
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < t_s.size(); i += stride) steps_s.push_back(t_s[i] - t_s[i - 1]);
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  return 1 / *middle;
+}
+
+/// "in ms they would be 100"
+std::string likelier_units(const ColumnEntry& time, double rate_Hz) {
+  std::string text;
+  for (const char* const unit : {"s", "ms", "us", "ns"}) {
+    const double factor = si_factor(Quantity::time, unit, time.where);
+    const double rate = rate_Hz * time.si_factor / factor;
+    if (rate < slowest_likely_Hz || rate > fastest_likely_Hz) continue;
+    text += fmt::format("{}in {} they would be {:.3g}", text.empty() ? "" : ", ", unit, rate);
+  }
+  return text;
+}
+
+[[noreturn]] void refuse_rate(const ColumnEntry& time, const LogTable& table, double rate_Hz) {
+  const bool is_iso = time.reading == ColumnReading::iso_time;
+  const std::string likelier = is_iso ? "" : likelier_units(time, rate_Hz);
+  throw InputError(
+      {table.file, 0, 0},
+      {fmt::format("column {}: {:.3g} samples a second, read in {}",
+                   in_quotes(table.columns.front().header.full), rate_Hz, printable(time.unit)),
+       "", fmt::format("{} to {}", slowest_possible_Hz, fastest_possible_Hz),
+       fmt::format("{}{}if this is right, state any_rate = true beside the unit",
+                   is_iso ? "" : "another unit of time? ",
+                   likelier.empty() ? "" : likelier + "; ")});
+}
+
+/// Jumps by a turn of the side on which the angle was logged, between samples that hardly move.
+void note_wrapped_angle(const ColumnEntry& angle, const Drive& drive, const Recording& r,
+                        RecordingNotes& notes) {
+  constexpr double tolerance = 0.1;  // of a turn: the joint goes on moving meanwhile
+  const double turn_rad =
+      2 * std::numbers::pi / (angle.side == Side::motor ? drive.gear_ratio() : 1.0);
+  std::size_t jumps = 0;
+  double first_s = 0;
+  for (std::size_t i = 2; i < r.size(); ++i) {
+    const double step = std::abs(r.q_rad[i] - r.q_rad[i - 1]) / turn_rad;
+    const double before = std::abs(r.q_rad[i - 1] - r.q_rad[i - 2]) / turn_rad;
+    if (std::abs(step - 1) > tolerance || before > tolerance) continue;
+    if (jumps++ == 0) first_s = r.t_s[i];
+  }
+  if (jumps == 0) return;
+  notes.add(
+      fmt::format("the angle jumps by a turn {} time{}, first at {:.6g} s: an encoder that wraps "
+                  "round? unwrap the angle in the log",
+                  jumps, jumps == 1 ? "" : "s", first_s));
+}
+
+void judge_rate(const RecordingEntry& entry, const LogTable& table, const Recording& r,
+                RecordingNotes& notes) {
+  const ColumnEntry& time = present(entry.columns.time);
+  if (time.any_rate) return;
+  const double rate_Hz = median_rate_Hz(r.t_s);
+  if (!(rate_Hz >= slowest_possible_Hz && rate_Hz <= fastest_possible_Hz)) {
+    refuse_rate(time, table, rate_Hz);
+  }
+  const bool has_loops = r.role == Role::oscillation || r.role == Role::break_away;
+  if (rate_Hz < slowest_likely_Hz) {
+    notes.add(fmt::format("{:.3g} samples a second, read in {}: another unit of time?", rate_Hz,
+                          printable(time.unit)));
+  } else if (has_loops && rate_Hz < slowest_for_loops_Hz) {
+    notes.add(fmt::format(
+        "{:.3g} samples a second are few for what happens at a reversal; log at 100 or more",
+        rate_Hz));
+  }
+}
+
+}  // namespace
+
+double largest_possible(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time:
+      break;
+    case Quantity::angle:
+    case Quantity::angular_speed:
+      return 1e6;  // rad, rad/s: a motor's hundred thousand turns
+    case Quantity::torque:
+      return 1e7;  // N·m
+    case Quantity::current:
+      return 1e5;  // A
+    case Quantity::temperature:
+      return 1e4;  // °C
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+void refuse_impossible_value(const ColumnEntry& column, double value, const LogTable& table,
+                             std::size_t row) {
+  throw InputError(
+      {table.file, table.line_of(row), 0},
+      {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
+                   to_string(column.quantity)),
+       fmt::format("{:.6g} {}", value, printable(column.unit)),
+       fmt::format("at most {:.6g} {}", largest_possible(column.quantity) / column.si_factor,
+                   printable(column.unit)),
+       "another unit? where only this row is damaged, write nan"});
+}
+
+void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive& drive,
+                 const Recording& recording, RecordingNotes& notes) {
+  const double angle_rad = largest(recording.q_rad);
+  if (angle_rad > likely_largest_angle_rad) {
+    notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", angle_rad,
+                          printable(present(entry.columns.angle).unit)));
+  }
+  note_wrapped_angle(present(entry.columns.angle), drive, recording, notes);
+  const double torque_Nm = largest(recording.torque_Nm) * drive.gear_ratio();
+  if (torque_Nm > likely_largest_torque_Nm) {
+    notes.add(fmt::format(
+        "the joint's torque reaches {:.3g} N·m, read as {}: another unit, or the other side of "
+        "the gear?",
+        torque_Nm, printable(present(entry.columns.effort).unit)));
+  }
+  judge_rate(entry, table, recording, notes);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,44 @@
+#pragma once
+// Which rows of a log become samples, in which order, and why the others do not.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "ingest/log/log_table.h"
+#include "ingest/manifest/manifest_file.h"
+#include "joint/recording.h"
+
+namespace tribolog {
+
+/// Notes of one recording, each as "<file>: <note>"; what several recordings of a file have in
+/// common is noted once.
+class RecordingNotes {
+ public:
+  RecordingNotes(const std::string& file, std::vector<std::string>& notes)
+      : file_(file), notes_(notes) {}
+  void add(const std::string& note);
+
+ private:
+  const std::string& file_;
+  std::vector<std::string>& notes_;
+};
+
+/// Rows left out as those of another time: with a file of several recordings, most of them.
+bool is_outside_window(const SkippedRows& skipped);
+/// Rows that every recording of the file lacks, whatever its window.
+bool is_of_whole_file(const SkippedRows& skipped);
+
+struct RowChoice {
+  std::vector<std::size_t> rows;     ///< Of the table; their times rise strictly.
+  std::vector<SkippedRows> skipped;  ///< All of the log = rows.size() + their sum.
+};
+
+/// @param table its first column is the time; a gap in any column leaves the row out.
+/// @throw InputError if time runs back by more than a second, more than 5 % of the time stamps
+/// stand
+///        twice, or fewer than 20 rows are left.
+RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes);
+
+}  // namespace tribolog

@@ -1,0 +1,38 @@
+#pragma once
+// Units of a log's columns, and their factors to SI.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace tribolog {
+
+enum class Quantity { time, angle, angular_speed, torque, current, temperature };
+
+/// "an angle", for messages.
+std::string to_string(Quantity quantity);
+
+/// "angle", for tables; an angular speed is "speed".
+std::string quantity_word(Quantity quantity);
+
+/// Factor from the unit to s, rad, rad/s, N·m, A or °C; nothing for a unit that is not one of this
+/// quantity. A multiple of one is a unit too: "0.018 deg" for a count of 20,000 to the turn,
+/// "0.0013 Nm" for a per mille of the rated torque. Case counts ("mNm" is not "MNm"); "N·m", "N*m",
+/// "N m" and "Nm" are the same.
+std::optional<double> find_si_factor(Quantity quantity, std::string_view unit);
+
+/// As above. @throw InputError at `where`, listing the known units and naming the closest.
+double si_factor(Quantity quantity, std::string_view unit, const Location& where);
+
+/// Of what drives log, counts of an encoder or per mille of a rated value: "0.018 deg".
+std::string_view example_of_multiple(Quantity quantity);
+
+/// Whether it is a unit of any quantity; a multiple is none here: "0.5 s" may be a value.
+bool is_known_unit(std::string_view unit);
+
+/// The known units as they are listed in messages: "rad, mrad, deg, turn".
+std::string known_units(Quantity quantity);
+
+}  // namespace tribolog

@@ -1,0 +1,146 @@
+#include "inspect/survey/column_guess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "base/closest_match.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double widest_rad = 4 * 3.14159265358979;  // two turns; more are degrees
+constexpr double rising_share = 0.95;
+constexpr double fewest_rows = 20;
+constexpr double least_correlation = 0.95;
+
+/// A clock may stand or jump now and then, but rises.
+bool looks_like_clock(const std::vector<double>& values) {
+  if (static_cast<double>(values.size()) < fewest_rows) return false;
+  std::size_t rising = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] > values[i - 1]) ++rising;
+  }
+  return static_cast<double>(rising) >= rising_share * static_cast<double>(values.size() - 1);
+}
+
+/// Correlation of one column with the slope of another; NaN where either stands still.
+double slope_correlation(const std::vector<double>& t, const std::vector<double>& y,
+                         const std::vector<double>& v) {
+  // Over several samples, or steps of the encoder drown the slope.
+  constexpr std::size_t half = 5;
+  constexpr std::size_t most_samples = 20000;  // of a long log, spread over it
+  const std::size_t step = std::max<std::size_t>(1, t.size() / most_samples);
+  std::vector<double> slopes;
+  std::vector<double> speeds;
+  for (std::size_t i = half; i + half < t.size(); i += step) {
+    const double slope = (y[i + half] - y[i - half]) / (t[i + half] - t[i - half]);
+    if (!std::isfinite(slope) || !std::isfinite(v[i])) continue;
+    // Counted from the first: a column that stands still is then exactly zero.
+    slopes.push_back(slope - (slopes.empty() ? 0 : slopes.front()));
+    speeds.push_back(v[i] - (speeds.empty() ? 0 : speeds.front()));
+  }
+  if (slopes.empty()) return std::numeric_limits<double>::quiet_NaN();
+  slopes.front() = 0;
+  speeds.front() = 0;
+  const auto n = static_cast<double>(slopes.size());
+  const double x_mean = std::accumulate(slopes.begin(), slopes.end(), 0.0) / n;
+  const double y_mean = std::accumulate(speeds.begin(), speeds.end(), 0.0) / n;
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    xx += (slopes[i] - x_mean) * (slopes[i] - x_mean);
+    yy += (speeds[i] - y_mean) * (speeds[i] - y_mean);
+    xy += (slopes[i] - x_mean) * (speeds[i] - y_mean);
+  }
+  return xy / std::sqrt(xx * yy);
+}
+
+bool has(const LogLayout& layout, Quantity quantity) {
+  return std::any_of(layout.columns.begin(), layout.columns.end(), [&](const ColumnMeaning& c) {
+    return c.quantity == quantity && !c.is_target;
+  });
+}
+
+bool is_told(const LogLayout& layout, std::size_t column) {
+  return std::any_of(layout.columns.begin(), layout.columns.end(),
+                     [&](const ColumnMeaning& c) { return c.column == column; }) ||
+         std::any_of(layout.foreign.begin(), layout.foreign.end(),
+                     [&](const ForeignUnit& f) { return f.column == column; });
+}
+
+GuessedMeaning meaning_of(std::size_t column, Quantity quantity, std::string unit,
+                          std::string reason) {
+  GuessedMeaning guess;
+  guess.meaning.column = column;
+  guess.meaning.quantity = quantity;
+  guess.meaning.unit = std::move(unit);
+  guess.reason = std::move(reason);
+  return guess;
+}
+
+}  // namespace
+
+bool looks_like_degrees(const std::vector<double>& angles) {
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (const double q : angles) {
+    if (!std::isfinite(q)) continue;
+    low = std::min(low, q);
+    high = std::max(high, q);
+  }
+  return high - low > widest_rad;
+}
+
+std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLayout& layout) {
+  std::vector<GuessedMeaning> guesses;
+  const auto& columns = table.columns;
+  std::optional<std::size_t> clock;
+  for (const ColumnMeaning& c : layout.columns) {
+    if (c.quantity == Quantity::time) clock = c.column;
+  }
+  for (std::size_t k = 0; k < columns.size() && !clock; ++k) {
+    if (is_told(layout, k) || !looks_like_clock(columns[k].values)) continue;
+    clock = k;
+    guesses.push_back(meaning_of(k, Quantity::time, "s", "the first column that only rises"));
+  }
+  if (!clock || has(layout, Quantity::angle)) return guesses;
+  const auto correlation = [&](std::size_t a, std::size_t v) {
+    const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
+    return may_be ? slope_correlation(columns[*clock].values, columns[a].values, columns[v].values)
+                  : std::numeric_limits<double>::quiet_NaN();
+  };
+  double best = least_correlation;
+  std::size_t angle = 0;
+  std::size_t speed = 0;
+  for (std::size_t a = 0; a < columns.size(); ++a) {
+    for (std::size_t v = 0; v < columns.size(); ++v) {
+      const double r = correlation(a, v);
+      if (!(r > best)) continue;
+      best = r;
+      angle = a;
+      speed = v;
+    }
+  }
+  // Speed and acceleration go together as angle and speed do.
+  for (std::size_t a = 0; a < columns.size() && angle != speed; ++a) {
+    if (a == speed || !(correlation(a, angle) > least_correlation)) continue;
+    speed = angle;
+    angle = a;
+    break;
+  }
+  if (angle == speed) return guesses;
+  guesses.push_back(meaning_of(angle, Quantity::angle, "rad",
+                               "its slope is column " + in_quotes(columns[speed].header.full)));
+  if (!is_told(layout, speed)) {
+    guesses.push_back(
+        meaning_of(speed, Quantity::angular_speed, "rad/s",
+                   "it is the slope of column " + in_quotes(columns[angle].header.full)));
+  }
+  return guesses;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,25 @@
+#pragma once
+// Meanings of columns that their names do not tell, by their numbers.
+
+#include <string>
+#include <vector>
+
+#include "ingest/layout/log_layout.h"
+#include "ingest/log/log_table.h"
+
+namespace tribolog {
+
+struct GuessedMeaning {
+  ColumnMeaning meaning;
+  std::string reason;  ///< "its slope is column '#3'"
+};
+
+/// Only what the layout lacks: a clock is the first column that rises all the way; where no angle
+/// is known, it is a column whose slope over the clock another column holds, which is the speed. Of
+/// what is left nothing tells which one is an effort.
+std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLayout& layout);
+
+/// Whether angles without a stated unit are degrees: no joint turns by thirty radians.
+bool looks_like_degrees(const std::vector<double>& angles);
+
+}  // namespace tribolog

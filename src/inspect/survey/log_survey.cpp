@@ -1,0 +1,221 @@
+#include "inspect/survey/log_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/byte_source.h"
+#include "base/present.h"
+#include "ingest/dataset/log_reader.h"
+#include "ingest/log/units.h"
+#include "ingest/text/csv_reader.h"
+#include "inspect/survey/column_guess.h"
+#include "method/motion/encoder_resolution.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t most_distinct = 1000;
+constexpr std::size_t most_columns_by_numbers = 64;  // pairs of them are compared
+
+std::vector<double> numbers_of(const LogColumn& column) {
+  std::vector<double> numbers;
+  for (const double value : column.values) {
+    if (std::isfinite(value)) numbers.push_back(value);
+  }
+  return numbers;
+}
+
+ColumnSurvey survey_column(const LogColumn& column) {
+  ColumnSurvey survey;
+  survey.name = column.header.full;
+  survey.unit = column.header.unit;
+  const std::vector<double> numbers = numbers_of(column);
+  survey.gaps = column.values.size() - numbers.size();
+  survey.lowest = NAN;
+  survey.highest = NAN;
+  if (numbers.empty()) return survey;
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  survey.lowest = *low;
+  survey.highest = *high;
+  survey.step = common_step(numbers);
+  std::set<double> distinct;
+  for (auto it = numbers.begin(); it != numbers.end() && distinct.size() < most_distinct; ++it) {
+    distinct.insert(*it);
+  }
+  survey.distinct = distinct.size();
+  return survey;
+}
+
+/// Text logs are read in one pass for all columns; a clock that counts from 1970 in a second one.
+std::vector<LogTable> tables_of(const std::string& path, LogFormat format,
+                                const TextLogRules& rules) {
+  if (format != LogFormat::text) return read_tables(path, format);
+  InputFileSource bytes(path);
+  return {read_csv(bytes, path, {}, rules)};
+}
+
+/// So that no nanosecond is lost of one that counts from 1970.
+void read_clock_again(const std::string& path, const TextLogRules& rules, std::size_t column,
+                      LogTable& table) {
+  const std::vector<double>& values = table.columns[column].values;
+  const bool is_long = std::any_of(values.begin(), values.end(),
+                                   [](double t) { return std::abs(t) >= counts_from_1970; });
+  if (!is_long) return;
+  InputFileSource bytes(path);
+  const std::string name = table.columns[column].header.full;
+  CsvTable again = read_csv(bytes, path, {{name, "", ColumnReading::clock}}, rules);
+  table.columns[column].values = std::move(again.columns.front().values);
+  table.columns[column].origin = again.columns.front().origin;
+}
+
+std::optional<std::size_t> first_of(const TableSurvey& table, Quantity quantity,
+                                    const std::string& joint, bool is_target) {
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    if (!meaning || meaning->quantity != quantity || meaning->is_target != is_target) continue;
+    if (meaning->joint == joint) return k;
+  }
+  return std::nullopt;
+}
+
+/// The joint's own; or one that names no joint, if there is but one joint.
+std::optional<std::size_t> of_joint(const TableSurvey& table, Quantity quantity,
+                                    const std::string& joint, bool is_only) {
+  const auto own = first_of(table, quantity, joint, false);
+  return own || !is_only ? own : first_of(table, quantity, "", false);
+}
+
+/// Time and angle in SI, in the order of time, gaps and repeated stamps left out.
+AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointSurvey& joint) {
+  const std::vector<double>& t = data.columns[present(table.time)].values;
+  const std::vector<double>& q = data.columns[joint.angle].values;
+  const std::vector<double>* effort = joint.effort ? &data.columns[*joint.effort].values : nullptr;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (std::isfinite(t[i]) && std::isfinite(q[i]) && (!effort || std::isfinite((*effort)[i]))) {
+      rows.push_back(i);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](std::size_t a, std::size_t b) { return t[a] < t[b]; });
+  const double angle_factor =
+      present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+  AngleTrace trace;
+  for (const std::size_t i : rows) {
+    const double time_s = t[i] * present(table.clock).seconds_per_unit;
+    if (!trace.t_s.empty() && time_s <= trace.t_s.back()) continue;
+    trace.t_s.push_back(time_s);
+    trace.q_rad.push_back(q[i] * angle_factor);
+    if (effort) trace.effort.push_back((*effort)[i]);
+  }
+  return trace;
+}
+
+void add_joints(const LogTable& data, TableSurvey& table) {
+  std::vector<std::string> names;
+  for (const ColumnSurvey& c : table.columns) {
+    if (!c.meaning || c.meaning->quantity != Quantity::angle || c.meaning->is_target) continue;
+    if (std::find(names.begin(), names.end(), c.meaning->joint) == names.end()) {
+      names.push_back(c.meaning->joint);
+    }
+  }
+  for (const std::string& name : names) {
+    const bool is_only = names.size() == 1;
+    JointSurvey joint;
+    joint.name = name;
+    joint.angle = present(first_of(table, Quantity::angle, name, false));
+    if (std::isnan(table.columns[joint.angle].lowest)) continue;
+    joint.speed = of_joint(table, Quantity::angular_speed, name, is_only);
+    joint.effort = of_joint(table, Quantity::torque, name, is_only);
+    if (!joint.effort) joint.effort = of_joint(table, Quantity::current, name, is_only);
+    joint.temperature = of_joint(table, Quantity::temperature, name, is_only);
+    for (const Quantity quantity : {Quantity::torque, Quantity::current}) {
+      const auto target = first_of(table, quantity, name, true);
+      if (target) joint.targets.push_back(*target);
+    }
+    if (joint.effort && std::isnan(table.columns[*joint.effort].lowest)) joint.effort.reset();
+    const double factor =
+        present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+    joint.lowest_rad = factor * table.columns[joint.angle].lowest;
+    joint.highest_rad = factor * table.columns[joint.angle].highest;
+    if (table.clock && table.clock->interval_s > 0) {
+      const AngleTrace trace = trace_of(data, table, joint);
+      joint.samples = trace.size();
+      joint.segments = cut_by_motion(trace);
+    }
+    table.joints.push_back(std::move(joint));
+  }
+}
+
+/// Angles and speeds without a stated unit are degrees where radians make no sense.
+void look_at_angle_units(const LogTable& data, TableSurvey& table) {
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    auto& meaning = table.columns[k].meaning;
+    if (!meaning || meaning->unit_is_stated || meaning->quantity != Quantity::angle) continue;
+    if (!looks_like_degrees(data.columns[k].values)) continue;
+    meaning->unit = "deg";
+    const auto speed = first_of(table, Quantity::angular_speed, meaning->joint, false);
+    if (!speed) continue;
+    ColumnMeaning& of_speed = present(table.columns[*speed].meaning);
+    if (!of_speed.unit_is_stated) of_speed.unit = "deg/s";
+  }
+}
+
+TableSurvey survey_table(const std::string& path, LogFormat format, const TextLogRules& rules,
+                         LogTable& data) {
+  TableSurvey table;
+  table.group = data.group;
+  table.rows = data.rows;
+  std::vector<ColumnHeader> header;
+  for (const LogColumn& column : data.columns) header.push_back(column.header);
+  const LogLayout layout = guess_layout(header);
+  table.logger = layout.logger;
+  table.foreign = layout.foreign;
+  for (const LogColumn& column : data.columns) table.columns.push_back(survey_column(column));
+  for (const ColumnMeaning& meaning : layout.columns) {
+    table.columns[meaning.column].meaning = meaning;
+  }
+  if (data.columns.size() <= most_columns_by_numbers) {
+    for (GuessedMeaning& guess : guess_by_numbers(data, layout)) {
+      table.columns[guess.meaning.column].guessed_by = guess.reason;
+      table.columns[guess.meaning.column].meaning = std::move(guess.meaning);
+    }
+  }
+  look_at_angle_units(data, table);
+  for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
+    const auto& meaning = table.columns[k].meaning;
+    if (meaning && meaning->quantity == Quantity::time && !meaning->is_target) table.time = k;
+  }
+  if (table.time) {
+    LogColumn& column = data.columns[*table.time];
+    const bool is_iso = format == LogFormat::text && column.origin != 0;
+    if (format != LogFormat::text) {
+      count_from_first(column);
+    } else if (!is_iso) {
+      read_clock_again(path, rules, *table.time, data);
+    }
+    ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
+    table.clock = survey_clock(column, meaning, is_iso);
+    meaning.unit = table.clock->unit;
+  }
+  add_joints(data, table);
+  return table;
+}
+
+}  // namespace
+
+LogSurvey survey_log(const std::string& path, const TextLogRules& rules) {
+  LogSurvey survey;
+  survey.file = path;
+  survey.format = format_of_log(path);
+  std::vector<LogTable> tables = tables_of(path, survey.format, rules);
+  for (LogTable& table : tables) {
+    survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
+    survey.tables.push_back(survey_table(path, survey.format, rules, table));
+    table.columns.clear();
+  }
+  return survey;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,244 @@
+#include "inspect/survey/manifest_proposal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "base/present.h"
+#include "base/utf8.h"
+#include "ingest/manifest/toml_table.h"
+#include "ingest/manifest/toml_text.h"
+#include "inspect/survey/effort_proposal.h"
+#include "inspect/survey/joint_choice.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t usual_decimals = 3;
+constexpr double shares_of_interval = 10;
+
+/// A comment may not break its line, whatever a log's name holds.
+std::string comment(const std::string& text) {
+  return text.empty() ? "" : "  # " + printable(text, 200);
+}
+
+bool has_word(const std::string& name, const std::string& word) {
+  const auto it = std::search(name.begin(), name.end(), word.begin(), word.end(),
+                              [](char a, char b) { return (a | 0x20) == b; });
+  return it != name.end();
+}
+
+class ManifestText {
+ public:
+  ManifestText(const std::vector<LogSurvey>& logs, const ProposalOptions& options,
+               const JointChoice& choice, const RoleProposal& roles)
+      : logs_(logs),
+        options_(options),
+        choice_(choice),
+        roles_(roles),
+        first_(roles.recordings.front().of),
+        effort_(propose_effort(logs, choice.in_logs, options)) {}
+
+  std::string text() {
+    add_identity();
+    add_effort();
+    add_log_rules();
+    text_ += "\n[columns]\n";
+    for (const std::string& line : columns_of(first_, true)) text_ += line + "\n";
+    if (effort_.kind == EffortKind::none) {
+      text_ += "# effort = { name = \"...\", unit = \"A\" }  # or \"Nm\": once it is recorded\n";
+    }
+    for (const ProposedRecording& recording : roles_.recordings) add_recording(recording);
+    for (const std::size_t log : roles_.without_role) {
+      text_ += "\n# " + printable(path_of(log), 200) +
+               ": no motion that a stage reads was found; not used.\n";
+    }
+    return std::move(text_);
+  }
+
+ private:
+  [[nodiscard]] const TableSurvey& table(const JointInLog& of) const { return table_of(logs_, of); }
+  [[nodiscard]] const JointSurvey& joint(const JointInLog& of) const { return joint_of(logs_, of); }
+
+  void line(const std::string& content, const std::string& note = "") {
+    text_ += content + comment(note) + "\n";
+  }
+
+  [[nodiscard]] std::string path_of(std::size_t log) const {
+    namespace fs = std::filesystem;
+    const fs::path file = fs::absolute(logs_[log].file).lexically_normal();
+    const fs::path base = fs::absolute(options_.directory.empty() ? "." : options_.directory);
+    const fs::path relative = file.lexically_relative(base.lexically_normal());
+    std::string path = (relative.empty() ? file : relative).generic_string();
+    return path == "-" ? "./-" : path;  // alone it would be standard input
+  }
+
+  /// A text as the manifest has it.
+  /// @throw InputError: a manifest is UTF-8 and cannot hold it.
+  [[nodiscard]] std::string quoted(const std::string& text, const char* what,
+                                   std::size_t log) const {
+    if (!first_broken_utf8(text)) return toml_text(text);
+    throw InputError({logs_[log].file, 0, 0},
+                     {std::string(what) + " is not UTF-8, and no manifest can hold it",
+                      in_quotes(text), "", "rename it"});
+  }
+
+  void add_identity() {
+    line(
+        "# Proposed by tribolog from the logs alone. Each guess is marked; look at it before use.");
+    line("schema = \"tribolog-dataset-1\"");
+    text_ += "\n[robot]\n";
+    line("name = " + toml_text(robot_name()), options_.robot ? "" : "the report goes by it");
+    text_ += "\n[joint]\n";
+    const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
+    line("name = " +
+             (has_name ? quoted(choice_.name, "the joint's name", first_.log) : toml_text("joint")),
+         has_name ? moves_too() : "the log names none");
+    if (options_.gear_ratio) {
+      line(fmt::format("gear_ratio = {}", *options_.gear_ratio));
+    } else {
+      line("gear_ratio = 1",
+           "not known: everything is then stated at the joint; state motor angle "
+           "/ joint angle");
+    }
+  }
+
+  /// @throw UsageError: a name that no manifest takes.
+  [[nodiscard]] std::string robot_name() const {
+    if (!options_.robot) return "unnamed robot";
+    const bool is_blank = options_.robot->find_first_not_of(' ') == std::string::npos;
+    if (is_blank || first_broken_utf8(*options_.robot)) {
+      throw UsageError("--robot '" + printable(*options_.robot) + "' is no name in UTF-8");
+    }
+    return *options_.robot;
+  }
+
+  [[nodiscard]] std::string moves_too() const {
+    if (choice_.moves_too.empty()) return "";
+    return "moves most; these move too, and if they change its gravity, [[known_load]] takes that "
+           "off: " +
+           list_of_names(choice_.moves_too, 8);
+  }
+
+  void add_effort() {
+    text_ += "\n[effort]\n";
+    for (const std::string& remark : effort_.remarks) text_ += "# " + printable(remark, 300) + "\n";
+    for (const std::string& key : effort_.lines) text_ += key + "\n";
+  }
+
+  void add_log_rules() {
+    const TextLogRules& rules = options_.log_rules;
+    std::string lines;
+    if (rules.decimal_mark == DecimalMark::comma) lines += "decimal_comma = true\n";
+    if (rules.encoding == TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
+    if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
+    if (!lines.empty()) text_ += "\n[log]\n" + lines;
+  }
+
+  /// With the table in front where a log has several.
+  [[nodiscard]] std::string name_in_log(const JointInLog& of, const std::string& column) const {
+    const bool is_only = logs_[of.log].tables.size() == 1 || table(of).group.empty();
+    return quoted(is_only ? column : table(of).group + "/" + column, "the name of a column",
+                  of.log);
+  }
+
+  [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
+                                   bool turns, bool with_comments) const {
+    const ColumnSurvey& column = table(of).columns[index];
+    const ColumnMeaning& meaning = present(column.meaning);
+    std::string entry = fmt::format("{} = {{ name = {}, unit = {}", key,
+                                    name_in_log(of, column.name), toml_text(meaning.unit));
+    const bool at_motor =
+        turns && (has_word(column.name, "motor") || has_word(column.name, "rotor"));
+    if (at_motor) entry += ", side = \"motor\"";
+    entry += " }";
+    if (!with_comments) return entry;
+    std::string note;
+    if (!column.guessed_by.empty()) note = "guessed: " + column.guessed_by;
+    if (!meaning.unit_is_stated) {
+      note += std::string(note.empty() ? "" : "; ") + "unit guessed, the log states none";
+    }
+    return entry + comment(note);
+  }
+
+  [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
+    const ClockSurvey& clock = present(table(of).clock);
+    std::string entry = fmt::format("time = {{ name = {}, unit = {} }}",
+                                    name_in_log(of, clock.column), toml_text(clock.unit));
+    if (!with_comments || clock.unit_is_stated) return entry;
+    return entry +
+           comment(fmt::format("unit guessed: it makes {:.4g} samples a second", clock.rate_Hz()));
+  }
+
+  [[nodiscard]] std::vector<std::string> columns_of(const JointInLog& of,
+                                                    bool with_comments) const {
+    const TableSurvey& t = table(of);
+    const JointSurvey& j = joint(of);
+    std::vector<std::string> lines{time_column(of, with_comments),
+                                   column(of, "angle", j.angle, true, with_comments)};
+    if (j.speed) lines.push_back(column(of, "speed", *j.speed, true, with_comments));
+    const auto effort = effort_.column_of(j);
+    if (effort) lines.push_back(column(of, "effort", *effort, false, with_comments));
+    if (j.temperature &&
+        present(t.columns[*j.temperature].meaning).quantity == Quantity::temperature) {
+      lines.push_back(column(of, "temperature", *j.temperature, false, with_comments));
+    }
+    return lines;
+  }
+
+  [[nodiscard]] std::string seconds(const JointInLog& of, double value_s) const {
+    const double interval_s = present(table(of).clock).interval_s;
+    const double fine = std::ceil(-std::log10(interval_s / shares_of_interval));
+    const auto decimals = std::clamp(static_cast<int>(fine), static_cast<int>(usual_decimals), 9);
+    std::string text = fmt::format("{:.{}f}", value_s, decimals);
+    while (text.ends_with('0') && !text.ends_with(".0")) text.pop_back();
+    return text;
+  }
+
+  void add_recording(const ProposedRecording& recording) {
+    text_ += "\n[[recording]]\n";
+    line("role = " + toml_text(to_string(recording.role)),
+         roles_.is_makeshift ? "a stopgap: no sweep, run, oscillation or ramp was recognised"
+                             : recording.what);
+    line("file = " + quoted(path_of(recording.of.log), "the log's name", recording.of.log));
+    if (recording.from_s) line("from_s = " + seconds(recording.of, *recording.from_s));
+    if (recording.to_s) line("to_s = " + seconds(recording.of, *recording.to_s));
+    const std::vector<std::string> own = columns_of(recording.of, false);
+    const std::vector<std::string> common = columns_of(first_, false);
+    std::string others;
+    for (const std::string& entry : own) {
+      const bool is_common = std::find(common.begin(), common.end(), entry) != common.end();
+      if (!is_common) others += (others.empty() ? "" : ", ") + entry;
+    }
+    if (!others.empty()) line("columns = { " + others + " }");
+  }
+
+  const std::vector<LogSurvey>& logs_;
+  const ProposalOptions& options_;
+  const JointChoice& choice_;
+  const RoleProposal& roles_;
+  JointInLog first_;
+  EffortProposal effort_;
+  std::string text_;
+};
+
+}  // namespace
+
+ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
+                                  const ProposalOptions& options) {
+  const JointChoice choice = choose_joint(logs, options.joint);
+  ManifestProposal proposal;
+  proposal.joint = choice.name;
+  proposal.in_logs = choice.in_logs;
+  proposal.moves_too = choice.moves_too;
+  proposal.roles = propose_roles(logs, choice.in_logs);
+  proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
+  (void)TomlTable::parse(proposal.text, "the proposed manifest");  // never one that cannot be read
+  return proposal;
+}
+
+}  // namespace tribolog

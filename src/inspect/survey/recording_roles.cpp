@@ -1,0 +1,201 @@
+#include "inspect/survey/recording_roles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "joint/degrees.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double other_speed = 1.1;      // ratio from which on speeds differ
+constexpr double shortest_stroke_s = 3;  // of a sweep
+constexpr double fastest_sweep_rad_s = 0.5;
+constexpr double narrowest_sweep_rad = 0.1;
+constexpr double wider_than_runs = 1.25;
+constexpr double half_as_wide = 0.5;   // of two speeds the slower one sweeps
+constexpr double precise_share = 0.1;  // of the rough sweep's range
+constexpr double slowest_by_far = 2.5;
+constexpr double like_shortest_run = 0.3;
+constexpr double whole_share = 0.015;  // of the recording: what a window would cut off
+
+struct Candidate {
+  JointInLog of;
+  const MotionSegment* segment;
+};
+
+double stroke_s(const MotionSegment& s) { return s.duration_s() / static_cast<double>(s.strokes); }
+
+bool same_speed(double a, double b) { return std::max(a, b) <= other_speed * std::min(a, b); }
+
+class RoleChooser {
+ public:
+  RoleChooser(const std::vector<LogSurvey>& logs, const std::vector<JointInLog>& joint)
+      : logs_(logs), joint_(joint) {}
+
+  RoleProposal choose() {
+    for (const JointInLog& of : joint_) {
+      for (const MotionSegment& s : joint_of(logs_, of).segments) {
+        if (s.kind == MotionKind::constant_speed) steady_.push_back({of, &s});
+        if (s.kind == MotionKind::slow_sweep) sweep_rad_ = std::max(sweep_rad_, s.travel_rad());
+      }
+    }
+    for (const Candidate& c : steady_) {
+      if (is_rough_sweep(*c.segment)) sweep_rad_ = std::max(sweep_rad_, c.segment->travel_rad());
+    }
+    for (const JointInLog& of : joint_) propose_for(of);
+    if (proposal_.recordings.empty() && !joint_.empty()) {
+      proposal_.is_makeshift = true;
+      proposal_.without_role.clear();
+      for (const JointInLog& of : joint_) {
+        proposal_.recordings.push_back({of, Role::rough_sweep, {}, {}, ""});
+      }
+    }
+    return std::move(proposal_);
+  }
+
+ private:
+  [[nodiscard]] bool is_rough_sweep(const MotionSegment& s) const {
+    if (stroke_s(s) < shortest_stroke_s || s.speed_rad_s > fastest_sweep_rad_s) return false;
+    if (s.travel_rad() < narrowest_sweep_rad) return false;
+    double widest = 0;
+    std::vector<double> speeds;
+    for (const Candidate& c : steady_) {
+      const double speed = c.segment->speed_rad_s;
+      if (same_speed(speed, s.speed_rad_s)) continue;
+      widest = std::max(widest, c.segment->travel_rad());
+      const auto is_known = [&](double other) { return same_speed(speed, other); };
+      if (std::none_of(speeds.begin(), speeds.end(), is_known)) speeds.push_back(speed);
+    }
+    if (s.travel_rad() >= wider_than_runs * widest) return true;
+    return speeds.size() == 1 && s.speed_rad_s < speeds.front() &&
+           s.travel_rad() >= half_as_wide * widest;
+  }
+
+  [[nodiscard]] bool is_precise_sweep(const MotionSegment& s) const {
+    if (s.travel_rad() > std::min(precise_share * sweep_rad_, narrowest_sweep_rad)) return false;
+    if (stroke_s(s) < shortest_stroke_s) return false;
+    return std::all_of(steady_.begin(), steady_.end(), [&](const Candidate& c) {
+      const double speed = c.segment->speed_rad_s;
+      return same_speed(speed, s.speed_rad_s) || speed >= slowest_by_far * s.speed_rad_s;
+    });
+  }
+
+  [[nodiscard]] std::optional<Role> role_of(const MotionSegment& s) const {
+    switch (s.kind) {
+      case MotionKind::constant_speed:
+        if (is_rough_sweep(s)) return Role::rough_sweep;
+        return is_precise_sweep(s) ? Role::precise_sweep : Role::constant_speed;
+      case MotionKind::slow_sweep:
+        return s.travel_rad() <= std::min(precise_share * sweep_rad_, narrowest_sweep_rad)
+                   ? Role::precise_sweep
+                   : Role::rough_sweep;
+      case MotionKind::oscillation:
+        return Role::oscillation;
+      case MotionKind::break_away_ramp:
+        return Role::break_away;
+      case MotionKind::rest:
+      case MotionKind::varying:
+        break;
+    }
+    return std::nullopt;
+  }
+
+  void propose_for(const JointInLog& of) {
+    const std::vector<MotionSegment>& segments = joint_of(logs_, of).segments;
+    const std::size_t before = proposal_.recordings.size();
+    for (const MotionSegment& s : segments) {
+      const auto role = role_of(s);
+      if (role) add(of, s, *role);
+    }
+    if (proposal_.recordings.size() > before) return;
+    // Beside runs at constant speed, one that never came to its speed.
+    const auto only = std::find_if(segments.begin(), segments.end(), [](const MotionSegment& s) {
+      return s.kind == MotionKind::varying;
+    });
+    const bool is_stroke = only != segments.end() && only->strokes == 1 && only->direction != 0;
+    if (is_stroke && is_like_runs(*only)) {
+      add(of, *only, Role::constant_speed);
+    } else {
+      proposal_.without_role.push_back(of.log);
+    }
+  }
+
+  /// Most logs hold runs, and it travels about as far as the shortest of them.
+  [[nodiscard]] bool is_like_runs(const MotionSegment& s) const {
+    if (2 * steady_.size() < joint_.size() || steady_.empty()) return false;
+    const auto shortest = std::min_element(
+        steady_.begin(), steady_.end(), [](const Candidate& a, const Candidate& b) {
+          return a.segment->travel_rad() < b.segment->travel_rad();
+        });
+    return s.travel_rad() >= like_shortest_run * shortest->segment->travel_rad();
+  }
+
+  void add(const JointInLog& of, const MotionSegment& s, Role role) {
+    const JointSurvey& joint = joint_of(logs_, of);
+    const double start_s = joint.segments.front().from_s;
+    const double end_s = joint.segments.back().to_s;
+    ProposedRecording recording{of, role, {}, {}, describe(s)};
+    const double negligible_s = whole_share * s.duration_s();
+    if (s.from_s - start_s > negligible_s) recording.from_s = s.from_s;
+    if (end_s - s.to_s > negligible_s) recording.to_s = s.to_s;
+    proposal_.recordings.push_back(std::move(recording));
+  }
+
+  const std::vector<LogSurvey>& logs_;
+  const std::vector<JointInLog>& joint_;
+  std::vector<Candidate> steady_;
+  double sweep_rad_{};
+  RoleProposal proposal_;
+};
+
+/// So many decimals that the travel shows three digits.
+std::string degrees(double rad, double travel_rad) {
+  const double travel_deg = degrees_per_rad * travel_rad;
+  const double digits = travel_deg > 0 ? std::ceil(2 - std::log10(travel_deg)) : 2;
+  const int decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0));
+  const double shown = degrees_per_rad * rad;
+  const double half_a_digit = 0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}°", std::abs(shown) < half_a_digit ? 0.0 : shown, decimals);
+}
+
+}  // namespace
+
+RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
+                           const std::vector<JointInLog>& joint) {
+  return RoleChooser(logs, joint).choose();
+}
+
+std::string describe(const MotionSegment& s) {
+  const double travel = s.travel_rad();
+  const std::string range = degrees(s.lowest_rad, travel) + " to " + degrees(s.highest_rad, travel);
+  const double middle = (s.lowest_rad + s.highest_rad) / 2;
+  const std::string speed = fmt::format("{:.3g} deg/s", degrees_per_rad * s.speed_rad_s);
+  switch (s.kind) {
+    case MotionKind::rest:
+      return fmt::format("at {:.4g}°", degrees_per_rad * middle);
+    case MotionKind::constant_speed:
+      return s.direction != 0 ? fmt::format("{}{}, {}", s.direction < 0 ? "-" : "+", speed, range)
+                              : fmt::format("±{}, {} strokes, {}", speed, s.strokes, range);
+    case MotionKind::slow_sweep:
+    case MotionKind::oscillation: {
+      const std::string often =
+          s.frequency_Hz > 0 ? fmt::format("{:.3g} Hz, {:.3g} cycles, ", s.frequency_Hz, s.cycles())
+                             : fmt::format("{} strokes, ", s.strokes);
+      if (s.kind == MotionKind::slow_sweep) return often + range + ", up to " + speed;
+      return fmt::format("{}±{} about {:.4g}°", often, degrees(travel / 2, travel),
+                         degrees_per_rad * middle);
+    }
+    case MotionKind::break_away_ramp:
+      return fmt::format("effort {} by {:.3g} a second, the joint moves {:.2g}°{}",
+                         s.effort_rate < 0 ? "falls" : "rises", std::abs(s.effort_rate),
+                         degrees_per_rad * travel, s.joint_slid ? ", mostly at the end" : "");
+    case MotionKind::varying:
+      return range;
+  }
+  return range;
+}
+
+}  // namespace tribolog

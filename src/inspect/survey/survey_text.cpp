@@ -1,0 +1,221 @@
+#include "inspect/survey/survey_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/closest_match.h"
+#include "base/error.h"
+#include "inspect/survey/column_table.h"
+#include "inspect/survey/effort_proposal.h"
+#include "inspect/survey/recording_roles.h"
+#include "inspect/survey/text_table.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t gaps_told = 3;
+constexpr double noticeable_jitter_percent = 1;
+constexpr std::size_t segments_in_row = 4;
+
+std::string paragraph(const std::string& first, const std::string& text) {
+  TextTable table(2);
+  table.add({first, text});
+  return table.text();
+}
+
+std::string clock_words(const ClockSurvey& c) {
+  std::string words = fmt::format("{} in {}", in_quotes(c.column), printable(c.unit));
+  if (!c.unit_is_stated) words += " (guessed by its steps; the log states no unit)";
+  if (!(c.interval_s > 0)) return words + ": it never rises, so it is no clock";
+  words += fmt::format(": {:.4g} Hz for {:.5g} s", c.rate_Hz(), c.last_s - c.first_s);
+  if (c.jitter_percent >= noticeable_jitter_percent) {
+    words += fmt::format(", steps scatter by {:.2g} %", c.jitter_percent);
+  }
+  if (c.origin != 0) words += "; counts from 1970, here from its first reading";
+  if (c.repeated > 0) words += "; " + plural(c.repeated, "stamp") + " stand twice";
+  if (c.back > 0) {
+    words += fmt::format("; runs back {}, by up to {:.3g} s", plural(c.back, "time"),
+                         c.largest_step_back_s);
+  }
+  if (c.missing > 0) words += "; " + plural(c.missing, "row") + " without a time";
+  if (!c.gaps.empty()) {
+    words += "; " + plural(c.gaps.size(), "gap") + ":";
+    for (std::size_t k = 0; k < std::min(gaps_told, c.gaps.size()); ++k) {
+      words += fmt::format("{} {:.3g} s at {:.4g} s", k == 0 ? "" : ",", c.gaps[k].length_s,
+                           c.gaps[k].at_s);
+    }
+    if (c.gaps.size() > gaps_told) words += ", ...";
+  }
+  return words;
+}
+
+std::string joint_title(const TableSurvey& table, const JointSurvey& joint) {
+  const std::string name = joint.name.empty() ? "" : " of joint " + in_quotes(joint.name);
+  return fmt::format(
+      "motion{}, {} by {}", name, in_quotes(table.columns[joint.angle].name),
+      joint.effort ? in_quotes(table.columns[*joint.effort].name) : std::string("no effort"));
+}
+
+bool moves(const JointSurvey& joint) {
+  return std::any_of(joint.segments.begin(), joint.segments.end(),
+                     [](const MotionSegment& s) { return s.kind != MotionKind::rest; });
+}
+
+std::string motion_text(const TableSurvey& table) {
+  std::string text;
+  std::vector<std::string> still;
+  for (const JointSurvey& joint : table.joints) {
+    if (!moves(joint)) {
+      still.push_back(joint.name.empty() ? table.columns[joint.angle].name : joint.name);
+      continue;
+    }
+    text += fmt::format("\n  {}\n", joint_title(table, joint));
+    TextTable rows(4);
+    rows.add({"from s", "to s", "kind", ""});
+    for (const MotionSegment& s : joint.segments) {
+      rows.add({fmt::format("{:.3f}", s.from_s), fmt::format("{:.3f}", s.to_s), to_string(s.kind),
+                describe(s)});
+    }
+    text += rows.text();
+  }
+  if (!still.empty()) text += fmt::format("\n{}", paragraph("at rest", list_of_names(still)));
+  return text;
+}
+
+std::string faults_of(const TableSurvey& table) {
+  const std::vector<std::string> voltages = voltages_of(table);
+  std::string text;
+  if (!table.clock) text += paragraph("no clock", "no column is known as the time.");
+  if (table.joints.empty()) text += paragraph("no joint", "no column is known as a joint's angle.");
+  for (const ForeignUnit& f : table.foreign) {
+    const ColumnSurvey& column = table.columns[f.column];
+    text += paragraph("unit", fmt::format("{} looks like {} in {}, a unit that is not known; a "
+                                          "manifest can state what one is: unit = \"{}\".",
+                                          in_quotes(column.name), to_string(f.quantity),
+                                          in_quotes(column.unit), example_of_multiple(f.quantity)));
+  }
+  const bool has_effort = std::any_of(table.joints.begin(), table.joints.end(),
+                                      [](const JointSurvey& j) { return j.effort.has_value(); });
+  if (!table.joints.empty() && !has_effort) {
+    text += paragraph("no effort", "no torque and no motor current is known" +
+                                       (voltages.empty() ? std::string()
+                                                         : "; no torque follows from " +
+                                                               list_of_names(voltages, 6)) +
+                                       ".");
+  }
+  return text;
+}
+
+std::string table_title(const TableSurvey& table) {
+  std::string title = plural(table.rows, "row");
+  if (!table.logger.empty()) title += ", columns as " + table.logger + " writes them";
+  return table.group.empty() ? title : in_quotes(table.group) + ": " + title;
+}
+
+std::string notes_text(const LogSurvey& log) {
+  std::string text;
+  for (const std::string& note : log.notes) text += paragraph("note", printable(note, 400));
+  return text;
+}
+
+std::string block(const LogSurvey& log) {
+  std::string text = printable(log.file, 400) + "\n";
+  if (!log.refusal.empty()) return text + paragraph("refused", log.refusal);
+  text += "  " + to_string(log.format) + "\n" + notes_text(log);
+  for (const TableSurvey& table : log.tables) {
+    text += "\n  " + table_title(table) + "\n";
+    if (table.clock) text += paragraph("clock", clock_words(*table.clock));
+    text += columns_text({&table}) + faults_of(table) + motion_text(table);
+  }
+  return text;
+}
+
+/// The one named, or else the one that moves most.
+const JointSurvey* joint_in(const TableSurvey& table, const std::string& name) {
+  const JointSurvey* chosen = nullptr;
+  for (const JointSurvey& joint : table.joints) {
+    if (!name.empty() && joint.name == name) return &joint;
+    if (chosen == nullptr || joint.range_rad() > chosen->range_rad()) chosen = &joint;
+  }
+  return chosen;
+}
+
+std::string motion_in_short(const TableSurvey& table, const std::string& joint_name) {
+  const JointSurvey* joint = joint_in(table, joint_name);
+  if (joint == nullptr) return "no angle";
+  std::string words;
+  std::size_t told = 0;
+  for (const MotionSegment& s : joint->segments) {
+    if (s.kind == MotionKind::rest || s.kind == MotionKind::varying) continue;
+    if (told++ == segments_in_row) return words + "; ...";
+    words += (words.empty() ? "" : "; ") + to_string(s.kind) + " " + describe(s);
+  }
+  if (told > 0) return words;
+  return moves(*joint) ? "other motion" : "at rest";
+}
+
+std::string clock_in_short(const ClockSurvey& c) {
+  std::string words;
+  if (c.repeated > 0) words += fmt::format(" {} repeated", c.repeated);
+  if (c.back > 0) words += fmt::format(" {} back", c.back);
+  if (!c.gaps.empty()) words += fmt::format(" {}", plural(c.gaps.size(), "gap"));
+  return words.empty() ? "even" : words.substr(1);
+}
+
+/// Logs of one table each, with the same columns.
+std::string block(const std::vector<const LogSurvey*>& logs, const std::string& joint) {
+  std::vector<const TableSurvey*> tables;
+  for (const LogSurvey* log : logs) tables.push_back(&log->tables.front());
+  const TableSurvey& first = *tables.front();
+  std::string text = fmt::format(
+      "{} logs with the same columns: {}{}\n", logs.size(), to_string(logs.front()->format),
+      first.logger.empty() ? "" : ", as " + first.logger + " writes them");
+  text += notes_text(*logs.front());
+  text += columns_text(tables) + faults_of(first) + "\n";
+  TextTable rows(2);
+  rows.add({"log", "rows", "s", "Hz", "clock", "motion"});
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    const auto& clock = tables[k]->clock;
+    const std::string& file = logs[k]->file;
+    rows.add({printable(file.substr(file.rfind('/') + 1), longest_name),
+              fmt::format("{}", tables[k]->rows),
+              clock ? fmt::format("{:.4g}", clock->last_s - clock->first_s) : "",
+              clock ? fmt::format("{:.4g}", clock->rate_Hz()) : "",
+              clock ? clock_in_short(*clock) : "none", motion_in_short(*tables[k], joint)});
+  }
+  return text + rows.text();
+}
+
+bool look_alike(const LogSurvey& a, const LogSurvey& b) {
+  if (!a.refusal.empty() || !b.refusal.empty() || a.format != b.format) return false;
+  if (a.tables.size() != 1 || b.tables.size() != 1) return false;
+  const auto& left = a.tables.front().columns;
+  const auto& right = b.tables.front().columns;
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                    [](const ColumnSurvey& x, const ColumnSurvey& y) {
+                      return x.name == y.name && x.meaning.has_value() == y.meaning.has_value();
+                    });
+}
+
+}  // namespace
+
+std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& joint) {
+  std::string text;
+  std::vector<bool> done(logs.size(), false);
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    if (done[k]) continue;
+    std::vector<const LogSurvey*> alike;
+    for (std::size_t j = k; j < logs.size(); ++j) {
+      if (done[j] || (j > k && !look_alike(logs[k], logs[j]))) continue;
+      done[j] = true;
+      alike.push_back(&logs[j]);
+    }
+    if (!text.empty()) text += '\n';
+    text += alike.size() == 1 ? block(logs[k]) : block(alike, joint);
+  }
+  return text;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,52 @@
+#pragma once
+// Internal to the checks: each of them, in the order of the report. A source file each, or one for
+// a close family.
+
+#include "method/checks/check_outcome.h"
+#include "method/checks/checked_recordings.h"
+
+namespace tribolog {
+
+// effort_provenance.cpp, link_side_torque.cpp
+DataCheck check_effort_provenance(const CheckedDataset& data);
+DataCheck check_effort_column(const CheckedDataset& data);
+DataCheck check_link_side_torque(const CheckedDataset& data);
+// motion_range.cpp
+DataCheck check_joint_moves(const CheckedDataset& data);
+DataCheck check_angle_unit(const CheckedDataset& data);
+// clock.cpp
+DataCheck check_clock_jitter(const CheckedDataset& data);
+DataCheck check_clock_gaps(const CheckedDataset& data);
+// speed_scale.cpp, speed_noise.cpp
+DataCheck check_speed_scale(const CheckedDataset& data);
+DataCheck check_speed_noise(const CheckedDataset& data);
+// directions.cpp
+DataCheck check_sweep_directions(const CheckedDataset& data);
+DataCheck check_run_directions(const CheckedDataset& data);
+DataCheck check_sweep_common_angles(const CheckedDataset& data);
+DataCheck check_run_common_angles(const CheckedDataset& data);
+// run_speeds.cpp
+DataCheck check_run_speeds(const CheckedDataset& data);
+// stick_slip.cpp
+DataCheck check_stick_slip(const CheckedDataset& data);
+// torque_signal.cpp
+DataCheck check_torque_alive(const CheckedDataset& data);
+DataCheck check_torque_noise(const CheckedDataset& data);
+// torque_saturation.cpp
+DataCheck check_torque_saturation(const CheckedDataset& data);
+// torque_step.cpp
+DataCheck check_torque_step(const CheckedDataset& data);
+// power.cpp
+DataCheck check_dissipation(const CheckedDataset& data);
+DataCheck check_power(const CheckedDataset& data);
+// torque_ripple.cpp
+// friction_drift.cpp, temperature.cpp
+DataCheck check_friction_drift(const CheckedDataset& data);
+DataCheck check_temperature(const CheckedDataset& data);
+// presliding_resolution.cpp
+DataCheck check_encoder_step(const CheckedDataset& data);
+// oscillation_form.cpp
+DataCheck check_oscillation_cycles(const CheckedDataset& data);
+DataCheck check_oscillation_slides(const CheckedDataset& data);
+
+}  // namespace tribolog

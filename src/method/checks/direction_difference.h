@@ -1,0 +1,25 @@
+#pragma once
+// Internal to the checks: torque of the rising against torque of the falling strokes at equal
+// angle. Gravity and whatever else depends on the angle alone drops out; what is left is friction.
+
+#include <vector>
+
+#include "method/checks/checked_recordings.h"
+
+namespace tribolog {
+
+struct DirectionDifference {
+  double rising_travel_rad{};
+  double falling_travel_rad{};
+  double common_share{};  ///< Of the smaller one's range of angles, that both directions passed.
+  std::size_t common_bins{};
+  double friction_Nm{};    ///< Half the mean difference, motor side; positive: it dissipates.
+  double half_width_Nm{};  ///< 95 %, from the scatter of the bins.
+};
+
+/// @param recordings those of one role, taken together.
+/// @param with_torque false: the travels and the common share only.
+DirectionDifference direction_difference(const std::vector<const CheckedRecording*>& recordings,
+                                         bool with_torque);
+
+}  // namespace tribolog

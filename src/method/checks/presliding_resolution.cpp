@@ -1,0 +1,163 @@
+// Does the encoder resolve pre-sliding: the width of the recorded loop, or, where there is none,
+// the travel after a reversal of the sweep within which friction turns over?
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "method/checks/check_list.h"
+#include "method/motion/encoder_resolution.h"
+#include "statistics/median.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double turned_over = 0.75;  // of the full difference of the ways in and out
+constexpr double level_from = 0.005;  // of the stroke: from here on friction has turned over,
+constexpr double level_to = 0.02;     // and up to here the speed has hardly changed it
+
+/// Torque over the distance from a turn: the mean of the samples on each step of the encoder.
+class TorqueOverDistance {
+ public:
+  TorqueOverDistance(const CheckedRecording& r, const Stroke& stroke, double turn_rad,
+                     double reach_rad) {
+    struct Sums {
+      double torque{}, count{};
+    };
+    std::map<long, Sums> steps;
+    for (std::size_t i = stroke.first; i <= stroke.last; ++i) {
+      const double distance = std::abs(r.recording->q_rad[i] - turn_rad);
+      if (distance > reach_rad) continue;
+      Sums& sums = steps[std::lround(distance / r.angle_step_rad)];
+      sums.torque += r.recording->torque_Nm[i];
+      sums.count += 1;
+    }
+    for (const auto& [step, sums] : steps) {
+      distance_rad_.push_back(static_cast<double>(step) * r.angle_step_rad);
+      torque_Nm_.push_back(sums.torque / sums.count);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return distance_rad_.size(); }
+  /// Straight between the samples; the last one beyond.
+  [[nodiscard]] double at(double distance_rad) const {
+    const auto next = std::upper_bound(distance_rad_.begin(), distance_rad_.end(), distance_rad);
+    const auto k = static_cast<std::size_t>(next - distance_rad_.begin());
+    if (k == 0) return torque_Nm_.front();
+    if (k == distance_rad_.size()) return torque_Nm_.back();
+    const double share =
+        (distance_rad - distance_rad_[k - 1]) / (distance_rad_[k] - distance_rad_[k - 1]);
+    return torque_Nm_[k - 1] + share * (torque_Nm_[k] - torque_Nm_[k - 1]);
+  }
+
+ private:
+  std::vector<double> distance_rad_;
+  std::vector<double> torque_Nm_;
+};
+
+/// Travel behind one turn within which the torque of the way out parts from that of the way in, at
+/// equal angle: gravity and inertia are the same on both, and drop out.
+std::optional<double> travel_of_turn(const CheckedRecording& r, const Stroke& in,
+                                     const Stroke& out) {
+  constexpr std::size_t fewest_distances = 10;
+  constexpr int levels = 20;
+  constexpr double most_steps = 1e6;
+  const double step = r.angle_step_rad;
+  const double reach = level_to * std::min(in.travel_rad, out.travel_rad);
+  if (reach / step > most_steps) return std::nullopt;
+  const double turn = r.recording->q_rad[out.first];
+  const TorqueOverDistance way_in(r, in, turn, reach);
+  const TorqueOverDistance way_out(r, out, turn, reach);
+  if (std::min(way_in.size(), way_out.size()) < fewest_distances) return std::nullopt;
+  const auto difference = [&](double distance) {
+    return in.direction * (way_in.at(distance) - way_out.at(distance));
+  };
+  std::vector<double> level;
+  const double from = level_from / level_to * reach;
+  for (int k = 0; k <= levels; ++k) level.push_back(difference(from + (reach - from) * k / levels));
+  const double full = median(std::move(level));
+  if (!(full > 0)) return std::nullopt;
+  for (double distance = step; distance < from; distance += step) {
+    if (difference(distance) >= turned_over * full) return distance;
+  }
+  return std::nullopt;
+}
+
+struct Resolution {
+  double steps{};
+  double travel_rad{};
+  double step_rad{};
+  bool step_is_of_print{};
+  std::string recording;
+};
+
+std::optional<Resolution> of_oscillations(const CheckedDataset& data) {
+  std::optional<Resolution> worst;
+  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+    if (r->angle_step_rad <= 0) continue;
+    const double steps = r->range_rad() / r->angle_step_rad;
+    if (worst && steps >= worst->steps) continue;
+    worst = {steps, r->range_rad(), r->angle_step_rad, r->step_is_of_print, r->recording->name};
+  }
+  return worst;
+}
+
+std::optional<Resolution> of_reversals(const CheckedDataset& data) {
+  std::vector<double> travels;
+  std::optional<Resolution> found;
+  for (const CheckedRecording* r : data.with_role(Role::rough_sweep)) {
+    if (r->angle_step_rad <= 0 || !data.has_torque) continue;
+    for (std::size_t k = 0; k + 1 < r->strokes.size(); ++k) {
+      const auto travel = travel_of_turn(*r, r->strokes[k], r->strokes[k + 1]);
+      if (!travel) continue;
+      travels.push_back(*travel);
+      found = {0, 0, r->angle_step_rad, r->step_is_of_print, r->recording->name};
+    }
+  }
+  if (!found) return std::nullopt;
+  found->travel_rad = median(std::move(travels));
+  found->steps = found->travel_rad / found->step_rad;
+  return found;
+}
+
+}  // namespace
+
+DataCheck check_encoder_step(const CheckedDataset& data) {
+  DataCheck check;
+  check.name = "encoder_step";
+  check.title = "Encoder step against pre-sliding";
+  check.unit = pure_number;
+  check.at_least = fewest_steps_in_presliding;
+  const bool has_loop = data.has_role(Role::oscillation);
+  const auto worst = has_loop ? of_oscillations(data) : of_reversals(data);
+  if (!worst) {
+    if (has_loop) {
+      return passed_by_all(check, "the angle looks continuous");
+    }
+    return not_applicable(check.name, check.title,
+                          "no oscillation, and no reversal of a sweep with a stepped angle");
+  }
+  check.recording = worst->recording;
+  check.measure = has_loop ? "steps of the angle across the loop"
+                           : "steps of the angle within which friction turns over after a reversal";
+  check.measured = worst->steps;
+  check.found = fmt::format("{:.3g} steps of {:.3g} rad in {:.2g} rad", worst->steps,
+                            worst->step_rad, worst->travel_rad);
+  if (worst->step_is_of_print) {
+    check.found += ", the step of the decimals in the log; its encoder's may be larger";
+  }
+  check.state = worst->steps >= fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
+  if (check.state == CheckState::passed) return check;
+  check.consequence =
+      "pre-sliding is not resolved: bristle stiffness, bristle damping and "
+      "break-away torque cannot be identified from these logs";
+  check.experiment =
+      "record the motor's encoder instead of the joint's angle, or use an encoder "
+      "fine enough for fifty steps across the loop";
+  return check;
+}
+
+}  // namespace tribolog

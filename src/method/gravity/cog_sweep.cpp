@@ -1,0 +1,284 @@
+#include "method/gravity/cog_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "joint/degrees.h"
+#include "method/gravity/sweep_curves.h"
+#include "method/gravity/sweep_load.h"
+#include "method/gravity/sweep_noise.h"
+#include "method/gravity/sweep_regression.h"
+#include "method/gravity/torque_maximum.h"
+#include "method/motion/sweep_samples.h"
+#include "statistics/block_regression.h"
+#include "statistics/student_t.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t fewest_samples = 20;
+
+/// The representative of an angle that is nearest to `middle`.
+double nearest_turn(double q, double middle) {
+  return q - 2 * std::numbers::pi * std::round((q - middle) / (2 * std::numbers::pi));
+}
+
+/// Mean of the rising offsets less that of the falling ones, halved, as a sum over coefficients.
+Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& samples) {
+  Eigen::VectorXd contrast = Eigen::VectorXd::Zero(d.x.cols());
+  if (d.direction >= 0) {
+    contrast(d.direction) = 1;
+    return contrast;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    contrast(d.offsets + static_cast<Eigen::Index>(d.offset_of_sample[i])) = samples.direction[i];
+  }
+  const auto ups = static_cast<double>((contrast.array() > 0).count());
+  const auto downs = static_cast<double>((contrast.array() < 0).count());
+  return contrast.unaryExpr([&](double sign) {
+    return sign > 0 ? 0.5 / ups : sign < 0 ? -0.5 / downs : 0.0;
+  });
+}
+
+void read_friction(const SweepDesign& d, const SweepSamples& samples, const SweepGravityFit& fit,
+                   double gear_ratio, CogSweepResult& out) {
+  const Eigen::VectorXd& c = fit.regression.coefficients;
+  const auto half_width = [&](Eigen::Index k) { return fit.regression.half_width(k); };
+  const char* method = "least squares, blocks of neighbouring samples";
+  if (!samples.constant_speed) {
+    out.offset_Nm = c(d.offsets);
+    if (d.direction >= 0) {
+      out.coulomb_Nm = symmetric_estimate(c(d.direction), half_width(d.direction), method);
+    }
+    if (d.load >= 0) {
+      out.unloaded_coulomb_Nm = out.coulomb_Nm;
+      out.load_coulomb_Nm = symmetric_estimate(c(d.load), half_width(d.load), method);
+      const double load = d.x.col(d.load).cwiseAbs().mean();
+      Eigen::VectorXd mean = Eigen::VectorXd::Zero(c.size());
+      mean(d.direction) = 1;
+      mean(d.load) = load;
+      out.coulomb_Nm =
+          symmetric_estimate(mean.dot(c), fit.regression.half_width_along(mean), method);
+    }
+    out.viscous_Nms_rad =
+        symmetric_estimate(c(d.speed) / gear_ratio, half_width(d.speed) / gear_ratio, method);
+    out.inertia_kgm2 = symmetric_estimate(c(d.acceleration) / gear_ratio,
+                                          half_width(d.acceleration) / gear_ratio, method);
+    return;
+  }
+  if (!samples.both_directions()) return;
+  const Eigen::VectorXd contrast = direction_contrast(d, samples);
+  const double error = std::sqrt(contrast.dot(fit.regression.covariance * contrast));
+  double freedom = INFINITY;
+  for (Eigen::Index k = 0; k < d.offset_count; ++k) {
+    freedom = std::min(freedom, fit.regression.freedom(d.offsets + k));
+  }
+  out.coulomb_Nm = symmetric_estimate(contrast.dot(c), student_t_975(freedom) * error, method);
+  out.offset_Nm = contrast.cwiseAbs().dot(c);
+}
+
+/// The ripple that the residual shows, and the fit without it.
+SweepGravityFit fit_without_ripple(const std::vector<const Recording*>& recordings,
+                                   const SweepSamples& samples, double gear_ratio, double middle,
+                                   const std::vector<std::size_t>& blocks,
+                                   const SweepGravityFit& first, SweepDesign& design,
+                                   CogSweepResult& out) {
+  const double white = white_torque_variance(recordings, samples);
+  out.ripple_Nm = torque_ripple_Nm(first.regression.residual_sd, white);
+  if (!(out.ripple_Nm > 0)) return first;
+  std::vector<double> angle(samples.size());
+  std::vector<double> residual(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    angle[i] = gear_ratio * angle_of(recordings, samples, i);
+    residual[i] = first.regression.residuals(static_cast<Eigen::Index>(i));
+  }
+  out.ripple = find_ripple(angle, residual, out.ripple_Nm, white);
+  if (out.ripple.lines.empty()) return first;
+  Eigen::VectorXd torque(design.y.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    torque(static_cast<Eigen::Index>(i)) = out.ripple.torque_Nm(angle[i]);
+  }
+  design.y -= torque;
+  SweepGravityFit fit = fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  fit.regression.residuals += torque;  // what the smooth fit leaves
+  return fit;
+}
+
+/// How far the ripple of another sweep moves the angle, each line at any phase.
+void widen_by_ripple(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
+                     const SweepDesign& design, double gear_ratio, const Ripple& ripple,
+                     CogSweepResult& out) {
+  std::vector<double> amplitudes;
+  const auto rows = static_cast<Eigen::Index>(samples.size());
+  for (const RippleLine& line : ripple.lines) {
+    Eigen::VectorXd cosine(rows);
+    Eigen::VectorXd sine(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double phase = line.periods_per_turn * gear_ratio *
+                           angle_of(recordings, samples, static_cast<std::size_t>(i));
+      cosine(i) = std::cos(phase);
+      sine(i) = std::sin(phase);
+    }
+    out.resampling.ripple_lever.push_back(std::hypot(effect_on_coefficients(design, cosine)(0),
+                                                     effect_on_coefficients(design, sine)(0)));
+    amplitudes.push_back(line.amplitude_Nm * out.resampling.ripple_lever.back());
+  }
+  if (amplitudes.empty()) return;
+  out.q_peak_rad = symmetric_estimate(
+      out.q_peak_rad.value,
+      std::hypot(out.q_peak_rad.half_width(), random_phase_half_width(amplitudes, 0)),
+      out.q_peak_rad.method + ", widened by the ripple that the rough sweep shows");
+}
+
+void keep_for_resampling(const SweepDesign& design, const SweepSamples& samples,
+                         const SweepGravityFit& fit, CogSweepResult& out) {
+  const Eigen::MatrixXd& shifts = fit.block_shifts;
+  const Eigen::RowVectorXd coulomb =
+      direction_contrast(design, samples).transpose() * fit.regression.block_shifts;
+  for (Eigen::Index b = 0; b < shifts.cols(); ++b) {
+    out.resampling.block_shifts.push_back({shifts(0, b), shifts(1, b), coulomb(b)});
+  }
+  out.resampling.freedom = fit.freedom;
+}
+
+/// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
+/// samples cannot see. Blocks of the angle can: the wider of the two intervals is stated.
+SweepGravityFit with_the_wider_blocks(const std::vector<const Recording*>& recordings,
+                                      const SweepSamples& samples, SweepDesign& design,
+                                      double middle, const SweepGravityFit& fit,
+                                      const CogSweepResult& range) {
+  constexpr double cells = 20;
+  std::vector<std::size_t> by_angle(samples.size());
+  const double width = (range.highest_rad - range.lowest_rad) / cells;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double place = (angle_of(recordings, samples, i) - range.lowest_rad) / width;
+    by_angle[i] = static_cast<std::size_t>(std::clamp(place, 0.0, cells - 1));
+  }
+  SweepGravityFit other = fit_amplitude_and_angle(recordings, samples, design, middle, by_angle);
+  other.regression.residuals = fit.regression.residuals;  // those behind the ripple's lines too
+  return other.gravity_Nm.half_width() > fit.gravity_Nm.half_width() ? other : fit;
+}
+
+CogSweepResult skipped(const std::string& name, std::string reason, StageState state) {
+  CogSweepResult out;
+  out.stage = {name, state, std::move(reason)};
+  return out;
+}
+
+}  // namespace
+
+CogSweepResult identify_cog_sweep(const std::string& name,
+                                  const std::vector<const Recording*>& recordings,
+                                  double gear_ratio, const std::optional<Estimate>& gravity_Nm,
+                                  const Ripple& known_ripple) {
+  const bool precise = name == "cog_precise";
+  if (recordings.empty()) {
+    return skipped(name,
+                   precise ? "no precise_sweep was recorded; a slow sweep of about 1° to each side "
+                             "of the gravity peak would be one"
+                           : "no rough_sweep was recorded; a slow sweep over the joint's range in "
+                             "both directions would give the angle of the centre of gravity and "
+                             "the gravity torque",
+                   StageState::skipped);
+  }
+  CogSweepResult out;
+  out.recordings = recordings;
+  const SweepSamples samples = select_sweep_samples(recordings);
+  out.samples_used = samples.size();
+  out.samples_left_out = samples.left_out;
+  out.constant_speed = samples.constant_speed;
+  out.both_directions = samples.both_directions();
+  for (const Recording* recording : recordings) out.used.emplace_back(recording->size(), false);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    out.used[samples.recording[i]][samples.index[i]] = true;
+  }
+  out.stage = {name, StageState::not_identifiable, ""};
+  if (samples.size() < fewest_samples) {
+    out.stage.reason =
+        fmt::format("only {} samples of the sweep move steadily; at least {} are needed",
+                    samples.size(), fewest_samples);
+    return out;
+  }
+  out.lowest_rad = out.highest_rad = angle_of(recordings, samples, 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double q = angle_of(recordings, samples, i);
+    out.lowest_rad = std::min(out.lowest_rad, q);
+    out.highest_rad = std::max(out.highest_rad, q);
+  }
+  const double range = out.highest_rad - out.lowest_rad;
+  if (!(range > 1e-6)) {
+    out.stage.reason = fmt::format("the joint moves by {:.2g} rad only", range);
+    return out;
+  }
+
+  const double middle = (out.lowest_rad + out.highest_rad) / 2;
+  const bool amplitude_known = gravity_Nm.has_value() && gravity_Nm->value > 0;
+  SweepDesign design = sweep_design(recordings, samples, amplitude_known ? 1 : 2);
+  const std::size_t strokes = samples.stroke.back() + 1;
+  const std::vector<std::size_t> blocks =
+      equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
+  SweepGravityFit fit = amplitude_known
+                            ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
+                            : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
+  out.residual_Nm = fit.regression.residual_sd;
+  if (amplitude_known) {
+    out.ripple_Nm = torque_ripple_Nm(out.residual_Nm, white_torque_variance(recordings, samples));
+  } else {
+    fit = with_load_where_it_pays(recordings, samples, design, middle, blocks, fit);
+    out.residual_Nm = fit.regression.residual_sd;
+    fit = fit_without_ripple(recordings, samples, gear_ratio, middle, blocks, fit, design, out);
+    if (!samples.constant_speed && strokes > 2) {
+      fit = with_the_wider_blocks(recordings, samples, design, middle, fit, out);
+    }
+  }
+  const double turn = nearest_turn(fit.q_peak_rad.value, middle) - fit.q_peak_rad.value;
+  out.q_peak_rad = {fit.q_peak_rad.value + turn, fit.q_peak_rad.low + turn,
+                    fit.q_peak_rad.high + turn, fit.q_peak_rad.method};
+  out.gravity_Nm = fit.gravity_Nm;
+  keep_for_resampling(design, samples, fit, out);
+  if (amplitude_known) {
+    out.resampling.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
+    widen_by_ripple(recordings, samples, design, gear_ratio, known_ripple, out);
+  }
+  out.method = samples.constant_speed
+                   ? "T = offset of each direction + G cos(q - q_peak)"
+                   : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";
+  if (design.load >= 0) out.method += " + Coulomb of the load sgn(q') |cos(q - q_peak)|";
+  if (amplitude_known) out.method += ", G from the rough sweep";
+  read_friction(design, samples, fit, gear_ratio, out);
+
+  // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
+  // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.
+  constexpr double least_evidence = 27;
+  if (!(out.gravity_Nm.low > 0) || fit.evidence < least_evidence) {
+    out.stage.reason = fmt::format(
+        "gravity does not show: amplitude {:.3g} N·m with a 95 % interval from {:.3g} to {:.3g} "
+        "N·m over {:.1f}° of travel; sweep further, or load the joint",
+        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high, range * degrees_per_rad);
+    return out;
+  }
+  find_torque_maximum(recordings, samples, out);
+  out.found = true;
+  out.stage.state = StageState::done;
+  if (!out.both_directions) {
+    out.stage.state = StageState::partial;
+    out.stage.reason =
+        "only one direction was recorded: friction does not cancel, and a friction that changes "
+        "with the angle would be taken for gravity";
+  } else if (!precise &&
+             (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format(
+        "the sweep from {:.1f}° to {:.1f}° does not cross the gravity peak, which is "
+        "extrapolated to {:.1f}°; the arg-max of the paper is not valid there",
+        out.lowest_rad * degrees_per_rad, out.highest_rad * degrees_per_rad,
+        out.q_peak_rad.value * degrees_per_rad);
+  }
+  add_fit_curves(recordings, samples, fit.regression.residuals, out);
+  return out;
+}
+
+}  // namespace tribolog

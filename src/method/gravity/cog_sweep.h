@@ -1,0 +1,93 @@
+#pragma once
+// Stages 1 and 2: the angle of the centre of gravity from slow sweeps.
+//
+// Paper: the joint angle at the largest driving torque (figures 13 and 14).
+// Ours: least squares of T = Tf(direction, speed) + b cos q + c sin q + J q'' over the whole sweep,
+// q_peak = atan2(c, b), gravity amplitude hypot(b, c). Terms of speed and acceleration take part
+// only where the sweep is not of constant speed; abrupt stops in such a sweep are left out, and
+// friction that grows with the load is a further term where held-out strokes pay for it. Directions
+// have their own offset, so that friction cancels where both were recorded.
+//
+// Close to the peak the torque is flat (1 degree off costs 1.5e-4 of it): a precise sweep alone
+// cannot tell the amplitude from the offset in noise. Where a rough sweep is given, its amplitude
+// is taken and only the angle is fitted.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "method/gravity/ripple_spectrum.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+struct CogSweepResult {
+  StageReport stage;
+  bool found{false};   ///< The values below are valid.
+  std::string method;  ///< What was fitted, for the report.
+
+  double argmax_rad{};      ///< Paper's way.
+  double argmax_low_rad{};  ///< Angles that the noise cannot tell from the arg-max.
+  double argmax_high_rad{};
+  double argmax_torque_Nm{};  ///< Motor side, at the arg-max.
+  bool argmax_at_end{};       ///< The maximum lies at the sweep's end: no peak was crossed.
+
+  Estimate q_peak_rad;                 ///< Ours.
+  Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
+  std::optional<Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor side; at
+                                       ///< the mean load of the sweep.
+  /// Where Coulomb friction that grows with the load describes strokes held out better: what is
+  /// left without load, and what the full gravity torque adds. Motor side.
+  std::optional<Estimate> unloaded_coulomb_Nm;
+  std::optional<Estimate> load_coulomb_Nm;
+  std::optional<Estimate>
+      viscous_Nms_rad;                   ///< Per motor speed; only from a sweep of varying speed.
+  std::optional<Estimate> inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.
+  double offset_Nm{};    ///< Mean of both directions that is not gravity, motor side.
+  double residual_Nm{};  ///< Standard deviation of what the fit leaves.
+  /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
+  /// that changes with the angle. 0 if none is visible. A loop at one position cannot average it
+  /// out.
+  double ripple_Nm{};
+  Ripple ripple;  ///< Its periods, where the sweep is long enough to show them.
+  /// For resampling, not stored.
+  struct Resampling {
+    /// What the error of each block of neighbours does to q_peak, gravity and Coulomb torque, SI;
+    /// see BlockRegression.
+    std::vector<std::array<double, 3>> block_shifts;
+    double freedom{};          ///< Degrees of freedom of their scatter.
+    double amplitude_lever{};  ///< Change of q_peak per change of a gravity taken from elsewhere.
+    std::vector<double> ripple_lever;  ///< Amplitude of q_peak per amplitude of each ripple line.
+  };
+  Resampling resampling;
+
+  double lowest_rad{};  ///< Range of the samples used.
+  double highest_rad{};
+  bool both_directions{};
+  bool constant_speed{};  ///< Plateaus were used; else the varying-speed fit.
+  std::size_t samples_used{};
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal.
+
+  /// For figures and later stages: per recording, a mask of the samples used.
+  std::vector<std::vector<bool>> used;
+  std::vector<const Recording*> recordings;  ///< Those that the stage was given.
+  /// Fitted motor-side torque for figures: rising and falling joint angle.
+  std::vector<double> fit_q_rad;
+  std::vector<double> fit_rising_Nm;
+  std::vector<double> fit_falling_Nm;  ///< Empty if only one direction was recorded.
+};
+
+/// @param recordings those of one role; may be empty (then the stage is skipped and says so).
+/// @param name stage name, "cog_rough" or "cog_precise".
+/// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
+/// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
+/// interval is as wide as the ripple at any phase demands.
+CogSweepResult identify_cog_sweep(const std::string& name,
+                                  const std::vector<const Recording*>& recordings,
+                                  double gear_ratio,
+                                  const std::optional<Estimate>& gravity_Nm = std::nullopt,
+                                  const Ripple& known_ripple = {});
+
+}  // namespace tribolog

@@ -1,0 +1,57 @@
+#pragma once
+// Torque ripple: what of a sweep's residual repeats with the motor's turn.
+//
+// The residual, averaged over narrow bins of the motor's angle, is searched for periods by a
+// spectrum over that angle; each line found is taken out before the next is looked for. A line has
+// to rise above what white noise gives at the best of all periods, and to carry a share of the
+// ripple. What lies beyond lines (friction that changes with the angle) stays as a standard
+// deviation.
+
+#include <vector>
+
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// One period of the ripple: amplitude * cos(periods_per_turn * motor angle + phase).
+struct RippleLine {
+  double periods_per_turn{};  ///< Of the motor shaft; need not be whole.
+  double amplitude_Nm{};      ///< Motor side.
+  double phase_rad{};
+};
+
+/// What a sweep shows of the torque ripple.
+struct Ripple {
+  std::vector<RippleLine> lines;  ///< Strongest first.
+  double rest_Nm{};               ///< Standard deviation of what is neither line nor white noise.
+
+  /// Torque of the lines at a motor angle [N·m].
+  [[nodiscard]] double torque_Nm(double motor_angle_rad) const;
+  /// Half width that 95 % of all motor angles stay within: each line at a phase of its own, and the
+  /// rest as normal noise [N·m].
+  [[nodiscard]] double half_width_Nm() const;
+};
+
+/// How finely the motor's angle is searched. A sine is told from its neighbours where bins are a
+/// few times narrower than its period.
+struct RippleSearch {
+  double bins_per_turn{64};          ///< > 0
+  double most_periods_per_turn{24};  ///< At most 3/8 of the bins.
+  double least_periods_per_turn{0};  ///< And no less than three over all angles.
+};
+
+/// @param motor_angle_rad, residual_Nm one per sample.
+/// @param ripple_Nm standard deviation of the residual beyond white noise; 0: no lines.
+/// @param white_variance of the torque.
+Ripple find_ripple(const std::vector<double>& motor_angle_rad,
+                   const std::vector<double>& residual_Nm, double ripple_Nm, double white_variance,
+                   const RippleSearch& search = {});
+
+/// A torque read at one position, with the ripple laid on its interval: over a micro-oscillation
+/// ripple is a constant, which no repetition averages out.
+Estimate with_ripple(const Estimate& torque_Nm, const Ripple& ripple);
+
+/// The 0.95 quantile of |sum of amplitude_k cos(random phase) + normal noise|.
+double random_phase_half_width(const std::vector<double>& amplitudes, double normal_sd);
+
+}  // namespace tribolog

@@ -1,0 +1,69 @@
+#pragma once
+// Internal to the sweep stage: the regression behind it.
+//
+//   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
+//   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
+//                        [+ load sgn(q') |cos(q - q_peak)|]
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "joint/recording.h"
+#include "method/motion/sweep_samples.h"
+#include "statistics/block_regression.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// Columns of the regression T = X c. Those of gravity are the first.
+struct SweepDesign {
+  Eigen::MatrixXd x;
+  Eigen::VectorXd y;
+  Eigen::Index offsets{};  // first column of the offsets
+  Eigen::Index offset_count{};
+  Eigen::Index direction{-1};  // Coulomb column of a varying sweep
+  Eigen::Index speed{-1};
+  Eigen::Index acceleration{-1};
+  Eigen::Index load{-1};  // sgn(q') |cos(q - q_peak)|, last; only where it pays (sweep_load.h)
+  std::vector<std::size_t> offset_of_sample;
+};
+
+/// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
+/// alone.
+SweepDesign sweep_design(const std::vector<const Recording*>& recordings,
+                         const SweepSamples& samples, Eigen::Index gravity_columns);
+
+struct SweepGravityFit {
+  Estimate q_peak_rad;
+  Estimate gravity_Nm;
+  /// Chi-square of "there is no gravity" with two degrees of freedom. The amplitude alone cannot
+  /// tell: noise too has a positive one.
+  double evidence{};
+  BlockRegression regression;
+  /// Rows q_peak and gravity: what the error of each block does to them.
+  Eigen::MatrixXd block_shifts;
+  double freedom{};  ///< Degrees of freedom of their scatter.
+};
+
+/// Amplitude and angle together, about the sweep's middle; fills the two columns of gravity.
+/// @param blocks of each sample, for block_regression().
+SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& recordings,
+                                        const SweepSamples& samples, SweepDesign& design,
+                                        double middle_rad, const std::vector<std::size_t>& blocks);
+
+/// The angle alone, the amplitude being known: Gauss-Newton on T = offset + G cos(q - q_peak).
+SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
+                          const SweepSamples& samples, SweepDesign& design, double middle_rad,
+                          const Estimate& gravity_Nm, const std::vector<std::size_t>& blocks);
+
+/// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted
+/// coefficients.
+Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::VectorXd& extra_Nm);
+
+/// Joint angle of a sample [rad].
+double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
+                std::size_t i);
+
+}  // namespace tribolog

@@ -1,0 +1,200 @@
+#include "method/hysteresis/break_away.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "statistics/median.h"
+#include "statistics/student_t.h"
+#include "statistics/summits.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double fewest_steps = 20;      // across which a speed is taken
+constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at their own scale
+constexpr double torque_on = 0.1;        // share of the largest torque that tells the direction
+
+/// Sign of the ramp: that of the torque when it has first left its rest.
+double direction_of(const Recording& r) {
+  double largest = 0;
+  for (const double torque : r.torque_Nm) {
+    largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
+  }
+  for (const double torque : r.torque_Nm) {
+    const double change = torque - r.torque_Nm.front();
+    if (std::abs(change) > torque_on * largest) return change < 0 ? -1.0 : 1.0;
+  }
+  return 1.0;
+}
+
+/// The usual step of the angle from sample to sample, standing still left out: the encoder's step
+/// or its noise, whichever is seen.
+double usual_step_rad(const std::vector<double>& q_rad) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < q_rad.size(); ++i) {
+    if (q_rad[i] != q_rad[i - 1]) steps.push_back(std::abs(q_rad[i] - q_rad[i - 1]));
+  }
+  return steps.empty() ? 0.0 : median(std::move(steps));
+}
+
+/// Where the joint has moved `need` on from sample i, or the end.
+std::size_t moved_on(const Summits& travel, std::size_t i, double need) {
+  const double here = travel.signal()[i];
+  return travel.first(i + 1, [&](double there) { return there - here >= need; });
+}
+
+/// Travel from break-away at sample `at` to where the joint has slowed down to a third of the speed
+/// by which break-away was told.
+std::optional<double> slip_until_stop(const Recording& r, const Summits& summits, std::size_t at,
+                                      std::size_t end, double least) {
+  const std::vector<double>& travel = summits.signal();
+  const double need = std::max(least, share_of_travel * travel[at]);
+  const double mean_speed = std::max(travel[at], least) / (r.t_s[at] - r.t_s.front());
+  const double stopped = yield_at_break_away / 3 * mean_speed;
+  for (std::size_t i = at + 1; i < end; ++i) {
+    const std::size_t j = std::min(moved_on(summits, i, need), end);
+    if (need <= stopped * (r.t_s[j] - r.t_s[i])) return travel[i] - travel[at];
+  }
+  return std::nullopt;
+}
+
+double gravity_torque(const std::optional<KnownGravity>& gravity, double q_rad) {
+  return gravity ? gravity->amplitude_Nm.value * std::cos(q_rad - gravity->q_peak_rad) : 0.0;
+}
+
+BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& gravity) {
+  BreakAwayRamp ramp;
+  ramp.recording = r.name;
+  const double sign = direction_of(r);
+  ramp.is_rising = sign > 0;
+  ramp.q_start_rad = r.q_rad.front();
+  std::vector<double> way(r.size());
+  std::size_t furthest = 0;  // the largest torque in the ramp's direction, where it never slips
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    way[i] = sign * (r.q_rad[i] - r.q_rad.front());
+    if (sign * (r.torque_Nm[i] - r.torque_Nm[furthest]) > 0) furthest = i;
+  }
+  const Summits summits(std::move(way));
+  const std::vector<double>& travel = summits.signal();
+  const double least = fewest_steps * usual_step_rad(r.q_rad);
+  std::size_t at = furthest;
+  for (std::size_t i = 1; i < furthest; ++i) {
+    const double need = std::max(least, share_of_travel * travel[i]);
+    const std::size_t j = moved_on(summits, i, need);
+    if (j == r.size()) break;
+    const double mean_speed = std::max(travel[i], least) / (r.t_s[i] - r.t_s.front());
+    if (!(mean_speed > 0)) continue;
+    const double yield = need / (r.t_s[j] - r.t_s[i]) / mean_speed;
+    ramp.largest_yield = std::max(ramp.largest_yield, yield);
+    if (yield > yield_at_break_away) {
+      ramp.broke_away = true;
+      at = i;
+      break;
+    }
+  }
+  ramp.torque_Nm = r.torque_Nm[at];
+  ramp.friction_Nm = sign * (ramp.torque_Nm - gravity_torque(gravity, r.q_rad[at]));
+  ramp.travel_rad = travel[at];
+  if (ramp.broke_away) ramp.first_slip_rad = slip_until_stop(r, summits, at, furthest, least);
+  const double duration = r.t_s[at] - r.t_s.front();
+  ramp.rate_Nm_s = duration > 0 ? sign * (ramp.torque_Nm - r.torque_Nm.front()) / duration : 0.0;
+  ramp.samples_used = at + 1;
+  ramp.samples_left_out = r.size() - ramp.samples_used;
+  return ramp;
+}
+
+std::optional<Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
+                                const std::optional<KnownGravity>& gravity) {
+  double mean = 0;
+  double n = 0;
+  double by_gravity = 0;
+  for (const BreakAwayRamp& ramp : ramps) {
+    if (!ramp.broke_away || ramp.is_rising != is_rising) continue;
+    mean += ramp.friction_Nm;
+    n += 1;
+    if (gravity) {
+      by_gravity += gravity->amplitude_Nm.half_width() *
+                    std::abs(std::cos(ramp.q_start_rad - gravity->q_peak_rad));
+    }
+  }
+  if (n < 2) return std::nullopt;
+  mean /= n;
+  by_gravity /= n;
+  double squares = 0;
+  for (const BreakAwayRamp& ramp : ramps) {
+    if (ramp.broke_away && ramp.is_rising == is_rising)
+      squares += std::pow(ramp.friction_Nm - mean, 2);
+  }
+  const double scatter = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return symmetric_estimate(mean, std::hypot(scatter, by_gravity), "scatter of the ramps");
+}
+
+/// What the ramps that did not break away say.
+std::string censored_words(const BreakAwayResult& result) {
+  std::string words;
+  for (const BreakAwayRamp& ramp : result.ramps) {
+    if (ramp.broke_away) continue;
+    words += fmt::format(
+        "{}{}: the torque reached {:.4g} N·m and the joint did not break away, so its break-away "
+        "torque is larger than {:.4g} N·m (censored: a bound, not a value)",
+        words.empty() ? "" : "; ", ramp.recording, ramp.torque_Nm, ramp.friction_Nm);
+  }
+  return words;
+}
+
+void add_reason(StageReport& stage, const std::string& words) {
+  stage.state = StageState::partial;
+  stage.reason += (stage.reason.empty() ? "" : "; ") + words;
+}
+
+}  // namespace
+
+BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
+                                    const std::optional<KnownGravity>& gravity) {
+  BreakAwayResult out;
+  out.stage.name = "break_away";
+  out.gravity_taken_off = gravity.has_value();
+  if (ramps.empty()) {
+    out.stage.state = StageState::skipped;
+    out.stage.reason =
+        "no break-away ramp was recorded; five slow torque ramps from rest in each direction would "
+        "give the break-away torque without a model";
+    return out;
+  }
+  for (const Recording* r : ramps) {
+    if (r->size() < 3) continue;
+    out.ramps.push_back(read_ramp(*r, gravity));
+    out.censored += out.ramps.back().broke_away ? 0 : 1;
+  }
+  out.rising_Nm = mean_of(out.ramps, true, gravity);
+  out.falling_Nm = mean_of(out.ramps, false, gravity);
+  if (out.rising_Nm && out.falling_Nm) {
+    out.mean_Nm = symmetric_estimate(
+        (out.rising_Nm->value + out.falling_Nm->value) / 2,
+        std::hypot(out.rising_Nm->half_width(), out.falling_Nm->half_width()) / 2,
+        "scatter of the ramps, both directions");
+  }
+  out.stage.state = StageState::done;
+  if (out.censored > 0) add_reason(out.stage, censored_words(out));
+  if (!out.rising_Nm || !out.falling_Nm) {
+    add_reason(
+        out.stage,
+        fmt::format("fewer than two ramps broke away {}; more ramps there, up to a larger "
+                    "torque, would give the break-away torque with its scatter",
+                    out.rising_Nm || out.falling_Nm
+                        ? (out.rising_Nm ? "towards negative torque" : "towards positive torque")
+                        : "in either direction"));
+  }
+  if (!gravity) {
+    add_reason(out.stage,
+               "gravity at these angles is not known and was not taken off: only the mean of both "
+               "directions is friction alone");
+  }
+  if (!out.rising_Nm && !out.falling_Nm) out.stage.state = StageState::not_identifiable;
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,64 @@
+#pragma once
+// Break-away ramps: the joint stands, the torque rises slowly until it slides.
+//
+// Before break-away the contact yields a little under the rising torque: pre-sliding. At
+// break-away it yields without limit. The moment is found without a scale of its own: where the
+// joint, over a tenth of its travel so far (and twenty of its usual steps), moves
+// `yield_at_break_away` times faster than on average since the ramp began. A LuGre contact does so
+// 0.7 % below its static torque, whatever its stiffness and the rate.
+//
+// A ramp that ends before that tells only that friction is larger than what was reached: a censored
+// value. It bounds the break-away torque from below and takes no part in the mean.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+inline constexpr double yield_at_break_away = 30;
+
+/// Gravity torque at the motor, to be taken off the driving torque.
+struct KnownGravity {
+  Estimate amplitude_Nm;
+  double q_peak_rad{};
+};
+
+struct BreakAwayRamp {
+  std::string recording;
+  bool is_rising{};        ///< The torque rises to positive values.
+  bool broke_away{};       ///< false: censored, friction_Nm is a lower bound.
+  double rate_Nm_s{};      ///< Mean rate of the torque up to there, motor side, >= 0.
+  double torque_Nm{};      ///< Driving torque there, motor side, signed.
+  double friction_Nm{};    ///< Magnitude with gravity taken off (if known).
+  double travel_rad{};     ///< Joint travel from rest up to there.
+  double largest_yield{};  ///< Largest ratio of speed to mean speed seen up to there.
+  double q_start_rad{};    ///< Joint angle at rest.
+  /// Travel of the first slip, if the joint stopped again under a torque that still rose: caught by
+  /// gravity, or by friction that changes with the angle. Absent: it slid on to the ramp's end.
+  std::optional<double> first_slip_rad;
+  std::size_t samples_used{};  ///< Up to break-away.
+  std::size_t samples_left_out{};
+};
+
+struct BreakAwayResult {
+  StageReport stage;
+  bool gravity_taken_off{};
+  std::vector<BreakAwayRamp> ramps;
+  std::size_t censored{};
+  /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
+  /// scatter of the ramps, absent with fewer than two that broke away.
+  std::optional<Estimate> rising_Nm;
+  std::optional<Estimate> falling_Nm;
+  /// Mean of the two directions, in which gravity cancels where it was not taken off.
+  std::optional<Estimate> mean_Nm;
+};
+
+/// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
+BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
+                                    const std::optional<KnownGravity>& gravity);
+
+}  // namespace tribolog

@@ -1,0 +1,304 @@
+#include "method/hysteresis/hysteresis_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/present.h"
+#include "method/hysteresis/loop_midline.h"
+#include "method/hysteresis/loop_points.h"
+#include "method/hysteresis/position_mean.h"
+#include "method/hysteresis/presliding_travel.h"
+#include "method/motion/encoder_resolution.h"
+#include "method/motion/moving_part.h"
+#include "statistics/student_t.h"
+
+namespace tribolog {
+namespace {
+
+/// Says, from the reversals of the sweep, whether an oscillation would have been resolved.
+void explain_without_oscillation(const CogSweepResult& rough, double gear_ratio,
+                                 HysteresisResult& out) {
+  out.stage.state = StageState::skipped;
+  out.stage.reason =
+      "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
+      "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
+  if (!rough.found || rough.recordings.empty()) return;
+  const auto [step, is_of_print] = angle_step(rough.recordings.front()->q_rad, gear_ratio);
+  const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
+  if (step <= 0 || !travel) return;
+  out.encoder_step_rad = step;
+  out.step_is_of_print = is_of_print;
+  out.presliding_travel_rad = travel;
+  const double steps = *travel / step;
+  if (steps < fewest_steps_in_presliding) {
+    out.stage.state = StageState::not_identifiable;
+    out.stage.reason = fmt::format(
+        "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
+        "{:.3g} "
+        "rad leaves {:.1f} steps in the {:.2g} rad within which friction turns over after a "
+        "reversal of the sweep; at least {:.0f} are needed",
+        step, steps, *travel, fewest_steps_in_presliding);
+  }
+}
+
+LoopTrace make_trace(const Recording& r) {
+  return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}};
+}
+
+using Turns = std::vector<std::vector<LoopPoint>>;
+
+/// The points of all whole turns of the trace from `first` on.
+Turns read_turns(const LoopTrace& trace, const TraceReader& reader, std::size_t first) {
+  Turns turns;
+  std::size_t next = first;
+  while (auto points = find_loop_points(trace, reader, next, next)) turns.push_back(*points);
+  return turns;
+}
+
+/// Averaged point by point.
+std::vector<LoopPoint> average_turns(const Turns& turns) {
+  if (turns.empty()) return {};
+  std::vector<LoopPoint> mean = turns.front();
+  const auto n = static_cast<double>(turns.size());
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    double q = 0, torque = 0, z = 0, dz = 0, half_width = 0, squares = 0;
+    for (const auto& turn : turns) {
+      q += turn[k].q_rad / n;
+      torque += turn[k].torque_Nm / n;
+      z += turn[k].z_rad / n;
+      dz += turn[k].dz_rad_s / n;
+      half_width += (turn[k].torque_high_Nm - turn[k].torque_low_Nm) / 2 / n;
+    }
+    for (const auto& turn : turns) squares += std::pow(turn[k].torque_Nm - torque, 2);
+    // Turns scatter independently; with too few of them the reading's own width is all there is.
+    half_width = n >= 3 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)
+                        : half_width / std::sqrt(n);
+    mean[k] = {mean[k].name,        mean[k].t_s,         q, torque,
+               torque - half_width, torque + half_width, z, dz};
+  }
+  return mean;
+}
+
+/// One reading scatters as the same reading of the steady turns does, which knows more than the
+/// noise of the torque: the instant to read at is uncertain too. A belongs to the start-up stroke,
+/// which has no like.
+void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
+                      std::vector<LoopPoint>& points) {
+  if (turns < 3) return;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].name == 'A') continue;
+    const double half_width = (steady[k].torque_high_Nm - steady[k].torque_low_Nm) / 2 *
+                              std::sqrt(static_cast<double>(turns));
+    points[k].torque_low_Nm = points[k].torque_Nm - half_width;
+    points[k].torque_high_Nm = points[k].torque_Nm + half_width;
+  }
+}
+
+struct LoopResult {
+  Recording recording;
+  std::optional<OscillationMotion> motion;  ///< Where the angle swings with a period.
+  std::optional<TracedMotion> traced;  ///< Where harmonics do not follow it, or there are none.
+  std::string why_not_followed;        ///< Where no model can be driven by the angle.
+  Oscillation oscillation;
+  LoopTrace trace;
+  std::optional<LoopMidline> midline;  ///< Of a loop with a period.
+};
+
+/// The mid-lines of all recordings that have one as one estimate of the gravity torque.
+void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple, double gear_ratio,
+                      HysteresisResult& out) {
+  std::vector<Estimate> at_peak;
+  std::vector<double> angle;
+  for (const LoopResult& loop : loops) {
+    if (!loop.midline) continue;
+    at_peak.push_back(scaled(loop.midline->torque_Nm, 1 / loop.midline->mean_cos));
+    angle.push_back(gear_ratio * loop.oscillation.centre_rad);
+  }
+  if (loops.size() == 1) {
+    const std::optional<LoopMidline>& midline = loops.front().midline;
+    if (midline) out.midline_Nm = midline->torque_Nm;
+  } else if (!at_peak.empty()) {
+    out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
+    out.midline_Nm = out.positions->gravity_Nm;
+  }
+}
+
+/// The motion of a recording, by harmonics or else by a spline; why not, if neither.
+std::string follow_the_angle(double encoder_step, LoopResult& loop) {
+  loop.motion = fit_oscillation_motion(loop.recording);
+  if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return "";
+  MotionTrace trace = trace_motion(loop.recording);
+  loop.traced = std::move(trace.motion);
+  if (loop.traced) return "";
+  const std::string no_period =
+      loop.motion ? fmt::format(
+                        "the angle is no periodic motion: a harmonic series leaves {:.2g} "
+                        "rad of an amplitude of {:.2g} rad",
+                        loop.motion->residual_rad, loop.motion->amplitude_rad)
+                  : "the angle does not swing through one whole cycle";
+  return fmt::format("{}: {}; and {}", loop.recording.name, no_period, trace.refusal);
+}
+
+/// Without cycles and noise of the torque.
+Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
+  if (loop.motion) {
+    return {loop.motion->centre_rad,
+            loop.motion->amplitude_rad,
+            loop.motion->frequency_Hz,
+            0,
+            0,
+            encoder_step};
+  }
+  const TracedMotion& traced = present(loop.traced);
+  return {traced.centre_rad,
+          traced.amplitude_rad,
+          traced.frequency_Hz,
+          std::floor(static_cast<double>(traced.strokes()) / 2),
+          0,
+          encoder_step};
+}
+
+/// LuGre fitted to all loops together; it observes the bristle of those that hold none.
+void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
+                     const Ripple& ripple, HysteresisResult& out) {
+  std::vector<LuGreInput> inputs;
+  std::vector<LoopTrace*> traces;
+  std::string not_followed;
+  for (LoopResult& loop : loops) {
+    if (!loop.why_not_followed.empty()) {
+      if (not_followed.empty()) not_followed = loop.why_not_followed;
+      continue;
+    }
+    inputs.push_back({&loop.recording, loop.motion ? &*loop.motion : nullptr,
+                      loop.traced ? &*loop.traced : nullptr});
+    traces.push_back(&loop.trace);
+  }
+  LuGreFit fit;
+  if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple);
+  if (!not_followed.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + not_followed;
+  if (!loops.front().trace.z_rad.empty()) {
+    out.bristle_source = "recorded";
+  } else if (fit.gravity_Nm && traces.front() == &loops.front().trace) {
+    out.bristle_source = "LuGre model fitted to the loop";
+  }
+  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+    if (!traces[r]->z_rad.empty()) continue;
+    traces[r]->z_rad = fit.loops[r].z_rad;
+    traces[r]->dz_rad_s = fit.loops[r].dz_rad_s;
+  }
+  out.lugre = std::move(fit);
+}
+
+}  // namespace
+
+HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscillations,
+                                     const CogSweepResult& rough, double gear_ratio,
+                                     const std::optional<Estimate>& q_peak_rad) {
+  HysteresisResult out;
+  out.stage.name = "hysteresis";
+  if (oscillations.empty()) {
+    explain_without_oscillation(rough, gear_ratio, out);
+    return out;
+  }
+  std::vector<LoopResult> loops;
+  std::vector<std::string> reasons;
+  for (const Recording* whole : oscillations) {
+    LoopResult loop;
+    loop.recording = moving_part(*whole);
+    const Recording& recording = loop.recording;
+    out.samples_at_rest += whole->size() - recording.size();
+    const auto [step, is_of_print] = angle_step(recording.q_rad, gear_ratio);
+    // Rounding by the print lies on top of a step that is not known.
+    loop.why_not_followed = follow_the_angle(is_of_print ? 0.0 : step, loop);
+    if (!loop.motion && !loop.traced) {
+      reasons.push_back(loop.why_not_followed);
+      continue;
+    }
+    loop.trace = make_trace(recording);
+    loop.oscillation = oscillation_of(loop, step);
+    loop.oscillation.step_is_of_print = is_of_print;
+    const double width = 2 * loop.oscillation.amplitude_rad;
+    if (step > 0 && width < fewest_steps_in_presliding * step) {
+      reasons.push_back(
+          fmt::format("{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
+                      "of {:.3g} rad; "
+                      "at least {:.0f} are needed",
+                      recording.name, step, width / step, width, fewest_steps_in_presliding));
+      out.encoder_step_rad = step;
+      out.step_is_of_print = is_of_print;
+      continue;
+    }
+    if (loop.motion) {
+      const double q_peak = q_peak_rad ? q_peak_rad->value : loop.motion->centre_rad;
+      const TraceReader reader(loop.trace, 1 / loop.motion->frequency_Hz);
+      loop.midline = find_loop_midline(recording, *loop.motion, q_peak, reader.torque_noise_Nm());
+      if (!loop.midline) continue;
+      loop.oscillation.cycles = loop.midline->cycles;
+      loop.oscillation.steady_cycles = loop.midline->steady_cycles;
+      loop.trace.midline_q_rad = loop.midline->q_rad;
+      loop.trace.midline_Nm = loop.midline->midline_Nm;
+      if (loop.midline->start_up_included) {
+        reasons.push_back(fmt::format(
+            "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
+            recording.name));
+      }
+    }
+    loops.push_back(std::move(loop));
+  }
+  for (const std::string& reason : reasons) {
+    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") + reason;
+  }
+  if (loops.empty()) {
+    out.stage.state = StageState::not_identifiable;
+    return out;
+  }
+
+  const double q_peak = q_peak_rad ? q_peak_rad->value : loops.front().oscillation.centre_rad;
+  observe_bristle(loops, gear_ratio, q_peak, rough.ripple, out);
+
+  out.found = true;
+  out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
+  const LoopResult& first = loops.front();
+  combine_midlines(loops, rough.ripple, gear_ratio, out);
+  out.midline_q_rad = first.oscillation.centre_rad;
+  if (first.midline) {
+    out.cycle_means_Nm = first.midline->cycle_means_Nm;
+    out.midline_q_rad = first.midline->mean_q_rad;
+    if (loops.size() == 1) out.midline_mean_cos = first.midline->mean_cos;
+  }
+  const auto [low, high] =
+      std::minmax_element(first.trace.torque_Nm.begin(), first.trace.torque_Nm.end());
+  out.loop_height_Nm = *high - *low;
+  if (!first.trace.z_rad.empty()) {
+    const TraceReader reader(first.trace, 1 / first.oscillation.frequency_Hz);
+    std::size_t next = 0;
+    if (auto points = find_loop_points(first.trace, reader, 0, next)) {
+      out.points = *points;
+      const Turns turns = read_turns(first.trace, reader, next);
+      out.steady_points = average_turns(turns);
+      widen_by_scatter(out.steady_points, turns.size(), out.points);
+      for (const std::vector<LoopPoint>& turn : turns) {
+        out.turn_torques_Nm.emplace_back();
+        for (std::size_t k = 0; k < turn.size(); ++k) {
+          out.turn_torques_Nm.back()[k] = turn[k].torque_Nm;
+        }
+      }
+      if (out.steady_points.empty()) out.steady_points = out.points;
+    }
+  } else {
+    out.stage.state = StageState::partial;
+    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") +
+                        std::string("no bristle deflection is to be had: ") +
+                        (out.lugre ? out.lugre->reason : "");
+  }
+  for (LoopResult& loop : loops) {
+    out.oscillations.push_back(loop.oscillation);
+    out.traces.push_back(std::move(loop.trace));
+  }
+  return out;
+}
+
+}  // namespace tribolog

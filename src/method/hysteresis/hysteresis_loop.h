@@ -1,0 +1,102 @@
+#pragma once
+// Stage 3: the micro-oscillation about the gravity peak; loops T(q), z(q), dz/dt(q) and the points
+// A to F of the paper's table 2.
+//
+// The points, in the order of time (definitions of ours under which a LuGre joint reproduces the
+// whole table): A z = 0 while the arm rises; C largest z; F smallest dz/dt (arm dropping, z > 0);
+// B z = 0 while the arm drops; D smallest z; E largest dz/dt (arm rising, z < 0).
+//
+// A log of a real drive holds no z. It then comes from a LuGre model fitted to T(t) (stage 8).
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
+#include "method/hysteresis/lugre_fit.h"
+#include "method/hysteresis/position_mean.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+inline constexpr std::array<char, 6> loop_point_names{'A', 'B', 'C', 'D', 'E', 'F'};
+
+struct LoopPoint {
+  char name{'A'};
+  double t_s{};
+  double q_rad{};
+  double torque_Nm{};      ///< Motor side.
+  double torque_low_Nm{};  ///< 95 % interval of the reading.
+  double torque_high_Nm{};
+  double z_rad{};
+  double dz_rad_s{};
+};
+
+/// One oscillation with its bristle state, sample by sample.
+struct LoopTrace {
+  std::string recording;
+  std::vector<double> t_s;
+  std::vector<double> q_rad;
+  std::vector<double> torque_Nm;
+  std::vector<double> z_rad;  ///< Recorded or of the fitted model; empty if neither.
+  std::vector<double> dz_rad_s;
+  /// Mid-line of the steady loop: mean of the rising and the falling branch at equal angle.
+  std::vector<double> midline_q_rad;
+  std::vector<double> midline_Nm;
+};
+
+struct Oscillation {
+  double centre_rad{};
+  double amplitude_rad{};
+  double frequency_Hz{};
+  double cycles{};            ///< Whole cycles in the recording.
+  double steady_cycles{};     ///< Those behind the start-up stroke, used for the mid-line.
+  double encoder_step_rad{};  ///< Smallest step seen in q; 0: continuous.
+  bool step_is_of_print{};    ///< It is that of the log's decimals; see AngleStep.
+};
+
+struct HysteresisResult {
+  StageReport stage;
+  bool found{false};
+  std::string bristle_source;             ///< "recorded" or "LuGre model fitted to the loop" or "".
+  std::vector<Oscillation> oscillations;  ///< One per recording used.
+  std::vector<LoopTrace> traces;
+  /// The paper's reading: from the first strokes of the first recording, in the order A..F.
+  /// Empty if no bristle state is to be had.
+  std::vector<LoopPoint> points;
+  /// The same points of the steady loop, averaged over its cycles.
+  std::vector<LoopPoint> steady_points;
+  std::optional<Estimate>
+      midline_Nm;                 ///< Motor-side torque of the steady loop's mid-line at q_peak.
+  double midline_q_rad{};         ///< Mean angle of the loop.
+  double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
+  std::size_t samples_at_rest{};  ///< Before and after the motion; left out.
+  double loop_height_Nm{};        ///< Largest minus smallest torque of the loop.
+  std::optional<LuGreFit> lugre;  ///< Stage 8, where a fit was made.
+
+  // For resampling, not stored.
+  std::vector<double> cycle_means_Nm;  ///< Of the first recording's steady cycles.
+  /// Torques at A to F, in the order of loop_point_names, in each steady turn of the first.
+  std::vector<std::array<double, 6>> turn_torques_Nm;
+  std::optional<PositionMean> positions;  ///< Of the mid-lines, where recordings are several.
+
+  /// Whether the scatter of the mid-lines over distinct positions holds the torque ripple.
+  [[nodiscard]] bool positions_hold_ripple() const { return positions && positions->freedom > 0; }
+
+  /// What shows that pre-sliding cannot be resolved, where that is so: travel after a reversal
+  /// within which torque turns over, and the encoder's step.
+  std::optional<double> presliding_travel_rad;
+  std::optional<double> encoder_step_rad;
+  bool step_is_of_print{};  ///< That step is the one of the log's decimals; see AngleStep.
+};
+
+/// @param oscillations recordings of that role; may be empty.
+/// @param rough the rough sweep: its reversals tell about pre-sliding where no oscillation does.
+/// @param q_peak_rad from the sweeps, or nullopt: the arm is then taken to swing about its peak.
+HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscillations,
+                                     const CogSweepResult& rough, double gear_ratio,
+                                     const std::optional<Estimate>& q_peak_rad);
+
+}  // namespace tribolog

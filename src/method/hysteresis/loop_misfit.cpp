@@ -1,0 +1,57 @@
+#include "method/hysteresis/loop_misfit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t bins = 60;
+
+struct Mean {
+  double sum{};
+  double squares{};
+  double count{};
+  void add(double x) {
+    sum += x;
+    squares += x * x;
+    count += 1;
+  }
+  [[nodiscard]] double value() const { return sum / count; }
+  /// Square of the mean, without the part that independent scatter has in it.
+  [[nodiscard]] double square_without_scatter() const {
+    if (count < 2) return 0;
+    const double scatter = (squares - count * value() * value()) / (count - 1);
+    return value() * value() - scatter / count;
+  }
+};
+
+}  // namespace
+
+LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& model_Nm,
+                       const std::vector<double>& speed) {
+  const auto [low, high] = std::minmax_element(recording.q_rad.begin(), recording.q_rad.end());
+  const double width = (*high - *low) / static_cast<double>(bins);
+  LoopMisfit out;
+  if (!(width > 0)) return out;
+  std::array<std::array<Mean, bins>, 2> means{};
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const double place = std::floor((recording.q_rad[i] - *low) / width);
+    const auto bin = std::min(bins - 1, static_cast<std::size_t>(place));
+    means[speed[i] > 0 ? 0 : 1][bin].add(recording.torque_Nm[i] - model_Nm[i]);
+  }
+  double squares = 0;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    if (means[0][bin].count == 0 || means[1][bin].count == 0) continue;
+    out.q_rad.push_back(*low + (static_cast<double>(bin) + 0.5) * width);
+    out.rising_Nm.push_back(means[0][bin].value());
+    out.falling_Nm.push_back(means[1][bin].value());
+    squares += means[0][bin].square_without_scatter() + means[1][bin].square_without_scatter();
+  }
+  const auto bins_used = static_cast<double>(out.q_rad.size());
+  if (squares > 0) out.systematic_Nm = std::sqrt(squares / (2 * bins_used));
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,121 @@
+#include "method/hysteresis/loop_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "method/hysteresis/turn_stiffness.h"
+#include "method/motion/moving_part.h"
+#include "method/motion/oscillation_motion.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t fewest_strokes = 2;
+
+double interpolate(const std::vector<double>& t, const std::vector<double>& y, double at) {
+  const auto it = std::lower_bound(t.begin(), t.end(), at);
+  if (it == t.begin()) return y.front();
+  if (it == t.end()) return y.back();
+  const auto i = static_cast<std::size_t>(it - t.begin());
+  const double x = (at - t[i - 1]) / (t[i] - t[i - 1]);
+  return y[i - 1] + x * (y[i] - y[i - 1]);
+}
+
+struct SteadyPart {
+  const Recording& r;
+  std::size_t first;  ///< Behind the first cycle.
+  double period_s;
+};
+
+double mean_gap_rad(const SteadyPart& s) {
+  double sum = 0;
+  double n = 0;
+  for (std::size_t i = s.first; i < s.r.size(); ++i) {
+    const double before = s.r.t_s[i] - s.period_s;
+    if (before < s.r.t_s[s.first]) continue;
+    sum += std::abs(s.r.q_rad[i] - interpolate(s.r.t_s, s.r.q_rad, before));
+    n += 1;
+  }
+  return n > 0 ? sum / n : 0;
+}
+
+double dissipated_per_cycle(const SteadyPart& s, double gear_ratio, double cycles) {
+  const auto whole = std::floor(cycles);
+  const double end = s.r.t_s[s.first] + whole * s.period_s;
+  double work = 0;
+  for (std::size_t i = s.first; i + 1 < s.r.size() && s.r.t_s[i + 1] <= end; ++i) {
+    work += gear_ratio * (s.r.torque_Nm[i] + s.r.torque_Nm[i + 1]) / 2 *
+            (s.r.q_rad[i + 1] - s.r.q_rad[i]);
+  }
+  return whole > 0 ? work / whole : 0;
+}
+
+/// Compliances behind each reversal of the steady cycles. A reversal is the last sample at the
+/// extreme angle of a half cycle about the fitted motion's own.
+std::vector<double> compliances(const SteadyPart& s, const HarmonicMotion& motion, double start_s,
+                                double height_Nm) {
+  std::vector<double> out;
+  const Recording& r = s.r;
+  std::size_t i = s.first;
+  while (i + 1 < r.size()) {
+    // A half cycle in which the fitted motion keeps its direction.
+    const double direction = motion.speed(r.t_s[i] - start_s) < 0 ? -1.0 : 1.0;
+    std::size_t end = i;
+    while (end < r.size() && direction * motion.speed(r.t_s[end] - start_s) >= 0) ++end;
+    if (end == r.size()) break;
+    // The turn, looked for up to a quarter of a period behind the fitted one.
+    std::size_t turn = end;
+    for (std::size_t k = i; k < r.size() && r.t_s[k] < r.t_s[end] + s.period_s / 4; ++k) {
+      if (direction * (r.q_rad[k] - r.q_rad[turn]) >= 0) turn = k;
+    }
+    std::size_t last = turn;
+    while (last < r.size() &&
+           direction * (r.torque_Nm[turn] - r.torque_Nm[last]) < part_behind_turn * height_Nm) {
+      ++last;
+    }
+    if (last < r.size() && last - turn >= fewest_samples_behind_turn) {
+      const double c = compliance(r.torque_Nm, r.q_rad, turn, last);
+      if (c > 0) out.push_back(c);
+    }
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<LoopShape> describe_loops(const std::vector<const Recording*>& oscillations,
+                                      double gear_ratio) {
+  std::vector<LoopShape> shapes;
+  for (const Recording* whole : oscillations) {
+    const Recording r = moving_part(*whole);
+    const auto motion = fit_oscillation_motion(r);
+    if (!motion) continue;
+    const double period = 1 / motion->frequency_Hz;
+    const auto first = static_cast<std::size_t>(
+        std::lower_bound(r.t_s.begin(), r.t_s.end(), r.t_s.front() + period) - r.t_s.begin());
+    if (first + 2 >= r.size()) continue;
+    LoopShape shape;
+    shape.recording = r.name;
+    shape.cycles = (r.t_s.back() - r.t_s[first]) / period;
+    if (shape.cycles < 1.99) continue;
+    const SteadyPart steady{r, first, period};
+    const auto begin = static_cast<std::ptrdiff_t>(first);
+    const auto [q_low, q_high] = std::minmax_element(r.q_rad.begin() + begin, r.q_rad.end());
+    const auto [t_low, t_high] =
+        std::minmax_element(r.torque_Nm.begin() + begin, r.torque_Nm.end());
+    shape.width_rad = *q_high - *q_low;
+    shape.height_Nm = *t_high - *t_low;
+    shape.closing_gap = mean_gap_rad(steady) / shape.width_rad;
+    shape.closes = shape.closing_gap <= largest_closing_gap;
+    shape.dissipated_J = dissipated_per_cycle(steady, gear_ratio, shape.cycles);
+    const std::vector<double> all =
+        compliances(steady, motion->motor_motion(1.0), motion->start_s, shape.height_Nm);
+    shape.strokes = all.size();
+    if (all.size() >= fewest_strokes) shape.stiffness_Nm_rad = stiffness_of(all);
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+}  // namespace tribolog

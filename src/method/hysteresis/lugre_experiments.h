@@ -1,0 +1,16 @@
+#pragma once
+// The next experiment for each LuGre parameter that the recorded loops did not show.
+
+#include <optional>
+
+#include "method/hysteresis/lugre_fit.h"
+
+namespace tribolog {
+
+/// Fills LuGreParameter::experiment of what is not shown, with amplitudes and frequencies.
+/// @param stribeck_speed_rad_s of the curve at constant speed (motor), where one was fitted:
+/// without it the plan for Tc and ws has no number.
+LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
+                          const std::optional<double>& stribeck_speed_rad_s);
+
+}  // namespace tribolog

@@ -1,0 +1,355 @@
+#include "method/hysteresis/lugre_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "base/present.h"
+#include "method/hysteresis/lugre_experiments.h"
+#include "method/hysteresis/lugre_identifiability.h"
+#include "method/hysteresis/lugre_ladder.h"
+#include "method/hysteresis/motion_noise.h"
+#include "statistics/linearised_fit.h"
+
+namespace tribolog {
+namespace {
+
+/// Samples a cycle that first guesses are tried on.
+constexpr double thinned_per_cycle = 60;
+
+std::size_t stride_of(const Recording& r, double frequency_Hz) {
+  const double per_cycle =
+      static_cast<double>(r.size() - 1) / ((r.t_s.back() - r.t_s.front()) * frequency_Hz);
+  return static_cast<std::size_t>(std::max(1.0, std::floor(per_cycle / thinned_per_cycle)));
+}
+
+using GrainOf = LuGreGrain (*)(const LuGreInput& loop);
+
+/// Of many cycles the first hundred or two.
+LuGreGrain thinned(const LuGreInput& loop) {
+  constexpr std::size_t most_samples = 10'000;
+  return {stride_of(*loop.recording, loop.frequency_Hz()), 1, most_samples};
+}
+
+/// Of long recordings so many samples lead close to where all of them lead.
+LuGreGrain halfway(const LuGreInput& loop) {
+  constexpr std::size_t long_from = 100'000;
+  constexpr std::size_t most_samples = 20'000;
+  const std::size_t size = loop.recording->size();
+  if (size < long_from) return {};
+  return {std::clamp<std::size_t>(size / most_samples, 1, thinned(loop).stride), 1, most_samples};
+}
+
+/// All samples; of a long recording some neighbours together, which hold nothing that their mean
+/// does not. Rows bound the room that the fit takes.
+LuGreGrain all_samples(const LuGreInput& loop) {
+  constexpr std::size_t enough_rows = 100'000;
+  constexpr std::size_t fewest_thinned = 4;  // rows where the thinned problem has one sample
+  const std::size_t together = loop.recording->size() / enough_rows;
+  return {1, std::clamp<std::size_t>(
+                 together, 1, std::max<std::size_t>(1, thinned(loop).stride / fewest_thinned))};
+}
+
+LuGreProblem problem_of(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                        GrainOf grain) {
+  std::vector<LuGreLoopModel> models;
+  for (const LuGreInput& loop : loops) {
+    models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad,
+                        grain(loop));
+  }
+  return LuGreProblem(std::move(models));
+}
+
+std::optional<LuGreProblem> problem_halfway(const std::vector<LuGreInput>& loops, double gear_ratio,
+                                            double q_peak_rad) {
+  const bool is_worth_it = std::any_of(loops.begin(), loops.end(),
+                                       [](const LuGreInput& l) { return halfway(l).stride > 1; });
+  if (!is_worth_it) return std::nullopt;
+  return problem_of(loops, gear_ratio, q_peak_rad, halfway);
+}
+
+/// Half loops of all recordings, counted on, in which residuals of a misfitted loop hang together;
+/// of each row that of its first sample.
+std::vector<std::size_t> half_loop_blocks(const std::vector<LuGreInput>& loops,
+                                          const LuGreProblem& problem) {
+  std::vector<std::size_t> blocks;
+  for (std::size_t r = 0; r < loops.size(); ++r) {
+    const std::size_t first = blocks.empty() ? 0 : blocks.back() + 1;
+    const std::vector<std::size_t> halves = loops[r].half_loops();
+    const std::size_t in_row = problem.models()[r].samples_in_row();
+    for (std::size_t i = 0; i < halves.size(); i += in_row) blocks.push_back(first + halves[i]);
+  }
+  return blocks;
+}
+
+LuGreClimb climb_from_coarse(const std::vector<LuGreInput>& loops, double gear_ratio,
+                             double q_peak_rad, const LuGreProblem& problem) {
+  const LuGreProblem coarse = problem_of(loops, gear_ratio, q_peak_rad, thinned);
+  const std::optional<LuGreProblem> between = problem_halfway(loops, gear_ratio, q_peak_rad);
+  return climb_lugre_ladder({coarse, between ? &*between : nullptr, problem},
+                            half_loop_blocks(loops, problem));
+}
+
+/// All samples, each compared by itself.
+LuGreGrain every_sample(const LuGreInput& /*loop*/) { return {}; }
+
+Eigen::VectorXd residuals_of(const LuGreClimb& climb, const LuGreProblem& problem) {
+  Eigen::VectorXd residuals(problem.rows());
+  Eigen::Index top = 0;
+  for (std::size_t r = 0; r < problem.models().size(); ++r) {
+    const LuGreLoopModel& model = problem.models()[r];
+    residuals.segment(top, model.rows()) =
+        model.residuals(climb.point.shared, climb.point.locals[r]);
+    top += model.rows();
+  }
+  return residuals;
+}
+
+void describe_excitation(const std::vector<LuGreInput>& loops, const LuGreProblem& problem,
+                         LuGreFit& fit) {
+  for (std::size_t r = 0; r < loops.size(); ++r) {
+    const LuGreLoopModel& model = problem.models()[r];
+    fit.height_Nm = std::max(fit.height_Nm, model.height_Nm());
+    fit.peak_speed_rad_s = std::max(fit.peak_speed_rad_s, model.peak_speed_rad_s());
+    if (model.motor_amplitude_rad() > fit.motor_amplitude_rad) {
+      fit.motor_amplitude_rad = model.motor_amplitude_rad();
+      fit.frequency_Hz = loops[r].frequency_Hz();
+    }
+  }
+}
+
+/// How the model's motion was made, and what that says of the loop.
+void describe_motion(const LuGreInput& input, const LuGreLoopModel& model, const LuGreClimb& climb,
+                     double gear_ratio, LuGreLoop& loop) {
+  loop.motion = input.traced != nullptr ? "spline" : "harmonics";
+  loop.motion_residual_rad =
+      input.traced != nullptr ? input.traced->residual_rad : input.motion->residual_rad;
+  if (input.traced == nullptr) return;
+  const double stiffness = std::exp(climb.point.shared(LuGreShared::log_stiffness));
+  std::vector<double> slope(model.speed_rad_s().size(), stiffness);
+  for (std::size_t i = 0; i < loop.dz_rad_s.size(); ++i) {
+    const double w = model.speed_rad_s()[i];
+    if (w != 0) slope[i] *= loop.dz_rad_s[i] / w;
+  }
+  loop.traced =
+      describe_traced_loop(*input.recording, *input.traced, loop.torque_Nm, slope, gear_ratio);
+}
+
+/// Gravity of each recording, and the fit's bristle in it.
+/// @param problem of every sample, and `residuals` of them.
+void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& problem,
+                    const Eigen::VectorXd& residuals, const LuGreClimb& climb, double gear_ratio,
+                    LuGreFit& fit) {
+  const Eigen::Index freedom = residuals.size() - climb.linear.r_factor.cols();
+  fit.residual_Nm =
+      std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
+  Eigen::Index top = 0;
+  for (std::size_t r = 0; r < inputs.size(); ++r) {
+    const Recording& recording = *inputs[r].recording;
+    const Eigen::Index column = LuGreProblem::gravity_column(climb.free, r);
+    const auto half_width = [&](Eigen::Index k) { return climb.standing(k, 1).half_width; };
+    LuGreLoop loop;
+    loop.recording = recording.name;
+    loop.t_s = recording.t_s;
+    const auto rows = static_cast<Eigen::Index>(recording.size());
+    const auto part = residuals.segment(top, rows);
+    loop.residual_Nm = std::sqrt(part.squaredNorm() / static_cast<double>(rows));
+    loop.torque_Nm.reserve(recording.size());
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      loop.torque_Nm.push_back(recording.torque_Nm[static_cast<std::size_t>(i)] + part(i));
+    }
+    loop.height_Nm = problem.models()[r].height_Nm();
+    loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
+    if (climb.free.starts) {
+      loop.gravity_Nm = symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
+                                           "LuGre fit, blocks of half a cycle");
+      // The loop shows the deflection at its start within an interval; where that holds zero, the
+      // arm started from rest and z = 0 is the simpler truth.
+      loop.start_deflection_rad = climb.point.locals[r].start_rad;
+      const double start = std::abs(loop.start_deflection_rad) <= half_width(column + 1)
+                               ? 0.0
+                               : loop.start_deflection_rad;
+      problem.models()[r].bristle(climb.point.shared, start, loop.z_rad, loop.dz_rad_s);
+    }
+    describe_motion(inputs[r], problem.models()[r], climb, gear_ratio, loop);
+    // Loops of other sizes cross the same angle at other torques: bins of the angle mix them.
+    loop.systematic_Nm = loop.traced
+                             ? std::sqrt(std::max(0.0, std::pow(loop.residual_Nm, 2) -
+                                                           std::pow(loop.traced->explained_Nm, 2)))
+                             : loop.misfit.systematic_Nm;
+    top += rows;
+    fit.loops.push_back(std::move(loop));
+  }
+}
+
+PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const LuGreFit& fit,
+                                    double gear_ratio, const Ripple& ripple) {
+  std::vector<Estimate> each;
+  std::vector<double> angle;
+  for (std::size_t r = 0; r < inputs.size(); ++r) {
+    each.push_back(present(fit.loops[r].gravity_Nm));
+    angle.push_back(gear_ratio * inputs[r].centre_rad());
+  }
+  return mean_over_positions(each, angle, ripple, "half cycles");
+}
+
+/// All that resampling needs.
+LinearisedFit linearised(const LuGreClimb& climb, std::vector<LinearisedReading> shown,
+                         std::size_t recordings, std::size_t samples_in_row) {
+  LinearisedFit out = climb.linear.fit;
+  out.readings = std::move(shown);
+  out.samples_in_row = samples_in_row;
+  for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
+    out.gravity_columns.push_back(LuGreProblem::gravity_column(climb.free, r));
+  }
+  return out;
+}
+
+const char* rung_name(LuGreRung rung) {
+  switch (rung) {
+    case LuGreRung::elastic:
+      return "elastic";
+    case LuGreRung::level:
+      return "level";
+    case LuGreRung::curvature:
+      return "curvature";
+    case LuGreRung::whole:
+      return "whole";
+  }
+  return "";
+}
+
+std::string what_is_not_shown(const LuGreFit& fit) {
+  switch (fit.rung.front()) {
+    case 'e':
+      return fmt::format(
+          "the loops do not bend: friction stays elastic up to {:.2g} N·m about the middle, so "
+          "that neither static torque nor gravity torque nor the bristle deflection shows; a "
+          "larger amplitude would show them",
+          fit.height_Nm / 2);
+    case 'l':
+      return fmt::format(
+          "the motor stays below {:.3g} rad/s in the loops: Coulomb torque and Stribeck velocity "
+          "do "
+          "not show in them and are taken from the constant-speed runs",
+          fit.peak_speed_rad_s);
+    case 'c':
+      return fmt::format(
+          "the motor stays below {:.3g} rad/s in the loops, where friction has only begun to fall "
+          "with speed: Coulomb torque and Stribeck velocity do not show apart",
+          fit.peak_speed_rad_s);
+    default:
+      return "";
+  }
+}
+
+/// Of each recording.
+std::vector<std::size_t> samples_in_rows(const LuGreProblem& problem) {
+  std::vector<std::size_t> samples;
+  for (const LuGreLoopModel& model : problem.models()) samples.push_back(model.samples_in_row());
+  return samples;
+}
+
+/// Says where neighbouring samples were taken together.
+void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
+  for (std::size_t r = 0; r < fit.loops.size(); ++r) {
+    if (samples_in_row[r] == 1) continue;
+    fit.reason +=
+        fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
+                    fit.reason.empty() ? "" : "; ", fit.loops[r].recording, samples_in_row[r]);
+  }
+}
+
+/// Of the loop that noise explains worst, in words; empty where it explains all of them.
+std::string worst_misfit(const LuGreFit& fit) {
+  const LuGreLoop* worst = nullptr;
+  const auto share = [](const LuGreLoop& loop) {
+    return loop.residual_Nm / loop.traced->explained_Nm;
+  };
+  for (const LuGreLoop& loop : fit.loops) {
+    if (loop.traced && (worst == nullptr || share(loop) > share(*worst))) worst = &loop;
+  }
+  return worst == nullptr
+             ? ""
+             : misfit_in_words(worst->recording, present(worst->traced), worst->residual_Nm);
+}
+
+}  // namespace
+
+const LuGreLoop* LuGreFit::worst_described() const {
+  const auto worst =
+      std::max_element(loops.begin(), loops.end(), [](const LuGreLoop& a, const LuGreLoop& b) {
+        return a.systematic_Nm * b.height_Nm < b.systematic_Nm * a.height_Nm;
+      });
+  return worst == loops.end() ? nullptr : &*worst;
+}
+
+std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
+  for (const LuGreParameter& p : parameters) {
+    if (p.name == name) return p.estimate;
+  }
+  return std::nullopt;
+}
+
+LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                   const Ripple& ripple) {
+  if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
+  LuGreFit fit;
+  LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
+  describe_excitation(loops, problem, fit);
+  if (!(fit.height_Nm > 0)) {
+    fit.reason = "the torque is the same all over the loop: there is no friction in it to fit";
+    return fit;
+  }
+  LuGreClimb climb = climb_from_coarse(loops, gear_ratio, q_peak_rad, problem);
+  fit.iterations = climb.evaluations;
+  fit.rung = rung_name(climb.rung);
+  if (!climb.converged) {
+    fit.reason = "the LuGre model could not be fitted to the loops from any of the first guesses";
+    return fit;
+  }
+  fit.converged = true;
+  Eigen::MatrixXd& by_motion = climb.linear.fit.further_shifts;
+  by_motion = shifts_by_motion_noise(loops, climb, gear_ratio, q_peak_rad);
+  climb.around.covariance += by_motion * by_motion.transpose();
+  const double omega = 2 * std::numbers::pi * fit.frequency_Hz;
+  LuGreReadings readings = read_lugre_parameters(climb, fit.peak_speed_rad_s);
+  fit.parameters = std::move(readings.parameters);
+  fit.identifiability =
+      lugre_identifiability(climb, fit.peak_speed_rad_s, omega * fit.peak_speed_rad_s);
+  const std::vector<std::size_t> samples_in_row = samples_in_rows(problem);
+  if (std::any_of(samples_in_row.begin(), samples_in_row.end(),
+                  [](std::size_t together) { return together > 1; })) {
+    problem = LuGreProblem({});  // its room is wanted for the next
+    problem = problem_of(loops, gear_ratio, q_peak_rad, every_sample);
+    describe_loops(loops, problem, residuals_of(climb, problem), climb, gear_ratio, fit);
+  } else {
+    describe_loops(loops, problem, climb.linear.fit.residuals, climb, gear_ratio, fit);
+  }
+  if (climb.free.starts) {
+    fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
+    fit.gravity_Nm = fit.positions->freedom > 0 ? fit.positions->gravity_Nm
+                                                : with_ripple(fit.positions->gravity_Nm, ripple);
+  }
+  fit.reason = what_is_not_shown(fit);
+  const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
+  const auto level = fit.shown("static_Nm");
+  if (stiffness && level && fit.motor_amplitude_rad * stiffness->value < level->value) {
+    fit.reason += fmt::format(
+        "; the loops reach only {:.0f} % of the way to sliding, so the static torque is "
+        "extrapolated: a larger amplitude would show it",
+        100 * fit.motor_amplitude_rad * stiffness->value / level->value);
+  }
+  add_grain(samples_in_row, fit);
+  const std::string misfit = worst_misfit(fit);
+  if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
+  fit.linearised = std::make_shared<LinearisedFit>(
+      linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
+  return with_experiments(std::move(fit), gear_ratio, std::nullopt);
+}
+
+}  // namespace tribolog

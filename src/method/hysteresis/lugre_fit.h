@@ -1,0 +1,125 @@
+#pragma once
+// Stage 8, first half: every LuGre parameter that recorded loops T(q) can show, and the gravity
+// torque, with no bristle deflection measured: z is the fitted model's own.
+//
+// All recordings together, of any amplitude, frequency and position: friction and inertia are
+// shared, gravity torque and the deflection at the start are each recording's own (torque ripple is
+// a constant over a micro-oscillation). The motion is what was fitted to q(t): harmonics, or a
+// spline where a torque drove the joint (traced_motion.h); a recording may begin anywhere in a
+// loop, and the first reversal makes it forget where. Which parameters the loops carry is decided
+// by the data (lugre_ladder.h); one that they do not show is held, is given no number, and comes
+// with the experiment that would show it.
+//
+// Intervals: block regression over half cycles, right for residuals that hang together within a
+// stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
+// spline the noise of the angle is added (motion_noise.h).
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "method/hysteresis/loop_misfit.h"
+#include "method/hysteresis/lugre_input.h"
+#include "method/hysteresis/position_mean.h"
+#include "method/hysteresis/traced_loop.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+struct LinearisedFit;
+
+struct LuGreParameter {
+  std::string name;  ///< Stable, with its unit: see lugre_parameter_names.
+  /// Present only where the loops show it. Motor side.
+  std::optional<Estimate> estimate;
+  std::optional<double> held_at;  ///< Where the fit did not vary it.
+  /// Standard error over the value; absent where it was held.
+  std::optional<double> relative_error;
+  /// Torque (rms over the samples) that the parameter makes and no other can imitate; absent where
+  /// it was held.
+  std::optional<double> effect_Nm;
+  std::string why_not;     ///< Why it is not shown; empty if it is.
+  std::string experiment;  ///< What would show it; empty if it is shown.
+};
+
+/// Names, in the order of LuGreFit::parameters.
+inline constexpr const char* lugre_parameter_names[] = {
+    "bristle_stiffness_Nm_rad",
+    "bristle_damping_Nms_rad",
+    "viscous_Nms_rad",
+    "static_Nm",
+    "coulomb_Nm",
+    "stribeck_speed_rad_s",
+    "speed_weakening_Nms2_rad2",  // (Ts - Tc)/ws^2, the start of the fall
+    "inertia_kgm2"};
+
+/// What the singular values of the scaled Jacobian tell. Columns are scaled by the parameters'
+/// natural sizes (the value at which its torque would be that of friction), those of single
+/// recordings other than the first are projected out, and rows are averaged: a unit change along a
+/// direction changes the torque by its singular value [N·m, rms].
+struct LuGreIdentifiability {
+  std::vector<std::string> names;          ///< Of the columns, in words.
+  std::vector<double> singular_values_Nm;  ///< Descending.
+  double condition{};                      ///< First over last.
+  std::vector<double> weakest;             ///< Direction of the last, by names.
+  std::string weakest_in_words;
+  std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
+};
+
+/// The fit's view of one recording.
+struct LuGreLoop {
+  std::string recording;
+  std::optional<Estimate> gravity_Nm;  ///< At the gravity peak; ripple of its position included.
+  double start_deflection_rad{};
+  double residual_Nm{};  ///< Standard deviation of T - model.
+  std::vector<double> t_s;
+  std::vector<double> z_rad;  ///< The model's bristle at the recording's samples.
+  std::vector<double> dz_rad_s;
+  std::vector<double> torque_Nm;  ///< The model's torque there.
+  LoopMisfit misfit;
+  double height_Nm{};  ///< Largest less smallest torque.
+  /// What the model leaves and noise does not explain, root mean square.
+  double systematic_Nm{};
+  std::string motion;                ///< What drove the model: "harmonics" or "spline".
+  double motion_residual_rad{};      ///< Standard deviation of the recorded angle less that motion.
+  std::optional<TracedLoop> traced;  ///< Of a spline.
+};
+
+struct LuGreFit {
+  bool converged{false};
+  std::string rung;  ///< "elastic", "level", "curvature" or "whole": see lugre_ladder.h.
+  std::vector<LuGreParameter> parameters;  ///< All of them, shown or not.
+  std::optional<Estimate> gravity_Nm;      ///< Motor side, at the peak, over all recordings.
+  LuGreIdentifiability identifiability;
+  std::vector<LuGreLoop> loops;  ///< In the order given.
+  double residual_Nm{};          ///< Standard deviation of T - model.
+  double height_Nm{};            ///< Largest height of a loop.
+  double peak_speed_rad_s{};     ///< Largest motor speed in the loops.
+  double motor_amplitude_rad{};  ///< Largest.
+  double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
+  int iterations{};
+  std::string reason;  ///< Why nothing was fitted, or what the loops cannot show, in words.
+  // For resampling, not stored.
+  /// Gravity before ripple is laid on it; present with gravity_Nm.
+  std::optional<PositionMean> positions;
+  /// Of a fit that converged (stages/linearised_fit.h).
+  std::shared_ptr<const LinearisedFit> linearised;
+
+  /// The loop in which what noise does not explain is the largest share of the height; null
+  /// without loops.
+  [[nodiscard]] const LuGreLoop* worst_described() const;
+  /// Present only where the parameter is shown.
+  [[nodiscard]] std::optional<Estimate> shown(const std::string& name) const;
+};
+
+/// @param loops at least one.
+/// @param q_peak_rad angle at which gravity is largest.
+/// @param ripple that the sweep shows; widens gravity where distinct positions are fewer than
+/// three.
+/// @throw std::invalid_argument if there is no loop.
+LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
+                   const Ripple& ripple = {});
+
+}  // namespace tribolog

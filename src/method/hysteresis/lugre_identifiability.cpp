@@ -1,0 +1,283 @@
+#include "method/hysteresis/lugre_identifiability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace tribolog {
+namespace {
+
+using Shared = LuGreShared;
+
+constexpr const char* interval_from = "loop fit, blocks of half a cycle";
+
+using Reading = LinearisedReading;
+
+class Reader {
+ public:
+  explicit Reader(const LuGreClimb& climb) : climb_(climb) {}
+
+  [[nodiscard]] Eigen::VectorXd none() const {
+    return Eigen::VectorXd::Zero(climb_.linear.r_factor.cols());
+  }
+  void add(Shared::Index parameter, double factor, Eigen::VectorXd& gradient) const {
+    const Eigen::Index k = climb_.column(parameter);
+    if (k >= 0) gradient(k) += factor;
+  }
+  [[nodiscard]] Reading product(
+      double value, std::initializer_list<std::pair<Shared::Index, double>> powers) const {
+    Reading out{{}, value, none(), true};
+    for (const auto& [parameter, power] : powers) add(parameter, power, out.gradient);
+    return out;
+  }
+  [[nodiscard]] Reading plain(Shared::Index parameter) const {
+    Reading out{{}, climb_.point.shared(parameter), none(), false};
+    add(parameter, 1, out.gradient);
+    return out;
+  }
+  /// Torque that a change of the reading by its size makes and nothing else imitates.
+  [[nodiscard]] double effect_Nm(const Reading& r) const {
+    const Eigen::VectorXd row =
+        climb_.linear.r_factor.triangularView<Eigen::Upper>().transpose().solve(r.gradient);
+    const double size = r.logarithmic ? 1.0 : std::abs(r.value);
+    return size / (row.norm() * std::sqrt(static_cast<double>(climb_.linear.fit.residuals.size())));
+  }
+
+ private:
+  const LuGreClimb& climb_;
+};
+
+Estimate estimate_of(const Reading& r, double half_width) {
+  if (!r.logarithmic) return symmetric_estimate(r.value, half_width, interval_from);
+  return {r.value, r.value * std::exp(-half_width), r.value * std::exp(half_width), interval_from};
+}
+
+/// Judges a reading that the fit varied.
+LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
+                      const LuGreClimb& climb) {
+  LuGreParameter out;
+  out.name = r.name;
+  const double half = climb.around.half_width_along(r.gradient);
+  const double size = r.logarithmic ? 1.0 : std::abs(r.value);
+  const double relative = half / size;
+  out.relative_error = climb.around.standard_error_along(r.gradient) / size;
+  out.effect_Nm = reader.effect_Nm(r);
+  const double smallest = smallest_effect * climb.height_Nm;
+  const bool is_bounded = std::isfinite(half) && std::isfinite(*out.effect_Nm);
+  const bool has_effect = *out.effect_Nm > smallest;
+  if (!is_bounded) {
+    out.why_not = "these loops would look the same with any value of it";
+  } else if (!has_effect) {
+    out.why_not = fmt::format(
+        "what it alone can explain is {:.2g} N·m (rms), below {:.2g} N·m, {:g} of the loop's "
+        "height",
+        *out.effect_Nm, smallest, smallest_effect);
+  } else if (relative < widest_shown) {
+    out.estimate = estimate_of(r, half);
+  } else {
+    const Estimate wide = estimate_of(r, half);
+    out.why_not = fmt::format("its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value",
+                              wide.low, wide.high, unit);
+  }
+  return out;
+}
+
+LuGreParameter held(const char* name, std::optional<double> at, std::string why) {
+  LuGreParameter out;
+  out.name = name;
+  out.held_at = at;
+  out.why_not = std::move(why);
+  return out;
+}
+
+struct Size {
+  const char* words;
+  double value;
+};
+
+/// Natural size of a shared parameter's variable.
+Size size_of(Shared::Index parameter, const LuGreClimb& climb, double peak_speed,
+             double peak_acceleration) {
+  const double friction = climb.height_Nm / 2;
+  switch (parameter) {
+    case Shared::log_stiffness:
+      return {"bristle stiffness", 1};
+    case Shared::log_static:
+      return {"static torque", 1};
+    case Shared::log_share:
+      return {"Coulomb torque", 1};
+    case Shared::fall:
+      return {"Stribeck velocity", climb.rung == LuGreRung::whole
+                                       ? 2 * climb.point.shared(Shared::fall)
+                                       : climb.point.shared(Shared::fall)};
+    case Shared::damping:
+      return {"bristle damping", friction / peak_speed};
+    case Shared::viscous:
+      return {"viscous coefficient", friction / peak_speed};
+    case Shared::inertia:
+      return {"inertia", friction / peak_acceleration};
+  }
+  return {"", 1};
+}
+
+std::string direction_in_words(const std::vector<std::string>& names,
+                               const std::vector<double>& direction) {
+  constexpr double worth_naming = 0.3;
+  std::vector<std::size_t> order(names.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(direction[a]) > std::abs(direction[b]);
+  });
+  std::string words = names[order.front()];
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (std::abs(direction[order[i]]) < worth_naming) break;
+    const bool same_side = direction[order[i]] * direction[order.front()] > 0;
+    words += (same_side ? " together with " : " against ") + names[order[i]];
+  }
+  return words;
+}
+
+}  // namespace
+
+LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_rad_s) {
+  const Reader reader(climb);
+  const Shared::Vector& p = climb.point.shared;
+  const double s0 = std::exp(p(Shared::log_stiffness));
+  const double ts = std::exp(p(Shared::log_static));
+  const double share = std::exp(p(Shared::log_share));
+  const double fall = p(Shared::fall);
+  LuGreReadings out;
+  /// Why a parameter that could have been fitted was not: `otherwise`, or what came of it.
+  const auto why_held = [&](Shared::Index parameter, const char* unit, const char* otherwise) {
+    for (const NegativeOutcome& n : climb.negative) {
+      if (n.parameter != parameter) continue;
+      return fmt::format(
+          "fitted freely it comes out at {:.3g} {}, which no joint has: the loops depart from the "
+          "model where it would act",
+          n.value, unit);
+    }
+    return std::string(otherwise);
+  };
+  const auto judge = [&](const char* name, const char* unit, Reading r) {
+    r.name = name;
+    out.parameters.push_back(judged(unit, r, reader, climb));
+    if (out.parameters.back().estimate) out.shown.push_back(std::move(r));
+  };
+  judge("bristle_stiffness_Nm_rad", "N·m/rad", reader.product(s0, {{Shared::log_stiffness, 1}}));
+  if (climb.column(Shared::damping) >= 0) {
+    judge("bristle_damping_Nms_rad", "N·m·s/rad", reader.plain(Shared::damping));
+  } else {
+    out.parameters.push_back(
+        held("bristle_damping_Nms_rad", 0.0, why_held(Shared::damping, "N·m·s/rad", "")));
+  }
+  if (climb.column(Shared::viscous) >= 0) {
+    judge("viscous_Nms_rad", "N·m·s/rad", reader.plain(Shared::viscous));
+  } else {
+    out.parameters.push_back(
+        held("viscous_Nms_rad", 0.0,
+             why_held(Shared::viscous, "N·m·s/rad",
+                      "bristle damping has the same effect on these loops: the two show as a "
+                      "sum")));
+  }
+  if (climb.column(Shared::log_static) >= 0) {
+    judge("static_Nm", "N·m", reader.product(ts, {{Shared::log_static, 1}}));
+  } else {
+    out.parameters.push_back(
+        held("static_Nm", std::nullopt,
+             "the loop does not bend: friction stays elastic over the whole stroke"));
+  }
+  const bool whole = climb.rung == LuGreRung::whole;
+  if (whole) {
+    judge("coulomb_Nm", "N·m",
+          reader.product(ts * share, {{Shared::log_static, 1}, {Shared::log_share, 1}}));
+    judge("stribeck_speed_rad_s", "rad/s",
+          reader.product(1 / std::sqrt(fall), {{Shared::fall, -0.5 / fall}}));
+  } else {
+    const std::string why = fmt::format(
+        "the motor stays below {:.3g} rad/s in the loops{}", peak_speed_rad_s,
+        climb.rung == LuGreRung::curvature ? ", where friction has only begun to fall: of Ts, Tc "
+                                             "and the Stribeck velocity no more "
+                                             "than (Ts - Tc)/ws² shows"
+                                           : ", where friction does not yet fall with speed");
+    out.parameters.push_back(held("coulomb_Nm", std::nullopt, why));
+    out.parameters.push_back(held("stribeck_speed_rad_s", std::nullopt, why));
+  }
+  if (climb.column(Shared::fall) >= 0) {
+    judge("speed_weakening_Nms2_rad2", "N·m·s²/rad²",
+          reader.product(ts * (1 - share) * fall, {{Shared::log_static, 1},
+                                                   {Shared::log_share, -share / (1 - share)},
+                                                   {Shared::fall, 1 / fall}}));
+  } else {
+    out.parameters.push_back(
+        held("speed_weakening_Nms2_rad2", 0.0, "friction is the same at all speeds of the loops"));
+  }
+  if (climb.column(Shared::inertia) >= 0) {
+    judge("inertia_kgm2", "kg·m²", reader.plain(Shared::inertia));
+  } else {
+    out.parameters.push_back(
+        held("inertia_kgm2", 0.0,
+             why_held(Shared::inertia, "kg·m²",
+                      "at one frequency its torque has the shape of the bristles' elastic one")));
+  }
+  return out;
+}
+
+LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_speed_rad_s,
+                                           double peak_acceleration_rad_s2) {
+  LuGreIdentifiability out;
+  const Eigen::MatrixXd& r = climb.linear.r_factor;
+  std::vector<Eigen::Index> columns;
+  std::vector<double> sizes;
+  const auto use = [&](Eigen::Index column, const Size& size) {
+    columns.push_back(column);
+    out.names.emplace_back(size.words);
+    sizes.push_back(size.value);
+  };
+  for (const Shared::Index parameter : climb.free.shared) {
+    use(climb.column(parameter),
+        size_of(parameter, climb, peak_speed_rad_s, peak_acceleration_rad_s2));
+  }
+  const double friction = climb.height_Nm / 2;
+  const Eigen::Index gravity = LuGreProblem::gravity_column(climb.free, 0);
+  use(gravity, {"gravity torque", friction});
+  if (climb.free.starts) {
+    use(gravity + 1, {"deflection at the start",
+                      friction / std::exp(climb.point.shared(Shared::log_stiffness))});
+  }
+  const auto n = static_cast<Eigen::Index>(columns.size());
+  // Rows of R^-1 are the pseudo-inverse of the Jacobian with the other columns projected out.
+  Eigen::MatrixXd inverse(n, r.cols());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    inverse.row(k) = r.triangularView<Eigen::Upper>()
+                         .transpose()
+                         .solve(Eigen::VectorXd::Unit(r.cols(), columns[at]))
+                         .transpose() /
+                     sizes[at];
+  }
+  if (!inverse.allFinite()) return {};  // two columns are the same to the last bit
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(inverse, Eigen::ComputeThinU);
+  const double root = std::sqrt(static_cast<double>(climb.linear.fit.residuals.size()));
+  for (Eigen::Index k = n; k-- > 0;) {
+    out.singular_values_Nm.push_back(1 / (svd.singularValues()(k) * root));
+  }
+  out.condition = svd.singularValues()(0) / svd.singularValues()(n - 1);
+  for (Eigen::Index k = 0; k < n; ++k) out.weakest.push_back(svd.matrixU()(k, 0));
+  out.weakest_in_words = direction_in_words(out.names, out.weakest);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    std::vector<double> row;
+    for (Eigen::Index b = 0; b < n; ++b) {
+      const auto i = columns[static_cast<std::size_t>(a)];
+      const auto j = columns[static_cast<std::size_t>(b)];
+      const Eigen::MatrixXd& c = climb.around.covariance;
+      const double scale = std::sqrt(c(i, i) * c(j, j));
+      row.push_back(scale > 0 ? c(i, j) / scale : (a == b ? 1.0 : 0.0));
+    }
+    out.correlation.push_back(std::move(row));
+  }
+  return out;
+}
+
+}  // namespace tribolog

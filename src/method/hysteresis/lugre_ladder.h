@@ -1,0 +1,81 @@
+#pragma once
+// How much of LuGre a set of loops can carry: from a spring to the whole model, and no further than
+// the data pay for.
+//
+//   elastic    s0, s1                         the loop does not bend
+//   level      s0, Ts, s1, s2, J              it bends, at speeds far below the Stribeck velocity
+//   curvature  + (Ts - Tc)/ws^2               friction falls with speed, only the start of it
+//   whole      + Tc and ws apart              the speed passes the Stribeck velocity
+//
+// Damping, viscous coefficient or inertia below zero is what no joint has: where one of them is
+// sure to be negative, the fall is not climbed for, and the level is fitted again with that one at
+// zero.
+//
+// G and the deflection at the start are each recording's own on all rungs (on the first the start
+// cannot be told from G, and neither is found).
+
+#include <vector>
+
+#include "method/hysteresis/lugre_problem.h"
+#include "statistics/block_regression.h"
+
+namespace tribolog {
+
+/// A parameter that came out negative beyond doubt, and was held at zero instead.
+struct NegativeOutcome {
+  LuGreShared::Index parameter{};
+  double value{};
+};
+
+enum class LuGreRung { elastic, level, curvature, whole };
+
+/// A parameter stands where the data alone hold it.
+struct LuGreStanding {
+  double half_width{};  ///< 95 %, in the fit's variable.
+  double relative{};    ///< Half width over the size; of a logarithm the half width itself.
+  double effect_Nm{};   ///< Torque (rms) of its size that no other parameter can imitate.
+};
+
+/// Of a parameter that is to be given as a number.
+inline constexpr double widest_shown = 0.5;
+/// Of one that a rung is climbed for: its interval leaves out zero, or a factor of e.
+inline constexpr double widest_climbed = 1.0;
+/// Effect below this share of the loop's height: no drive follows a friction model more closely.
+inline constexpr double smallest_effect = 1e-4;
+
+struct LuGreClimb {
+  LuGreRung rung{LuGreRung::elastic};
+  bool converged{false};
+  LuGreFreedom free;
+  LuGrePoint point;
+  LuGreProblem::Linearisation linear;
+  BlockRegression around;  ///< The next step of the fit, which is none, and its covariance.
+  double height_Nm{};      ///< Largest height of a loop.
+  int evaluations{};
+  std::vector<NegativeOutcome> negative;
+
+  /// Column of a shared parameter, or -1 where it is held.
+  [[nodiscard]] Eigen::Index column(LuGreShared::Index parameter) const;
+  [[nodiscard]] LuGreStanding standing(Eigen::Index column, double size) const;
+  /// By the size of a shared parameter: 1 of a logarithm, its value of the others.
+  [[nodiscard]] LuGreStanding standing(LuGreShared::Index parameter) const;
+  [[nodiscard]] bool stands(LuGreShared::Index parameter, double widest) const;
+};
+
+/// Share of Ts at which Tc is held while only the curvature shows: the fit does not depend on it.
+inline constexpr double held_share = 0.6;
+/// Ts is held at this many heights of the loop where it does not bend.
+inline constexpr double elastic_heights = 1e3;
+
+/// The same recordings, coarse to fine.
+struct LuGreProblems {
+  const LuGreProblem& thinned;           ///< A few hundred samples each, to try first guesses on.
+  const LuGreProblem* halfway{nullptr};  ///< Of long recordings: where the last fit starts from.
+  const LuGreProblem& whole;             ///< All samples.
+};
+
+/// @param block_of_row of the rows of the whole problem.
+LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
+                              const std::vector<std::size_t>& block_of_row);
+
+}  // namespace tribolog

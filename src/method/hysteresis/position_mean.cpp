@@ -1,0 +1,170 @@
+#include "method/hysteresis/position_mean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include <Eigen/Dense>
+
+#include "statistics/student_t.h"
+
+namespace tribolog {
+namespace {
+
+// Lines whose sines look alike at the positions would make the mean worse than leaving them.
+constexpr double largest_condition = 30;
+constexpr Eigen::Index fewest_spare = 2;
+constexpr Eigen::Index fewest_for_harmonics = 6;
+/// Smallest over largest singular value of the harmonics at evenly spread positions is 1/sqrt(2).
+constexpr double evenly_spread = 0.5;
+
+struct Positions {
+  std::vector<Estimate> gravity_Nm;
+  std::vector<double> angle_rad;  // ascending
+};
+
+/// Motor angles between which ripple changes by a quarter of a period.
+double quarter_period_rad(const Ripple& ripple) {
+  constexpr double periods_per_turn = 6;
+  const double strongest = ripple.lines.empty() ? 0.0 : ripple.lines.front().periods_per_turn;
+  return std::numbers::pi / 2 / std::max(periods_per_turn, strongest);
+}
+
+/// The plain mean, with the wider of the own intervals and of the scatter.
+Estimate plain_mean(const std::vector<Estimate>& all, const std::string& from_one_source) {
+  if (all.size() == 1) return all.front();
+  const auto n = static_cast<double>(all.size());
+  double mean = 0;
+  double own = 0;
+  for (const Estimate& e : all) {
+    mean += e.value / n;
+    own += std::pow(e.half_width() / n, 2);
+  }
+  double squares = 0;
+  for (const Estimate& e : all) squares += std::pow(e.value - mean, 2);
+  const double between = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return symmetric_estimate(mean, std::max(std::sqrt(own), between),
+                            "scatter of the " + from_one_source + " and of the recordings");
+}
+
+/// Sorted by angle, repeats of one position averaged.
+Positions without_repeats(const std::vector<Estimate>& gravity_Nm,
+                          const std::vector<double>& motor_angle_rad, double together_rad,
+                          const std::string& from_one_source) {
+  std::vector<std::size_t> order(gravity_Nm.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return motor_angle_rad[a] < motor_angle_rad[b];
+  });
+  Positions out;
+  for (std::size_t first = 0; first < order.size();) {
+    std::vector<Estimate> here;
+    double angle = 0;
+    std::size_t k = first;
+    for (; k < order.size() &&
+           motor_angle_rad[order[k]] - motor_angle_rad[order[first]] <= together_rad;
+         ++k) {
+      here.push_back(gravity_Nm[order[k]]);
+      angle += motor_angle_rad[order[k]];
+    }
+    out.gravity_Nm.push_back(plain_mean(here, from_one_source));
+    out.angle_rad.push_back(angle / static_cast<double>(here.size()));
+    first = k;
+  }
+  return out;
+}
+
+/// The columns with cosine and sine of one more period beside them.
+Eigen::MatrixXd with_period(const Eigen::MatrixXd& x, const std::vector<double>& angle,
+                            double periods_per_turn) {
+  Eigen::MatrixXd wider(x.rows(), x.cols() + 2);
+  wider.leftCols(x.cols()) = x;
+  for (Eigen::Index i = 0; i < x.rows(); ++i) {
+    const double phase = periods_per_turn * angle[static_cast<std::size_t>(i)];
+    wider(i, x.cols()) = std::cos(phase);
+    wider(i, x.cols() + 1) = std::sin(phase);
+  }
+  return wider;
+}
+
+/// Smallest singular value over the largest.
+double evenness(const Eigen::MatrixXd& x) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(x);
+  return svd.singularValues()(x.cols() - 1) / svd.singularValues()(0);
+}
+
+/// Columns: 1, and cosine and sine of as many lines as the positions can tell apart; of harmonics
+/// where no line is known.
+Eigen::MatrixXd position_design(const std::vector<double>& angle, const Ripple& ripple) {
+  const auto n = static_cast<Eigen::Index>(angle.size());
+  Eigen::MatrixXd x = Eigen::MatrixXd::Ones(n, 1);
+  for (const RippleLine& line : ripple.lines) {
+    if (n - x.cols() - 2 < fewest_spare) break;
+    const Eigen::MatrixXd wider = with_period(x, angle, line.periods_per_turn);
+    if (evenness(wider) * largest_condition >= 1) x = wider;
+  }
+  if (!ripple.lines.empty() || n < fewest_for_harmonics) return x;
+  Eigen::MatrixXd harmonics = x;
+  for (Eigen::Index order = 1; order <= n / 2 - 2; ++order) {
+    harmonics = with_period(harmonics, angle, static_cast<double>(order));
+  }
+  return evenness(harmonics) >= evenly_spread ? harmonics : x;
+}
+
+}  // namespace
+
+double share_left_in_mean(const RippleLine& line, const std::vector<double>& motor_angle_rad) {
+  std::complex<double> sum = 0;
+  for (const double angle : motor_angle_rad) sum += std::polar(1.0, line.periods_per_turn * angle);
+  return std::abs(sum) / static_cast<double>(motor_angle_rad.size());
+}
+
+std::size_t distinct_positions(std::vector<double> motor_angle_rad, const Ripple& ripple) {
+  const double apart = quarter_period_rad(ripple);
+  std::sort(motor_angle_rad.begin(), motor_angle_rad.end());
+  std::size_t count = 0;
+  double last = 0;
+  for (const double angle : motor_angle_rad) {
+    if (count > 0 && angle - last < apart) continue;
+    last = angle;
+    ++count;
+  }
+  return count;
+}
+
+PositionMean mean_over_positions(const std::vector<Estimate>& gravity_Nm,
+                                 const std::vector<double>& motor_angle_rad, const Ripple& ripple,
+                                 const std::string& from_one_source) {
+  if (gravity_Nm.empty() || gravity_Nm.size() != motor_angle_rad.size()) {
+    throw std::invalid_argument("no recordings to combine, or not one angle of each");
+  }
+  // Repeats return to an angle within a fraction of what changes the ripple.
+  constexpr double together = 0.1;
+  const Positions at = without_repeats(gravity_Nm, motor_angle_rad,
+                                       together * quarter_period_rad(ripple), from_one_source);
+  PositionMean out;
+  if (distinct_positions(at.angle_rad, ripple) < fewest_positions) {
+    out.gravity_Nm = plain_mean(at.gravity_Nm, from_one_source);
+    return out;
+  }
+  const Eigen::MatrixXd x = position_design(at.angle_rad, ripple);
+  Eigen::VectorXd y(x.rows());
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    y(i) = at.gravity_Nm[static_cast<std::size_t>(i)].value;
+  }
+  const Eigen::MatrixXd inverse = (x.transpose() * x).inverse();
+  const Eigen::VectorXd c = inverse * (x.transpose() * y);
+  const Eigen::VectorXd residuals = y - x * c;
+  out.residuals_Nm.assign(residuals.begin(), residuals.end());
+  out.freedom = static_cast<double>(x.rows() - x.cols());
+  const double variance = residuals.squaredNorm() / out.freedom * inverse(0, 0);
+  out.gravity_Nm = symmetric_estimate(
+      c(0), student_t_975(out.freedom) * std::sqrt(variance),
+      x.cols() > 1 ? "scatter of the positions about the ripple" : "scatter of the positions");
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,98 @@
+#include "method/hysteresis/position_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "method/hysteresis/position_mean.h"
+#include "statistics/student_t.h"
+
+namespace tribolog {
+namespace {
+
+using std::numbers::pi;
+
+/// Motor angles of evenly spread positions: the first at the centre, then to its right and left.
+std::vector<double> spread(double centre, double over) {
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < planned_positions; ++k) {
+    const double places = static_cast<double>((k + 1) / 2) * (k % 2 == 1 ? 1 : -1);
+    angles.push_back(centre + places * over / static_cast<double>(planned_positions));
+  }
+  return angles;
+}
+
+/// Standard deviation of the mean that the lines leave, each at any phase.
+double ripple_left(const Ripple& ripple, const std::vector<double>& angles) {
+  double variance = 0;
+  for (const RippleLine& line : ripple.lines) {
+    variance += std::pow(line.amplitude_Nm * share_left_in_mean(line, angles), 2) / 2;
+  }
+  return std::sqrt(variance);
+}
+
+}  // namespace
+
+std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
+                                           const HysteresisResult& hysteresis, double gear_ratio) {
+  if (!hysteresis.found || !hysteresis.midline_Nm || !(rough.ripple.half_width_Nm() > 0)) {
+    return std::nullopt;
+  }
+  if (hysteresis.positions_hold_ripple()) return std::nullopt;
+  const double centre = gear_ratio * hysteresis.oscillations.front().centre_rad;
+  // One motor turn, or whole periods of a line where they leave clearly less of all of them.
+  PositionPlan plan;
+  plan.spread_motor_rad = 2 * pi;
+  double least = ripple_left(rough.ripple, spread(centre, plan.spread_motor_rad));
+  constexpr double clearly = 0.5;
+  for (const RippleLine& line : rough.ripple.lines) {
+    const double over = 2 * pi / line.periods_per_turn;
+    const double left = ripple_left(rough.ripple, spread(centre, over));
+    if (left < clearly * least) {
+      least = left;
+      plan.spread_motor_rad = over;
+    }
+  }
+  const std::vector<double> angles = spread(centre, plan.spread_motor_rad);
+  for (std::size_t k = 1; k < angles.size(); ++k) {
+    plan.further_rad.push_back(angles[k] / gear_ratio);
+  }
+  // The scatter of eight mid-lines like this one about a mean and the lines of the ripple; ripple
+  // that is no line stays, averaged.
+  const double own = hysteresis.midline_Nm->half_width();
+  plan.ripple_half_width_Nm = rough.ripple.half_width_Nm();
+  plan.half_width_now_Nm = std::hypot(own, plan.ripple_half_width_Nm);
+  const auto cycles = static_cast<double>(hysteresis.cycle_means_Nm.size());
+  const double sd = own / student_t_975(std::max(1.0, cycles - 1));
+  const auto positions = static_cast<double>(planned_positions);
+  const double fitted =
+      2 * static_cast<double>(std::min<std::size_t>(rough.ripple.lines.size(), 2));
+  const double scatter = std::hypot(sd, rough.ripple.rest_Nm);
+  plan.expected_half_width_Nm =
+      std::hypot(student_t_975(positions - 1 - fitted) * scatter / std::sqrt(positions), 2 * least);
+  return plan;
+}
+
+std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple) {
+  std::vector<std::string> periods;
+  for (const RippleLine& line : ripple.lines) {
+    periods.push_back(
+        fmt::format("{:.3g} N·m at {:.4g}", line.amplitude_Nm, line.periods_per_turn));
+  }
+  const std::string lines =
+      periods.empty()
+          ? fmt::format("a standard deviation of {:.3g} N·m without a clear period", ripple.rest_Nm)
+          : fmt::format("{} periods a motor turn", fmt::join(periods, " and "));
+  return fmt::format(
+      "the oscillation was recorded at one position only, where torque ripple is a constant that "
+      "no "
+      "repetition averages out: the sweep shows {}, so the gravity torque read from the loop is "
+      "known to ±{:.3g} N·m at the motor; oscillating at the {} further angles listed with the "
+      "cross-checks would bring ±{:.2g} N·m",
+      lines, plan.half_width_now_Nm, plan.further_rad.size(), plan.expected_half_width_Nm);
+}
+
+}  // namespace tribolog

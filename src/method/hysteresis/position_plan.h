@@ -1,0 +1,32 @@
+#pragma once
+// Where to oscillate next: positions over which the ripple that the sweep shows averages out.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "method/gravity/cog_sweep.h"
+#include "method/hysteresis/hysteresis_loop.h"
+
+namespace tribolog {
+
+struct PositionPlan {
+  double spread_motor_rad{};        ///< Motor angle over which the positions are evenly spread.
+  std::vector<double> further_rad;  ///< Joint angles of the oscillations still to be recorded.
+  double half_width_now_Nm{};       ///< Of the mid-line's torque, motor side, as it stands.
+  double ripple_half_width_Nm{};    ///< What of it the ripple demands.
+  double expected_half_width_Nm{};  ///< With all positions recorded.
+};
+
+/// Positions to which a plan fills up.
+inline constexpr std::size_t planned_positions = 8;
+
+/// Absent where no ripple shows, where there is no loop, or where three positions or more were
+/// recorded.
+std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
+                                           const HysteresisResult& hysteresis, double gear_ratio);
+
+/// Why the interval is as wide as it is, and what would narrow it: one sentence.
+std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple);
+
+}  // namespace tribolog

@@ -1,0 +1,169 @@
+#include "method/hysteresis/surrogate_masses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "joint/degrees.h"
+#include "joint/gravity_load.h"
+
+namespace tribolog {
+namespace {
+
+struct Context {
+  std::optional<double> q_peak_rad;
+  double q_peak_half_width{};
+  double gear_ratio{};
+  double distance_m{};
+  double gravity_m_s2{};
+};
+
+/// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
+SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, double cosine,
+                        const Context& c) {
+  SurrogateMass m;
+  m.estimator = std::move(estimator);
+  m.torque_Nm = torque;
+  m.q_rad = q_rad;
+  const double from_peak = c.q_peak_rad ? q_rad - *c.q_peak_rad : 0.0;
+  const double reach = std::abs(from_peak) + c.q_peak_half_width;
+  // 1/cos grows with the distance from the peak: the angle's error can only widen the interval.
+  const double by_angle =
+      torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
+  const double half_width = std::hypot(torque.half_width() / cosine, by_angle);
+  m.gravity_Nm = symmetric_estimate(torque.value / cosine, half_width, torque.method);
+  m.mass_kg =
+      scaled(m.gravity_Nm, surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
+  return m;
+}
+
+const LoopPoint* find_point(const std::vector<LoopPoint>& points, char name) {
+  const auto it = std::find_if(points.begin(), points.end(),
+                               [name](const LoopPoint& p) { return p.name == name; });
+  return it == points.end() ? nullptr : &*it;
+}
+
+double cosine_at(const Context& c, double q_rad) {
+  return c.q_peak_rad ? std::cos(q_rad - *c.q_peak_rad) : 1.0;
+}
+
+/// The paper's six, the pair means, the mid-line and the loop fit.
+void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hysteresis,
+                     const Context& context, SurrogateMassesResult& out) {
+  const Ripple& ripple = rough.ripple;  // points and pairs are read at one position
+  for (const char name : loop_point_names) {
+    const LoopPoint* p = find_point(hysteresis.points, name);
+    if (p == nullptr) continue;
+    const Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, "one reading"};
+    out.masses.push_back(make_mass(std::string(1, name), with_ripple(torque, ripple), p->q_rad,
+                                   cosine_at(context, p->q_rad), context));
+  }
+  for (const auto& [first, second] : {std::pair{'A', 'B'}, {'C', 'D'}, {'E', 'F'}}) {
+    const LoopPoint* p = find_point(hysteresis.steady_points, first);
+    const LoopPoint* q = find_point(hysteresis.steady_points, second);
+    if (p == nullptr || q == nullptr) continue;
+    const double half_width =
+        std::hypot(p->torque_high_Nm - p->torque_low_Nm, q->torque_high_Nm - q->torque_low_Nm) / 4;
+    const double angle = (p->q_rad + q->q_rad) / 2;
+    const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
+    const Estimate torque =
+        symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
+    out.masses.push_back(
+        make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
+  }
+  if (hysteresis.midline_Nm) {
+    const Estimate torque = hysteresis.positions_hold_ripple()
+                                ? *hysteresis.midline_Nm
+                                : with_ripple(*hysteresis.midline_Nm, ripple);
+    out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
+                                   hysteresis.midline_mean_cos, context));
+  }
+  if (hysteresis.lugre && hysteresis.lugre->gravity_Nm) {
+    // Already at the peak, and widened by ripple where that is due.
+    out.masses.push_back(
+        make_mass("fit", *hysteresis.lugre->gravity_Nm, hysteresis.midline_q_rad, 1.0, context));
+  }
+}
+
+}  // namespace
+
+const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) const {
+  const auto it = std::find_if(masses.begin(), masses.end(),
+                               [&](const SurrogateMass& m) { return m.estimator == estimator; });
+  return it == masses.end() ? nullptr : &*it;
+}
+
+SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
+                                                const HysteresisResult& hysteresis,
+                                                const std::optional<Estimate>& q_peak_rad,
+                                                double gear_ratio, double distance_m,
+                                                double gravity_m_s2, const OtherGravity& other) {
+  SurrogateMassesResult out;
+  out.distance_m = distance_m;
+  out.gravity_m_s2 = gravity_m_s2;
+  Context context{{}, 0, gear_ratio, distance_m, gravity_m_s2};
+  if (q_peak_rad) {
+    context.q_peak_rad = q_peak_rad->value;
+    context.q_peak_half_width = q_peak_rad->half_width();
+  }
+  const double loop_cosine = cosine_at(context, hysteresis.midline_q_rad);
+  const bool is_near_peak = !hysteresis.found || loop_cosine >= least_loop_cosine;
+  if (is_near_peak) add_loop_masses(rough, hysteresis, context, out);
+  if (rough.found) {
+    Context at_peak = context;
+    at_peak.q_peak_half_width = 0;  // the amplitude's interval already holds it
+    out.masses.push_back(make_mass("sweep", rough.gravity_Nm,
+                                   context.q_peak_rad.value_or(rough.q_peak_rad.value), 1.0,
+                                   at_peak));
+  }
+  if (other.runs != nullptr && other.runs->found) {
+    Context at_peak = context;
+    at_peak.q_peak_rad = other.runs->q_peak_rad.value;
+    at_peak.q_peak_half_width = 0;
+    out.masses.push_back(
+        make_mass("runs", other.runs->gravity_Nm, other.runs->q_peak_rad.value, 1.0, at_peak));
+  }
+  if (other.stated) {
+    Context at_peak = context;
+    at_peak.q_peak_rad = other.stated->q_peak_rad();
+    at_peak.q_peak_half_width = 0;
+    const double torque = other.stated->amplitude_Nm() / gear_ratio;
+    out.masses.push_back(make_mass(stated_estimator,
+                                   {torque, torque, torque, "stated in the manifest"},
+                                   other.stated->q_peak_rad(), 1.0, at_peak));
+  }
+
+  out.stage.name = "surrogate_masses";
+  if (out.masses.empty()) {
+    out.stage.state = StageState::skipped;
+    out.stage.reason =
+        "neither an oscillation, a sweep nor the runs give a gravity torque, so there is no "
+        "surrogate mass";
+  } else if (!is_near_peak) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format(
+        "the oscillation lies {:.0f}° from the gravity peak, where {:.0f} % of the gravity torque "
+        "show: the paper's six masses and the mid-line are not to be had there; oscillate at the "
+        "peak",
+        degrees_per_rad * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
+  } else if (!hysteresis.found) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format(
+        "without a hysteresis loop the paper's six masses and the mid-line are not to be had; the "
+        "mass is that of the {}",
+        rough.found                   ? "sweep's gravity amplitude"
+        : out.find("runs") != nullptr ? "gravity amplitude of the runs at constant speed"
+                                      : "gravity that the manifest states");
+  } else if (hysteresis.points.empty()) {
+    out.stage.state = StageState::partial;
+    out.stage.reason =
+        "the points A to F were not found: no whole turn of the loop with its "
+        "bristle deflection";
+  } else {
+    out.stage.state = StageState::done;
+  }
+  return out;
+}
+
+}  // namespace tribolog

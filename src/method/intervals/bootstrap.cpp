@@ -1,0 +1,162 @@
+#include "method/intervals/bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "base/parallel_for.h"
+#include "method/intervals/chain_draw.h"
+#include "method/intervals/chain_quantities.h"
+#include "statistics/quantiles.h"
+
+namespace tribolog {
+namespace {
+
+using bootstrap::ChainDraw;
+
+std::vector<ChainDraw> draw_all(const ChainResults& results, const ResamplingOptions& options,
+                                const std::function<void(std::size_t)>& progress) {
+  const bootstrap::ChainResampler chain(results);
+  std::vector<ChainDraw> draws(options.resamples);
+  constexpr std::size_t parts = 10;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t first = options.resamples * part / parts;
+    const std::size_t last = options.resamples * (part + 1) / parts;
+    if (progress) progress(first);
+    parallel_for(
+        last - first,
+        [&](std::size_t k) {
+          RandomStream random(options.seed, first + k);
+          draws[first + k] = chain.draw(random);
+        },
+        options.threads);
+  }
+  return draws;
+}
+
+template <class Value>
+std::vector<double> values_of(const std::vector<ChainDraw>& draws, Value value) {
+  std::vector<double> values;
+  values.reserve(draws.size());
+  for (const ChainDraw& draw : draws) values.push_back(value(draw));
+  return values;
+}
+
+std::vector<CurveBand> bands_of(const ViscousCurvesResult& curves,
+                                const std::vector<ChainDraw>& draws, std::size_t threads) {
+  std::vector<CurveBand> bands;
+  const std::size_t runs = curves.runs.size();
+  for (const ViscousCurve& curve : curves.curves) {
+    bands.push_back({curve.estimator, std::vector<double>(runs), std::vector<double>(runs)});
+  }
+  parallel_for(
+      runs * bands.size(),
+      [&](std::size_t k) {
+        const Estimate e = bootstrap::percentile_interval(
+            curves.curves[k / runs].friction_Nm[k % runs],
+            values_of(draws, [&](const ChainDraw& d) { return d.friction_Nm[k]; }));
+        bands[k / runs].low_Nm[k % runs] = e.low;
+        bands[k / runs].high_Nm[k % runs] = e.high;
+      },
+      threads);
+  return bands;
+}
+
+std::vector<ChoiceShare> choices_of(const std::vector<ChainDraw>& draws) {
+  std::vector<ChoiceShare> shares;
+  for (const char name : loop_point_names) shares.push_back({std::string(1, name), 0.0});
+  for (const ChainDraw& draw : draws) {
+    if (draw.choice < 0) return {};
+    shares[static_cast<std::size_t>(draw.choice)].share += 1 / static_cast<double>(draws.size());
+  }
+  return shares;
+}
+
+/// Every gravity torque against the recommended one.
+std::vector<GravityDifference> differences_of(const ChainResults& results,
+                                              const std::vector<ChainDraw>& draws) {
+  const auto& masses = results.masses.masses;
+  const auto at = std::find_if(masses.begin(), masses.end(), [&](const SurrogateMass& m) {
+    return m.estimator == results.selection.recommended;
+  });
+  if (at == masses.end()) return {};
+  const auto recommended = static_cast<std::size_t>(at - masses.begin());
+  std::vector<GravityDifference> all;
+  const auto add = [&](const std::string& method, double value, auto gravity_of) {
+    all.push_back({method, bootstrap::percentile_interval(value, values_of(draws, gravity_of)),
+                   bootstrap::percentile_interval(
+                       value - at->gravity_Nm.value, values_of(draws, [&](const ChainDraw& d) {
+                         return gravity_of(d) - d.gravity_Nm[recommended];
+                       }))});
+  };
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    add(masses[k].estimator, masses[k].gravity_Nm.value,
+        [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
+  }
+  for (std::size_t k = 0; k < results.other_ways.gravity.size(); ++k) {
+    add(results.other_ways.gravity[k].method, results.other_ways.gravity[k].gravity_Nm.value,
+        [k](const ChainDraw& d) { return d.other_Nm[k]; });
+  }
+  return all;
+}
+
+}  // namespace
+
+const Estimate* TwoIntervals::stated() const {
+  if (bootstrap && (bootstrap_is_stated || !closed_form)) return &*bootstrap;
+  return closed_form ? &*closed_form : nullptr;
+}
+
+double TwoIntervals::ratio() const {
+  if (!closed_form || !bootstrap) return 0;
+  const double closed = closed_form->half_width();
+  const double resampled = bootstrap->half_width();
+  return closed > 0 && std::isfinite(closed) && std::isfinite(resampled) ? resampled / closed : 0;
+}
+
+const TwoIntervals* IntervalsResult::find(const std::string& name) const {
+  const auto it = std::find_if(quantities.begin(), quantities.end(),
+                               [&](const TwoIntervals& q) { return q.name == name; });
+  return it == quantities.end() ? nullptr : &*it;
+}
+
+const CurveBand* IntervalsResult::band(const std::string& estimator) const {
+  const auto it = std::find_if(bands.begin(), bands.end(),
+                               [&](const CurveBand& b) { return b.estimator == estimator; });
+  return it == bands.end() ? nullptr : &*it;
+}
+
+IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
+                               const std::function<void(std::size_t)>& progress) {
+  if (!resamples_are_allowed(options.resamples)) {
+    throw std::invalid_argument(fmt::format("{} resamples are not allowed; it must be {}",
+                                            options.resamples, allowed_resamples_in_words()));
+  }
+  IntervalsResult out;
+  out.resamples = options.resamples;
+  out.seed = options.seed;
+  std::vector<bootstrap::ChainQuantity> quantities = bootstrap::chain_quantities(results);
+  for (const bootstrap::ChainQuantity& q : quantities) {
+    out.quantities.push_back({q.name, q.closed_form, std::nullopt, q.bootstrap_is_stated});
+  }
+  if (options.resamples == 0) return out;
+  const std::vector<ChainDraw> draws = draw_all(results, options, progress);
+  parallel_for(
+      quantities.size(),
+      [&](std::size_t k) {
+        const bootstrap::ChainQuantity& q = quantities[k];
+        std::vector<double> values = values_of(draws, q.of);
+        out.quantities[k].bootstrap =
+            q.is_root_mean_square ? bootstrap::root_mean_square_interval(q.value, std::move(values))
+                                  : bootstrap::percentile_interval(q.value, std::move(values));
+      },
+      options.threads);
+  out.bands = bands_of(results.viscous, draws, options.threads);
+  out.choices = choices_of(draws);
+  out.differences = differences_of(results, draws);
+  return out;
+}
+
+}  // namespace tribolog

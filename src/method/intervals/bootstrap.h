@@ -1,0 +1,109 @@
+#pragma once
+// Intervals of the whole chain by resampling.
+//
+// Every stage is reduced once to what each of its blocks does to its result; a resample draws
+// blocks with replacement and redoes the small algebra: no sample is touched again. Blocks are
+// fixed: neighbours within the strokes of a sweep, whole cycles of the oscillation, tenths of a
+// run's plateau, and runs for the fitted curve (block_draw.h, parameter_resample.h). Of several
+// oscillations half cycles for LuGre's parameters, and the positions' scatter for gravity. Angle
+// and gravity drawn in a resample go into its masses, curves and parameters, so that what has a
+// common cause moves together. Ripple at the position of a single oscillation is drawn at any
+// phase.
+//
+// Each resample has its own random stream: the same seed gives the same numbers on any number of
+// threads.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/allowed_resamples.h"
+#include "method/gravity/cog_sweep.h"
+#include "method/hysteresis/hysteresis_loop.h"
+#include "method/hysteresis/surrogate_masses.h"
+#include "method/selection/friction_parameters.h"
+#include "method/selection/gravity_by_other_ways.h"
+#include "method/selection/quality_errors.h"
+#include "method/selection/selection.h"
+#include "method/viscous/viscous_curves.h"
+
+namespace tribolog {
+
+/// What the chain has found; all must outlive the call.
+struct ChainResults {
+  const CogSweepResult& rough;
+  const CogSweepResult& precise;
+  const std::optional<Estimate>& q_peak_rad;
+  const std::string& q_peak_source;
+  const HysteresisResult& hysteresis;
+  const SurrogateMassesResult& masses;
+  const ViscousCurvesResult& viscous;
+  const QualityErrorsResult& quality;
+  const SelectionResult& selection;
+  const FrictionParametersResult& friction;
+  const OtherWays& other_ways;
+  double gear_ratio{};
+};
+
+/// One quantity with both its intervals.
+struct TwoIntervals {
+  std::string
+      name;  ///< Stable, with its unit: "q_peak_rad", "mass_kg.midline", "waiboer.stribeck_power".
+  std::optional<Estimate> closed_form;  ///< Absent where there is none.
+  std::optional<Estimate> bootstrap;    ///< Absent without resamples.
+  bool bootstrap_is_stated{};           ///< Which of the two the report goes by.
+
+  [[nodiscard]] const Estimate* stated() const;
+  /// Width by resampling over width by the closed form; 0 where one is missing or empty.
+  [[nodiscard]] double ratio() const;
+};
+
+/// 95 % band of a friction curve, one value per run. The gravity of the curve is the same in all
+/// runs: the band's width is common to them, not scatter from run to run.
+struct CurveBand {
+  std::string estimator;
+  std::vector<double> low_Nm;
+  std::vector<double> high_Nm;
+};
+
+/// How often the paper's rule chose a point.
+struct ChoiceShare {
+  std::string estimator;
+  double share{};
+};
+
+/// Difference of a gravity torque to the recommended one, judged by its own scatter: both were
+/// resampled together.
+struct GravityDifference {
+  std::string method;  ///< Estimator of a mass, or one of OtherWays.
+  Estimate gravity_Nm;
+  Estimate difference_Nm;
+};
+
+struct IntervalsResult {
+  std::size_t resamples{};  ///< 0: closed forms alone.
+  std::uint64_t seed{};
+  std::vector<TwoIntervals> quantities;
+  std::vector<CurveBand> bands;                ///< Per curve, in the order of the curves.
+  std::vector<ChoiceShare> choices;            ///< A to F; empty if the rule could not be applied.
+  std::vector<GravityDifference> differences;  ///< Empty without resamples or recommendation.
+
+  [[nodiscard]] const TwoIntervals* find(const std::string& name) const;
+  [[nodiscard]] const CurveBand* band(const std::string& estimator) const;
+};
+
+struct ResamplingOptions {
+  std::size_t resamples{1000};
+  std::uint64_t seed{1};
+  std::size_t threads{0};  ///< 0: all cores.
+};
+
+/// @param progress is told how many resamples are done; may be empty.
+/// @throw std::invalid_argument if the resamples are not allowed (allowed_resamples.h).
+IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
+                               const std::function<void(std::size_t done)>& progress = {});
+
+}  // namespace tribolog

@@ -1,0 +1,141 @@
+#include "method/intervals/chain_draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "method/intervals/run_resample.h"
+#include "method/intervals/sweep_resample.h"
+#include "statistics/block_draw.h"
+#include "statistics/student_t.h"
+
+namespace tribolog::bootstrap {
+namespace {
+
+/// 0 for "A" to 5 for "F", -1 for others.
+int point_index(char name) {
+  const auto* const at = std::find(loop_point_names.begin(), loop_point_names.end(), name);
+  return at == loop_point_names.end() ? -1 : static_cast<int>(at - loop_point_names.begin());
+}
+
+/// Torque shift of an estimator that reads the loop; nothing for others.
+std::optional<double> loop_shift(const std::string& estimator, const LoopShift& loop) {
+  if (estimator == "midline") return loop.midline_Nm;
+  if (estimator == "fit") return loop.fit_gravity_Nm;
+  if (estimator.size() > 2) return std::nullopt;
+  std::vector<std::size_t> points;
+  for (const char name : estimator) {
+    const int index = point_index(name);
+    if (index < 0) return std::nullopt;
+    points.push_back(static_cast<std::size_t>(index));
+  }
+  if (points.size() == 1) return loop.points_Nm[points[0]];
+  return (loop.steady_points_Nm[points[0]] + loop.steady_points_Nm[points[1]]) / 2;
+}
+
+}  // namespace
+
+ChainResampler::ChainResampler(const ChainResults& results)
+    : results_(results),
+      loop_(results.hysteresis, results.rough.ripple),
+      parameters_(results.viscous, results.friction) {}
+
+void ChainResampler::draw_masses(RandomStream& random, double rough_gravity_shift_Nm,
+                                 const LoopShift& loop, ChainDraw& draw) const {
+  const double q_peak = results_.q_peak_rad ? results_.q_peak_rad->value : 0.0;
+  for (const SurrogateMass& mass : results_.masses.masses) {
+    if (mass.estimator == "sweep") {
+      draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough_gravity_shift_Nm);
+      continue;
+    }
+    const std::optional<double> shift = loop_shift(mass.estimator, loop);
+    if (!shift) {
+      draw.gravity_Nm.push_back(mass.gravity_Nm.value +
+                                mass.gravity_Nm.half_width() / normal_975 * random.normal());
+      continue;
+    }
+    double cosine = mass.torque_Nm.value / mass.gravity_Nm.value;
+    if (results_.q_peak_rad) {
+      cosine *= std::cos(mass.q_rad - draw.q_peak_rad) / std::cos(mass.q_rad - q_peak);
+    }
+    draw.gravity_Nm.push_back((mass.torque_Nm.value + *shift) / cosine);
+  }
+}
+
+void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDraw& draw) const {
+  const QualityErrorsResult& quality = results_.quality;
+  const std::vector<ConstantSpeedRun>& runs = results_.viscous.runs;
+  if (quality.errors.empty()) return;
+  const bool by_directions = quality.reference == "direction_difference";
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < quality.errors.size(); ++c) {
+    double squares = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!std::isfinite(quality.errors[c].percent[i])) continue;
+      double reference = quality.reference_Nm[i];
+      if (by_directions && runs[i].partner >= 0) {
+        reference += (run_shifts[i] - run_shifts[static_cast<std::size_t>(runs[i].partner)]) / 2;
+      }
+      const double error = 100 * (draw.friction_Nm[c * runs.size() + i] - reference) /
+                           (runs[i].torque_Nm + run_shifts[i]);
+      squares += error * error;
+      count += 1;
+    }
+    draw.rms_percent.push_back(count > 0 ? std::sqrt(squares / count)
+                                         : std::numeric_limits<double>::quiet_NaN());
+    const std::string& name = quality.errors[c].estimator;
+    const int point = name.size() == 1 ? point_index(name[0]) : -1;
+    if (point >= 0 && draw.rms_percent.back() < smallest) {
+      smallest = draw.rms_percent.back();
+      draw.choice = point;
+    }
+  }
+}
+
+ChainDraw ChainResampler::draw(RandomStream& random) const {
+  ChainDraw draw;
+  const SweepShift rough = resample_sweep(random, results_.rough);
+  const SweepShift precise =
+      resample_precise_sweep(random, results_.precise, results_.rough.ripple, rough.gravity_Nm);
+  draw.q_rough_rad = results_.rough.q_peak_rad.value + rough.q_peak_rad;
+  draw.q_precise_rad = results_.precise.q_peak_rad.value + precise.q_peak_rad;
+  const double q_shift =
+      results_.q_peak_source == "cog_precise" ? precise.q_peak_rad : rough.q_peak_rad;
+  draw.q_peak_rad = results_.q_peak_rad ? results_.q_peak_rad->value + q_shift : 0.0;
+  if (results_.rough.coulomb_Nm) {
+    draw.coulomb_Nm = results_.rough.coulomb_Nm->value + rough.coulomb_Nm;
+  }
+  const LoopShift loop = loop_.draw(random);
+  draw.lugre = loop.lugre;
+  draw_masses(random, rough.gravity_Nm, loop, draw);
+  for (const GravityByOtherWay& way : results_.other_ways.gravity) {
+    const std::vector<double> counts = centred_counts(random, way.block_shifts.size());
+    double shift = 0;
+    for (std::size_t b = 0; b < counts.size(); ++b) shift += counts[b] * way.block_shifts[b];
+    draw.other_Nm.push_back(way.gravity_Nm.value + few_blocks_scale(random, way.freedom) * shift);
+  }
+
+  const std::vector<double> run_shifts = resample_runs(random, results_.viscous);
+  const std::vector<ConstantSpeedRun>& runs = results_.viscous.runs;
+  const auto& masses = results_.masses.masses;
+  draw.friction_Nm.reserve(results_.viscous.curves.size() * runs.size());
+  for (std::size_t c = 0; c < results_.viscous.curves.size(); ++c) {
+    const double gravity = masses[c].gravity_Nm.value;
+    const double change = draw.gravity_Nm[c] - gravity;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      draw.friction_Nm.push_back(results_.viscous.curves[c].friction_Nm[i] + run_shifts[i] -
+                                 change * runs[i].mean_cos - gravity * runs[i].mean_sin * q_shift);
+    }
+    if (results_.viscous.curves[c].estimator == results_.friction.curve) {
+      draw.parameters = parameters_.draw(random, change, q_shift, gravity);
+    }
+  }
+  draw_quality(run_shifts, draw);
+  if (draw.choice >= 0) {
+    draw.point_angle_shift_rad = loop.angle_rad[static_cast<std::size_t>(draw.choice)];
+  }
+  return draw;
+}
+
+}  // namespace tribolog::bootstrap

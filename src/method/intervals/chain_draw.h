@@ -1,0 +1,44 @@
+#pragma once
+// One resample of the whole chain: the stages' draws put together in the method's order.
+
+#include <limits>
+#include <vector>
+
+#include "method/intervals/bootstrap.h"
+#include "method/intervals/loop_resample.h"
+#include "method/intervals/parameter_resample.h"
+#include "statistics/random_stream.h"
+
+namespace tribolog::bootstrap {
+
+/// What one resample gives. Vectors are in the order of the results that they belong to.
+struct ChainDraw {
+  double q_rough_rad{}, q_precise_rad{}, q_peak_rad{};
+  double coulomb_Nm{};              ///< Of the rough sweep.
+  std::vector<double> gravity_Nm;   ///< Per surrogate mass.
+  std::vector<double> lugre;        ///< Shifts of the loop fit's readings or their logarithms.
+  std::vector<double> other_Nm;     ///< Per other way.
+  std::vector<double> friction_Nm;  ///< Curve by curve, run by run.
+  std::vector<double> rms_percent;  ///< Per curve; empty without a reference.
+  double point_angle_shift_rad{};   ///< Of the point chosen.
+  int choice{-1};                   ///< Of the paper's rule, 0 = A; -1: none.
+  ParameterDraw parameters;
+};
+
+class ChainResampler {
+ public:
+  /// @param results must outlive the resampler.
+  explicit ChainResampler(const ChainResults& results);
+  [[nodiscard]] ChainDraw draw(RandomStream& random) const;
+
+ private:
+  void draw_masses(RandomStream& random, double rough_gravity_shift_Nm, const LoopShift& loop,
+                   ChainDraw& draw) const;
+  void draw_quality(const std::vector<double>& run_shifts, ChainDraw& draw) const;
+
+  const ChainResults& results_;
+  LoopResampler loop_;
+  ParameterResampler parameters_;
+};
+
+}  // namespace tribolog::bootstrap

@@ -1,0 +1,38 @@
+#include "method/intervals/sweep_resample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "statistics/block_draw.h"
+
+namespace tribolog::bootstrap {
+
+SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep) {
+  SweepShift shift;
+  if (!sweep.found) return shift;
+  const auto& blocks = sweep.resampling.block_shifts;
+  const std::vector<double> counts = centred_counts(random, blocks.size());
+  const double scale = few_blocks_scale(random, sweep.resampling.freedom);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    shift.q_peak_rad += scale * counts[b] * blocks[b][0];
+    shift.gravity_Nm += scale * counts[b] * blocks[b][1];
+    shift.coulomb_Nm += scale * counts[b] * blocks[b][2];
+  }
+  return shift;
+}
+
+SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& precise,
+                                  const Ripple& ripple, double gravity_shift_Nm) {
+  SweepShift shift = resample_sweep(random, precise);
+  const auto& resampling = precise.resampling;
+  shift.q_peak_rad += resampling.amplitude_lever * gravity_shift_Nm;
+  const std::size_t lines = std::min(ripple.lines.size(), resampling.ripple_lever.size());
+  for (std::size_t k = 0; k < lines; ++k) {
+    shift.q_peak_rad += resampling.ripple_lever[k] * ripple.lines[k].amplitude_Nm *
+                        std::cos(2 * std::numbers::pi * random.uniform());
+  }
+  return shift;
+}
+
+}  // namespace tribolog::bootstrap

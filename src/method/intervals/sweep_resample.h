@@ -1,0 +1,24 @@
+#pragma once
+// Resampling the sweeps: blocks of neighbours within their strokes.
+
+#include "method/gravity/cog_sweep.h"
+#include "statistics/random_stream.h"
+
+namespace tribolog::bootstrap {
+
+/// What one draw of a sweep's blocks does to its results.
+struct SweepShift {
+  double q_peak_rad{};
+  double gravity_Nm{};
+  double coulomb_Nm{};
+};
+
+/// Zero where the sweep has found nothing.
+SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep);
+
+/// The precise sweep leans on the rough one: with the gravity drawn there, and its ripple at any
+/// phase.
+SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& precise,
+                                  const Ripple& ripple, double gravity_shift_Nm);
+
+}  // namespace tribolog::bootstrap

@@ -1,0 +1,191 @@
+#include "method/motion/oscillation_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace tribolog {
+namespace {
+
+using std::numbers::pi;
+
+/// Mean period from the upward crossings of the middle, each counted after a swing of a quarter of
+/// the range to both sides, so that noise at the crossing does not count twice. 0: less than one.
+double rough_period(const Recording& r) {
+  const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
+  const double middle = (*low + *high) / 2;
+  const double quarter = (*high - *low) / 4;
+  if (!(quarter > 0)) return 0;
+  std::vector<double> turns;
+  bool armed = false;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (r.q_rad[i] < middle - quarter) armed = true;
+    if (armed && r.q_rad[i] > middle + quarter) {
+      turns.push_back(r.t_s[i]);
+      armed = false;
+    }
+  }
+  if (turns.size() >= 2)
+    return (turns.back() - turns.front()) / static_cast<double>(turns.size() - 1);
+  // One or two strokes: the extremes are half a period apart.
+  const double half = std::abs(r.t_s[static_cast<std::size_t>(high - r.q_rad.begin())] -
+                               r.t_s[static_cast<std::size_t>(low - r.q_rad.begin())]);
+  return r.t_s.back() - r.t_s.front() >= 1.9 * half ? 2 * half : 0;
+}
+
+/// Of a longer recording the first rounds see every so many samples; the last ones see all.
+constexpr std::size_t most_samples_at_first = 50'000;
+constexpr double fewest_samples_a_period = 60;
+
+std::size_t first_stride(const Recording& r, double period_s) {
+  const double per_period =
+      period_s * static_cast<double>(r.size() - 1) / (r.t_s.back() - r.t_s.front());
+  const double stride = std::min(static_cast<double>(r.size()) / most_samples_at_first,
+                                 per_period / fewest_samples_a_period);
+  return static_cast<std::size_t>(std::max(1.0, stride));
+}
+
+/// A harmonic series of unknown frequency along a recording, by Gauss and Newton: linear in centre
+/// and harmonics, and a column of the derivative by the frequency. A stretch of the recording at a
+/// time, so that a long one needs no more room.
+class SeriesFit {
+ public:
+  SeriesFit(const Recording& recording, int harmonics, double omega)
+      : r_(recording), harmonics_(harmonics), omega_(omega) {}
+
+  /// Up to so many rounds over every `stride`-th sample.
+  void improve(std::size_t stride, int rounds) {
+    stride_ = stride;
+    for (int round = 0; round < rounds; ++round) {
+      solve();
+      c_ = solution_.head(1 + 2 * harmonics_);
+      if (solution_.size() == c_.size()) continue;
+      const double step = std::clamp(solution_(1 + 2 * harmonics_), -0.05 * omega_, 0.05 * omega_);
+      omega_ += step;
+      if (std::abs(step) < 1e-13 * omega_) break;
+    }
+  }
+
+  [[nodiscard]] double omega() const { return omega_; }
+  /// Centre, counted from the first angle, and cosine and sine of each harmonic.
+  [[nodiscard]] const Eigen::VectorXd& coefficients() const { return c_; }
+
+  /// Standard deviation of what the last round left.
+  double residual() {
+    double squares = 0;
+    over_stretches(last_omega_, last_c_, [&](const auto& x, const auto& y) {
+      squares += (y - x * solution_).squaredNorm();
+    });
+    return std::sqrt(squares / static_cast<double>(samples()));
+  }
+
+ private:
+  [[nodiscard]] std::size_t samples() const { return (r_.size() + stride_ - 1) / stride_; }
+
+  void solve() {
+    const Eigen::Index columns = c_.size() > 0 ? 2 + 2 * harmonics_ : 1 + 2 * harmonics_;
+    Eigen::MatrixXd xx = Eigen::MatrixXd::Zero(columns, columns);
+    Eigen::VectorXd xy = Eigen::VectorXd::Zero(columns);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(columns);
+    over_stretches(omega_, c_, [&](const auto& x, const auto& y) {
+      xx += x.transpose() * x;
+      xy += x.transpose() * y;
+      squares += x.colwise().squaredNorm().transpose();
+    });
+    // Columns differ by orders of magnitude only through time; the normal equations carry that.
+    const Eigen::VectorXd scale = squares.cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+    const Eigen::MatrixXd normal = scale.asDiagonal() * xx * scale.asDiagonal();
+    const Eigen::VectorXd right = scale.asDiagonal() * xy;
+    solution_ = scale.asDiagonal() * normal.ldlt().solve(right);
+    last_omega_ = omega_;
+    last_c_ = c_;
+  }
+
+  template <class Visit>
+  void over_stretches(double omega, const Eigen::VectorXd& c, Visit visit) {
+    constexpr std::size_t stretch = std::size_t{1} << 16;
+    const bool with_frequency = c.size() > 0;
+    const Eigen::Index columns = with_frequency ? 2 + 2 * harmonics_ : 1 + 2 * harmonics_;
+    const double t0 = r_.t_s.front();
+    const double origin = r_.q_rad.front();
+    for (std::size_t first = 0; first < samples(); first += stretch) {
+      const auto rows = static_cast<Eigen::Index>(std::min(stretch, samples() - first));
+      x_.resize(rows, columns);
+      y_.resize(rows);
+      for (Eigen::Index row = 0; row < rows; ++row) {
+        const std::size_t i = (first + static_cast<std::size_t>(row)) * stride_;
+        const double t = r_.t_s[i] - t0;
+        y_(row) = r_.q_rad[i] - origin;
+        x_(row, 0) = 1;
+        double by_omega = 0;
+        for (int k = 1; k <= harmonics_; ++k) {
+          const double cosine = std::cos(k * omega * t);
+          const double sine = std::sin(k * omega * t);
+          x_(row, 2 * k - 1) = cosine;
+          x_(row, 2 * k) = sine;
+          if (with_frequency) by_omega += k * t * (c(2 * k) * cosine - c(2 * k - 1) * sine);
+        }
+        if (with_frequency) x_(row, 1 + 2 * harmonics_) = by_omega;
+      }
+      visit(x_, y_);
+    }
+  }
+
+  const Recording& r_;
+  int harmonics_;
+  std::size_t stride_{1};
+  double omega_;
+  Eigen::VectorXd c_, solution_;
+  double last_omega_{};
+  Eigen::VectorXd last_c_;  // those that the last round went out from
+  Eigen::MatrixXd x_;
+  Eigen::VectorXd y_;
+};
+
+}  // namespace
+
+bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
+  constexpr double largest_share = 0.02;
+  return residual_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
+}
+
+HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
+  std::vector<HarmonicMotion::Harmonic> motor = harmonics;
+  for (auto& h : motor) {
+    h.cosine *= gear_ratio;
+    h.sine *= gear_ratio;
+  }
+  return {gear_ratio * centre_rad, frequency_Hz, std::move(motor)};
+}
+
+std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recording, int harmonics) {
+  if (recording.size() < 20) return std::nullopt;
+  const double period = rough_period(recording);
+  if (!(period > 0)) return std::nullopt;
+  constexpr int rounds = 30;
+  constexpr int last_rounds = 5;  // from where the first ones arrived
+  SeriesFit fit(recording, harmonics, 2 * pi / period);
+  const std::size_t stride = first_stride(recording, period);
+  if (stride > 1) fit.improve(stride, rounds);
+  fit.improve(1, stride > 1 ? last_rounds : rounds);
+  const double omega = fit.omega();
+  const Eigen::VectorXd& c = fit.coefficients();
+  OscillationMotion out;
+  out.frequency_Hz = omega / (2 * pi);
+  out.centre_rad = recording.q_rad.front() + c(0);
+  out.start_s = recording.t_s.front();
+  out.residual_rad = fit.residual();
+  for (int k = 1; k <= harmonics; ++k) out.harmonics.push_back({c(2 * k - 1), c(2 * k)});
+  out.amplitude_rad = std::hypot(out.harmonics.front().cosine, out.harmonics.front().sine);
+  const double duration = recording.t_s.back() - recording.t_s.front();
+  // A tenth of a sample short of one cycle still is one.
+  if (duration * out.frequency_Hz < 1 - 0.1 / static_cast<double>(recording.size())) {
+    return std::nullopt;
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,113 @@
+#include "method/motion/plateaus.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics/local_slope.h"
+#include "statistics/median.h"
+#include "statistics/white_noise.h"
+
+namespace tribolog {
+namespace {
+
+/// Noise of the local slope, from second differences over windows that share no sample: a steady
+/// speed, a ramp and a slow sine all drop out.
+double slope_noise(const std::vector<double>& v, std::size_t window, double rest) {
+  std::vector<double> differences;
+  for (std::size_t i = window; i + window < v.size(); i += std::max<std::size_t>(1, window / 2)) {
+    if (std::abs(v[i]) < rest) continue;
+    differences.push_back(std::abs(v[i + window] - 2 * v[i] + v[i - window]));
+  }
+  if (differences.empty()) return 0;
+  return normal_sd_by_median_size * median(std::move(differences)) / std::sqrt(6.0);
+}
+
+/// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the
+/// middle half, within its noise.
+std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, std::size_t first,
+                                                std::size_t last, double noise) {
+  constexpr double tight = 1e-3;
+  const std::size_t quarter = (last - first) / 4;
+  const auto at = [&](std::size_t i) { return v.begin() + static_cast<std::ptrdiff_t>(i); };
+  const double speed = median({at(first + quarter), at(last - quarter)});
+  const double tolerance = std::max(tight * std::abs(speed), 4 * noise);
+  while (first < last && std::abs(v[first] - speed) > tolerance) ++first;
+  while (last > first && std::abs(v[last - 1] - speed) > tolerance) --last;
+  return {first, last};
+}
+
+}  // namespace
+
+double MotionSegments::plateau_share() const {
+  const std::size_t moving = samples_on_plateaus + samples_trimmed + samples_accelerating;
+  return moving == 0 ? 0.0
+                     : static_cast<double>(samples_on_plateaus + samples_trimmed) /
+                           static_cast<double>(moving);
+}
+
+MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& options) {
+  MotionSegments out;
+  const std::size_t n = recording.size();
+  if (n < 8) {
+    out.speed_rad_s.assign(n, 0.0);
+    out.acceleration_rad_s2.assign(n, 0.0);
+    out.samples_at_rest = n;
+    return out;
+  }
+  const std::size_t h = half_window_of_slope(n);
+  out.window = 2 * h;
+  out.speed_rad_s = local_slope(recording.t_s, recording.q_rad, h);
+  out.acceleration_rad_s2 = local_slope(recording.t_s, out.speed_rad_s, h);
+  const std::vector<double>& v = out.speed_rad_s;
+  // A single wild sample must not set the scale.
+  std::vector<double> magnitudes(n);
+  std::transform(v.begin(), v.end(), magnitudes.begin(), [](double x) { return std::abs(x); });
+  const std::size_t rank = n - 1 - n / 1000;
+  std::nth_element(magnitudes.begin(), magnitudes.begin() + static_cast<std::ptrdiff_t>(rank),
+                   magnitudes.end());
+  out.fastest_rad_s = magnitudes[rank];
+  const double rest = options.rest_share * out.fastest_rad_s;
+  const double noise = slope_noise(v, 2 * h, rest);
+  const auto shortest =
+      std::max(options.fewest_samples,
+               static_cast<std::size_t>(options.shortest_share * static_cast<double>(n)));
+  const auto tolerance = [&](double speed) {
+    constexpr double widest = 0.1;
+    return std::max(options.tolerance * speed, std::min(widest * speed, 4 * noise));
+  };
+
+  for (std::size_t i = 0; i < n;) {
+    if (std::abs(v[i]) <= rest) {
+      ++out.samples_at_rest;
+      ++i;
+      continue;
+    }
+    double sum = 0;
+    std::size_t end = i;
+    while (end < n && std::abs(v[end]) > rest) {
+      const double mean = end == i ? v[i] : sum / static_cast<double>(end - i);
+      if (std::abs(v[end] - mean) > tolerance(std::abs(mean))) break;
+      sum += v[end];
+      ++end;
+    }
+    const auto [steady_first, steady_last] = steady_part(v, i, end, noise);
+    const std::size_t length = steady_last - steady_first;
+    const std::size_t settling = std::max(2 * h, length / 20);
+    if (length < shortest + 2 * settling) {
+      const std::size_t skip = std::max<std::size_t>(1, (end - i) / 8);
+      out.samples_accelerating += skip;
+      i += skip;
+      continue;
+    }
+    Plateau plateau{steady_first + settling, steady_last - settling, 0.0};
+    plateau.speed_rad_s = (recording.q_rad[plateau.last - 1] - recording.q_rad[plateau.first]) /
+                          (recording.t_s[plateau.last - 1] - recording.t_s[plateau.first]);
+    out.samples_on_plateaus += plateau.size();
+    out.samples_trimmed += end - i - plateau.size();
+    out.plateaus.push_back(plateau);
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,144 @@
+#include "method/motion/traced_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "method/motion/angle_points.h"
+#include "method/motion/encoder_resolution.h"
+#include "method/motion/strokes.h"
+#include "statistics/white_noise.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t fewest_samples = 40;
+/// A start and one loop.
+constexpr std::size_t fewest_strokes = 3;
+constexpr double fewest_samples_in_stroke = 20;
+/// As of harmonics: what is left of the angle stays below a fiftieth of the amplitude.
+constexpr double largest_noise_share = 0.02;
+/// A turn is one where the angle runs back by this many standard deviations of its noise, or by
+/// this share of its range.
+constexpr double turn_noises = 10;
+constexpr double turn_share = 1e-3;
+/// Way to and fro within the noise, which bristles would take for motion, over that of the strokes.
+constexpr double largest_excess_way = 0.1;
+
+class SplineMotion final : public Motion {
+ public:
+  SplineMotion(std::shared_ptr<const SmoothingSpline> spline, double origin_rad, double gear_ratio)
+      : spline_(std::move(spline)), origin_rad_(origin_rad), gear_ratio_(gear_ratio) {}
+  [[nodiscard]] double angle(double t_s) const override {
+    return gear_ratio_ * (origin_rad_ + spline_->at(t_s).value);
+  }
+  [[nodiscard]] double speed(double t_s) const override {
+    return gear_ratio_ * spline_->at(t_s).slope;
+  }
+  [[nodiscard]] double acceleration(double t_s) const override {
+    return gear_ratio_ * spline_->at(t_s).curvature;
+  }
+
+ private:
+  std::shared_ptr<const SmoothingSpline> spline_;
+  double origin_rad_;
+  double gear_ratio_;
+};
+
+/// Standard deviation of the angle's noise.
+double noise_of_angle(const std::vector<double>& q, double step) {
+  // Slow motion over steps has third differences that are not those of noise.
+  const double white = white_sd_beside_jumps(third_differences(q));
+  return white < step ? step / std::sqrt(12.0) : white;
+}
+
+double way_of(const std::vector<double>& q) {
+  double way = 0;
+  for (std::size_t i = 0; i + 1 < q.size(); ++i) way += std::abs(q[i + 1] - q[i]);
+  return way;
+}
+
+MotionTrace refused(std::string why) { return {std::nullopt, std::move(why)}; }
+
+}  // namespace
+
+std::string TracedMotion::noise_in_words() const {
+  return is_stepped() ? fmt::format("a step of the encoder of {:.2g} rad", encoder_step_rad)
+                      : fmt::format("a scatter of the samples of {:.2g} rad", noise_rad);
+}
+
+std::unique_ptr<Motion> TracedMotion::motor_motion(double gear_ratio) const {
+  return std::make_unique<SplineMotion>(spline, origin_rad, gear_ratio);
+}
+
+MotionTrace trace_motion(const Recording& r, const TracedMotion* found) {
+  if (r.size() < fewest_samples) {
+    return refused(fmt::format("{} samples of motion; at least {} are needed to follow the angle",
+                               r.size(), fewest_samples));
+  }
+  const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
+  if (!(*high > *low)) return refused("the angle does not change");
+  TracedMotion out;
+  out.centre_rad = (*low + *high) / 2;
+  out.amplitude_rad = (*high - *low) / 2;
+  out.encoder_step_rad = common_step(r.q_rad);
+  out.noise_rad = noise_of_angle(r.q_rad, out.encoder_step_rad);
+  out.origin_rad = r.q_rad.front();
+  if (out.noise_rad > largest_noise_share * out.amplitude_rad) {
+    return refused(fmt::format(
+        "the angle is too rough to give a speed: {} leaves noise of {:.2g} rad, {:.1f} % of the "
+        "amplitude of {:.2g} rad; at most {:.0f} % are allowed",
+        out.noise_in_words(), out.noise_rad, 100 * out.noise_rad / out.amplitude_rad,
+        out.amplitude_rad, 100 * largest_noise_share));
+  }
+  std::vector<double> t;
+  std::vector<double> q;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    t.push_back(r.t_s[i] - r.t_s.front());
+    q.push_back(r.q_rad[i] - out.origin_rad);
+  }
+  const CurvePoints points = angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0);
+  out.spline = found != nullptr ? std::make_shared<SmoothingSpline>(points, *found->spline)
+                                : std::make_shared<SmoothingSpline>(points);
+  std::vector<double> smooth;
+  double squares = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    smooth.push_back(out.spline->at(t[i]).value);
+    squares += std::pow(q[i] - smooth[i], 2);
+  }
+  out.residual_rad = std::sqrt(squares / static_cast<double>(t.size()));
+  const std::vector<Stroke> strokes = find_strokes(
+      smooth, std::max(turn_noises * out.noise_rad, 2 * turn_share * out.amplitude_rad));
+  if (strokes.size() < fewest_strokes) {
+    return refused(fmt::format(
+        "the angle makes {} stroke{}, with {} reversal{} between them; a loop needs at least {} "
+        "strokes",
+        strokes.size(), strokes.size() == 1 ? "" : "s",
+        std::max<std::size_t>(1, strokes.size()) - 1, strokes.size() == 2 ? "" : "s",
+        fewest_strokes));
+  }
+  const double in_stroke = static_cast<double>(r.size()) / static_cast<double>(strokes.size());
+  if (in_stroke < fewest_samples_in_stroke) {
+    return refused(
+        fmt::format("only {:.1f} samples to a stroke; at least {:.0f} are needed to follow the "
+                    "angle through its turns",
+                    in_stroke, fewest_samples_in_stroke));
+  }
+  double travel = 0;
+  for (const Stroke& stroke : strokes) travel += stroke.travel_rad;
+  const double excess = way_of(smooth) / travel - 1;
+  if (excess > largest_excess_way) {
+    return refused(
+        fmt::format("the angle is too rough to give a speed: smoothed, with noise of {:.2g} rad, "
+                    "it still goes to "
+                    "and fro by {:.0f} % of the way of its strokes; at most {:.0f} % are allowed",
+                    out.noise_rad, 100 * excess, 100 * largest_excess_way));
+  }
+  for (std::size_t k = 1; k < strokes.size(); ++k) out.turns_s.push_back(t[strokes[k].first]);
+  out.frequency_Hz = static_cast<double>(strokes.size()) / 2 / t.back();
+  return {std::move(out), ""};
+}
+
+}  // namespace tribolog

@@ -1,0 +1,52 @@
+#pragma once
+// The motion of a joint that swings as its torque drives it: no sine, often not periodic, its loops
+// of any size. A smoothing spline through the recorded angle (smoothing_spline.h), through the
+// edges of its steps where it comes in steps (angle_points.h).
+//
+// The noise is found from the angle: a step of the encoder, which rounds by step/sqrt(12), or the
+// white noise of its third differences where that is larger than a step.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "simulate/motion.h"
+#include "statistics/smoothing_spline.h"
+
+namespace tribolog {
+
+struct TracedMotion {
+  double noise_rad{};           ///< Standard deviation, joint side.
+  double encoder_step_rad{};    ///< 0: the angle looks continuous.
+  double residual_rad{};        ///< Standard deviation of q less the spline.
+  double centre_rad{};          ///< Halfway between the extremes.
+  double amplitude_rad{};       ///< Half of the way between them.
+  double frequency_Hz{};        ///< Half the number of strokes per second.
+  std::vector<double> turns_s;  ///< Times of the turns between strokes, since the first sample.
+
+  [[nodiscard]] std::size_t strokes() const { return turns_s.size() + 1; }
+  /// Whether the steps of the encoder are the noise.
+  [[nodiscard]] bool is_stepped() const { return noise_rad < encoder_step_rad; }
+  /// "a step of the encoder of 5.2e-06 rad", or what else tells the noise.
+  [[nodiscard]] std::string noise_in_words() const;
+  /// Motor-side motion as a function of the time since the first sample.
+  [[nodiscard]] std::unique_ptr<Motion> motor_motion(double gear_ratio) const;
+
+  // Of the joint's angle less its first sample, by the time since then.
+  std::shared_ptr<const SmoothingSpline> spline;
+  double origin_rad{};
+};
+
+struct MotionTrace {
+  std::optional<TracedMotion> motion;
+  std::string refusal;  ///< Why there is none, with the number; empty if there is one.
+};
+
+/// Refuses an angle that is too short, does not turn round twice, is sampled too coarsely for its
+/// strokes, or is too rough to have a speed.
+/// @param found the same motion, traced before: it is smoothed much the same (see SmoothingSpline).
+MotionTrace trace_motion(const Recording& recording, const TracedMotion* found = nullptr);
+
+}  // namespace tribolog

@@ -1,0 +1,59 @@
+#pragma once
+// Gravity torque by ways that the method itself does not take, to hold its result against.
+//
+// sweep_directions: mean of the sweep's two directions at equal angle, T+ + T- = 2 G cos(q -
+// q_peak):
+//   friction that is the same in both directions drops out, whatever its law; a constant offset of
+//   the torque does not.
+// run_directions: the same for pairs of constant-speed runs.
+// classical: one linear least squares over everything that moves, sweeps and runs together,
+//   T = G cos(q - q_peak) + Fc sgn(w) + Fv w + J dw/dt + offset, which the paper argues against: no
+//   Stribeck effect and no bend of the viscous law fits into it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
+#include "method/viscous/viscous_curves.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// A gravity torque with what is needed to resample it.
+struct GravityByOtherWay {
+  std::string method;   ///< "sweep_directions", "run_directions" or "classical".
+  Estimate gravity_Nm;  ///< Motor side.
+  std::vector<double>
+      block_shifts;  ///< What the error of each block does to it; see BlockRegression.
+  double freedom{};
+};
+
+/// What else the classical regression says; motor side.
+struct ClassicalRegression {
+  Estimate q_peak_rad;
+  Estimate gravity_Nm;           ///< With the interval of blocks.
+  Estimate textbook_gravity_Nm;  ///< With the interval for independent errors of equal size.
+  Estimate coulomb_Nm;
+  Estimate viscous_Nms_rad;
+  Estimate inertia_kgm2;  ///< Reflected to the motor.
+  double offset_Nm{};
+  double residual_Nm{};   ///< Standard deviation of what it leaves; rows as averaged.
+  double row_noise_Nm{};  ///< What the white noise of the torque alone would leave.
+};
+
+struct OtherWays {
+  std::vector<GravityByOtherWay> gravity;
+  std::optional<ClassicalRegression> classical;
+
+  [[nodiscard]] const GravityByOtherWay* find(const std::string& method) const;
+};
+
+/// @param sweeps, runs recordings of those roles; may be empty. Ways without data are left out.
+OtherWays gravity_by_other_ways(const std::vector<const Recording*>& sweeps,
+                                const std::vector<const Recording*>& runs,
+                                const CogSweepResult& rough, const ViscousCurvesResult& curves,
+                                const std::optional<Estimate>& q_peak_rad, double gear_ratio);
+
+}  // namespace tribolog

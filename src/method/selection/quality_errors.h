@@ -1,0 +1,44 @@
+#pragma once
+// Stage 6: how far each candidate's curve is from a reference, in % of the driving torque:
+// 100 (Tf,candidate - Tf,reference) / T.
+//
+// Where no true curve is known the reference is (T(+v) - T(-v))/2 at equal angle. Gravity cannot
+// enter it, so it takes no knowledge beforehand. It has an interval of its own, and it is the mean
+// of both directions' friction: where friction is not the same in both, every candidate is off by
+// the asymmetry, (T(+v) + T(-v))/2 less gravity (direction_asymmetry.h).
+
+#include <string>
+#include <vector>
+
+#include "friction/static_friction.h"
+#include "method/viscous/viscous_curves.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+struct QualityError {
+  std::string estimator;
+  std::vector<double> percent;  ///< Per run of ViscousCurvesResult; NaN: no reference, or T ~ 0.
+  double rms_percent{};
+};
+
+struct QualityErrorsResult {
+  StageReport stage;
+  std::string reference;             ///< "analytic", "direction_difference" or "" (none).
+  std::vector<double> reference_Nm;  ///< Per run; NaN where there is none.
+  std::vector<QualityError> errors;  ///< Per curve, in that order.
+  std::vector<double> reference_half_width_Nm;  ///< Per run, 95 %; 0 where it is known exactly.
+  /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
+  /// torque: an rms error below it is no evidence against a mass.
+  double reference_rms_percent{};
+  std::string evidence;         ///< What the reference can tell, in words; empty without errors.
+  std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
+
+  [[nodiscard]] const QualityError* find(const std::string& estimator) const;
+};
+
+/// @param analytic the true curve, known in simulation; where not null it is the reference.
+QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
+                                            const StaticFriction* analytic);
+
+}  // namespace tribolog

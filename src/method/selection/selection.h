@@ -1,0 +1,34 @@
+#pragma once
+// Stage 7: the estimator to use, and the corrected angle of the centre of gravity, eq. (14).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "method/hysteresis/hysteresis_loop.h"
+#include "method/hysteresis/surrogate_masses.h"
+#include "method/selection/quality_errors.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+struct SelectionResult {
+  StageReport stage;
+  std::string paper_rule;  ///< Of A..F the one of smallest rms error; empty: cannot be said.
+  /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
+  /// may be as near to the recommended mass.
+  std::vector<std::string> paper_rule_rivals;
+  std::string recommended;  ///< Ours: the first there is of "midline", "sweep", "runs" and
+                            ///< "stated"; may be empty.
+  std::string why;          ///< A few sentences for the report.
+  /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
+  std::optional<double> q_c_corrected_rad;
+  std::optional<Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.
+};
+
+SelectionResult select_estimator(const SurrogateMassesResult& masses,
+                                 const QualityErrorsResult& errors,
+                                 const HysteresisResult& hysteresis,
+                                 const std::optional<Estimate>& q_peak_rad);
+
+}  // namespace tribolog

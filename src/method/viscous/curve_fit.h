@@ -1,0 +1,42 @@
+#pragma once
+// Least squares of one curve model: the linear parameters in closed form within a
+// Levenberg-Marquardt of the one to three shape parameters (variable projection, Golub and Pereyra
+// 1973, with Kaufman's derivative).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "method/viscous/curve_model.h"
+#include "method/viscous/curve_samples.h"
+
+namespace tribolog {
+
+/// Speeds and torques are scaled by those of the data inside, so that units do not matter.
+struct CurveFit {
+  CurveModel model;
+  double speed_scale_rad_s{1.0};
+  double torque_scale_Nm{1.0};
+  Eigen::VectorXd shape;   ///< Logarithms; speeds in units of the scale.
+  Eigen::VectorXd linear;  ///< In units of the scales.
+  double cost{};           ///< Sum of squared residuals, in units of the torque's scale.
+
+  /// Size of friction [N·m] at a sample; its own friction takes no part.
+  [[nodiscard]] double friction_Nm(const CurveSample& sample) const;
+  /// Root mean square over samples [N·m].
+  [[nodiscard]] double rms_Nm(const std::vector<CurveSample>& samples) const;
+  /// Why no joint can have these parameters ("the viscous coefficient is negative"), or empty.
+  [[nodiscard]] std::string impossible_because() const;
+};
+
+/// @param start shape of a fit to almost the same data and scales; absent: a grid of starts.
+/// @return nothing if no start converges or the columns cannot be told apart.
+std::optional<CurveFit> fit_curve(const CurveModel& model, const std::vector<CurveSample>& samples,
+                                  const CurveFit* start = nullptr);
+
+/// Derivatives of the scaled friction by linear and then shape parameters, a row for each sample.
+Eigen::MatrixXd curve_jacobian(const CurveFit& fit, const std::vector<CurveSample>& samples);
+
+}  // namespace tribolog

@@ -1,0 +1,147 @@
+#include "method/viscous/curve_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <Eigen/Dense>
+
+#include "method/viscous/model_choice.h"
+#include "statistics/block_regression.h"
+
+namespace tribolog {
+namespace {
+
+using Unknowns = Eigen::VectorXd;  // scaled linear parameters, then logarithms of the shape
+using Quantity = std::function<double(const Unknowns&)>;
+
+/// Builds the list; knows where each unknown stands.
+class Parameters {
+ public:
+  Parameters(const CurveFit& fit, const std::vector<CurveSample>& samples) : fit_(fit) {
+    const Eigen::MatrixXd j = curve_jacobian(fit, samples);
+    Eigen::VectorXd residual(j.rows());
+    std::vector<std::size_t> blocks;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      residual(static_cast<Eigen::Index>(i)) =
+          (samples[i].friction_Nm - fit.friction_Nm(samples[i])) / fit.torque_scale_Nm;
+      blocks.push_back(samples[i].group);
+    }
+    around_ = block_regression(j, residual, blocks);
+    at_.resize(j.cols());
+    at_ << fit.linear, fit.shape;
+  }
+
+  void add(const char* name, const char* words, const char* unit, const Quantity& q) {
+    const double h = half_width(q);
+    list_.push_back({name, words, unit, symmetric_estimate(q(at_), h, method_)});
+  }
+
+  /// For what is positive by nature: `log_q` is the logarithm.
+  void add_positive(const char* name, const char* words, const char* unit, const Quantity& log_q) {
+    const double value = log_q(at_);
+    const double h = half_width(log_q);
+    list_.push_back(
+        {name, words, unit, {std::exp(value), std::exp(value - h), std::exp(value + h), method_}});
+  }
+
+  [[nodiscard]] double speed() const { return fit_.speed_scale_rad_s; }
+  [[nodiscard]] double torque() const { return fit_.torque_scale_Nm; }
+  [[nodiscard]] Eigen::Index shape(Eigen::Index k) const { return fit_.linear.size() + k; }
+  std::vector<CurveParameter> take() { return std::move(list_); }
+
+ private:
+  double half_width(const Quantity& q) const {
+    Eigen::VectorXd slope(at_.size());
+    for (Eigen::Index k = 0; k < at_.size(); ++k) {
+      const double step = 1e-6 * std::max(1.0, std::abs(at_(k)));
+      Unknowns up = at_;
+      Unknowns down = at_;
+      up(k) += step;
+      down(k) -= step;
+      slope(k) = (q(up) - q(down)) / (2 * step);
+    }
+    return around_.half_width_along(slope);
+  }
+
+  const CurveFit& fit_;
+  BlockRegression around_;
+  Unknowns at_;
+  std::vector<CurveParameter> list_;
+  const char* method_ = "fit of the curve, scatter of the speeds";
+};
+
+}  // namespace
+
+std::vector<CurveParameter> curve_parameters(const CurveFit& fit,
+                                             const std::vector<CurveSample>& samples) {
+  Parameters list(fit, samples);
+  const CurveModel& model = fit.model;
+  const double torque = list.torque();
+  const double speed = list.speed();
+  const auto linear = [=](Eigen::Index k, double unit) {
+    return [=](const Unknowns& p) { return unit * p(k); };
+  };
+  const auto log_shape = [&list](Eigen::Index k, double offset) {
+    return [i = list.shape(k), offset](const Unknowns& p) { return p(i) + offset; };
+  };
+  /// N·m of the term at 1 rad/s: a (1/scale)^power.
+  const auto at_unit_speed = [&list, torque, speed](Eigen::Index k, Eigen::Index power) {
+    return [=, i = list.shape(power)](const Unknowns& p) {
+      return torque * p(k) * std::pow(speed, -std::exp(p(i)));
+    };
+  };
+  Eigen::Index next = 0;
+  switch (model.law) {
+    case CurveLaw::coulomb:
+      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
+      break;
+    case CurveLaw::coulomb_viscous:
+      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
+      list.add("viscous_Nms_rad", "Viscous coefficient c", "N·m·s/rad",
+               linear(next++, torque / speed));
+      break;
+    case CurveLaw::power_viscous:
+      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
+      list.add("viscous_coefficient", "Viscous coefficient c_v", "N·m·(s/rad)^p",
+               at_unit_speed(next++, 0));
+      list.add_positive("viscous_exponent", "Viscous exponent p", "", log_shape(0, 0.0));
+      break;
+    case CurveLaw::stribeck:
+      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
+      list.add("stribeck_excess_Nm", "Excess at rest T_s − T_c", "N·m", linear(next++, torque));
+      list.add_positive("stribeck_speed_rad_s", "Stribeck velocity ω_s", "rad/s",
+                        log_shape(0, std::log(speed)));
+      list.add("viscous_Nms_rad", "Viscous coefficient c", "N·m·s/rad",
+               linear(next++, torque / speed));
+      break;
+    case CurveLaw::waiboer:
+      list.add("asperity_torque_Nm", "Asperity torque T_a", "N·m", linear(next++, torque));
+      list.add_positive("stribeck_speed_rad_s", "Stribeck velocity ω_s", "rad/s",
+                        log_shape(0, std::log(speed)));
+      list.add_positive("stribeck_power", "Stribeck power δ_a", "", log_shape(1, 0.0));
+      list.add("viscous_coefficient", "Viscous coefficient c_v", "N·m·(s/rad)^(1−δ_v)",
+               at_unit_speed(next++, 2));
+      list.add_positive("viscous_exponent", "Viscous exponent 1 − δ_v", "", log_shape(2, 0.0));
+      break;
+  }
+  if (model.asymmetry != Asymmetry::none) {
+    list.add("asymmetry_Nm", "Rising less falling, half, Coulomb", "N·m", linear(next++, torque));
+  }
+  if (model.asymmetry == Asymmetry::coulomb_viscous) {
+    if (model.law == CurveLaw::power_viscous || model.law == CurveLaw::waiboer) {
+      list.add("viscous_asymmetry", "Rising less falling, half, viscous coefficient",
+               "as the viscous coefficient",
+               at_unit_speed(next++, model.law == CurveLaw::waiboer ? 2 : 0));
+    } else {
+      list.add("viscous_asymmetry_Nms_rad", "Rising less falling, half, viscous", "N·m·s/rad",
+               linear(next++, torque / speed));
+    }
+  }
+  if (model.load) {
+    list.add("load_Nm", "Added by the full gravity torque", "N·m", linear(next++, torque));
+  }
+  return list.take();
+}
+
+}  // namespace tribolog

@@ -1,0 +1,251 @@
+#include "method/viscous/load_dependence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "method/motion/sweep_samples.h"
+#include "statistics/block_regression.h"
+
+namespace tribolog {
+namespace {
+
+constexpr std::size_t cells = 48;
+constexpr std::size_t cells_in_a_block = 3;
+constexpr std::size_t fewest_cells = 18;
+// Less change of the load than this share of the gravity torque hides in any ripple.
+constexpr double least_change = 0.2;
+// A speed that changes by less than this share of the fastest one is constant.
+constexpr double constant_share = 0.1;
+
+struct Row {
+  std::size_t cell;
+  double q_rad, load_Nm, speed_rad_s, friction_Nm;
+};
+
+struct Mean {
+  double torque{}, speed{}, angle{}, samples{};
+};
+
+/// Half differences of neighbouring strokes at equal angle, in the order of the cells.
+std::vector<Row> paired_rows(const CogSweepResult& sweep, double q_peak, double gear_ratio) {
+  const SweepSamples samples = select_sweep_samples(sweep.recordings);
+  const double width = (sweep.highest_rad - sweep.lowest_rad) / static_cast<double>(cells);
+  const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
+  std::map<std::pair<std::size_t, std::size_t>, Mean> means;  // (cell, stroke)
+  std::map<std::size_t, double> direction;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Recording& r = *sweep.recordings[samples.recording[i]];
+    const double q = r.q_rad[samples.index[i]];
+    const auto cell = std::min(cells - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
+    Mean& m = means[{cell, samples.stroke[i]}];
+    m.torque += r.torque_Nm[samples.index[i]] - inertia * samples.acceleration_rad_s2[i];
+    m.speed += gear_ratio * std::abs(samples.speed_rad_s[i]);
+    m.angle += q;
+    m.samples += 1;
+    direction[samples.stroke[i]] = samples.direction[i];
+  }
+  std::vector<std::size_t> rising;
+  std::vector<std::size_t> falling;
+  for (const auto& [stroke, sign] : direction) (sign > 0 ? rising : falling).push_back(stroke);
+  constexpr double fewest_samples = 3;
+  std::vector<Row> rows;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    for (std::size_t k = 0; k < std::min(rising.size(), falling.size()); ++k) {
+      const auto up = means.find({cell, rising[k]});
+      const auto down = means.find({cell, falling[k]});
+      if (up == means.end() || down == means.end()) continue;
+      const Mean& u = up->second;
+      const Mean& d = down->second;
+      if (u.samples < fewest_samples || d.samples < fewest_samples) continue;
+      const double q = (u.angle / u.samples + d.angle / d.samples) / 2;
+      rows.push_back({cell, q, std::abs(sweep.gravity_Nm.value * std::cos(q - q_peak)),
+                      (u.speed / u.samples + d.speed / d.samples) / 2,
+                      (u.torque / u.samples - d.torque / d.samples) / 2});
+    }
+  }
+  return rows;
+}
+
+enum class Terms { speed, speed_and_load, load, constant, cubic_of_speed };
+
+Eigen::MatrixXd columns_of(const std::vector<Row>& rows, Terms terms) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  const bool has_speed = terms == Terms::speed || terms == Terms::speed_and_load;
+  const bool has_load = terms == Terms::load || terms == Terms::speed_and_load;
+  const Eigen::Index extra = terms == Terms::cubic_of_speed ? 3 : has_speed + has_load;
+  Eigen::MatrixXd x(n, 1 + extra);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Row& row = rows[static_cast<std::size_t>(i)];
+    x(i, 0) = 1;
+    Eigen::Index next = 1;
+    if (has_load) x(i, next++) = row.load_Nm;
+    if (has_speed) x(i, next++) = row.speed_rad_s;
+    if (terms == Terms::cubic_of_speed) {
+      for (Eigen::Index power = 1; power <= 3; ++power) {
+        x(i, power) = std::pow(row.speed_rad_s, static_cast<double>(power));
+      }
+    }
+  }
+  return x;
+}
+
+/// Squared errors of each block of angles, from a fit to the others; mean over the block.
+std::vector<double> held_out_errors(const std::vector<Row>& rows, Terms terms) {
+  std::vector<double> errors;
+  const std::size_t blocks = (cells + cells_in_a_block - 1) / cells_in_a_block;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    std::vector<Row> kept;
+    std::vector<Row> held;
+    for (const Row& row : rows) {
+      (row.cell / cells_in_a_block == block ? held : kept).push_back(row);
+    }
+    if (held.empty()) continue;
+    const Eigen::MatrixXd x = columns_of(kept, terms);
+    Eigen::VectorXd y(x.rows());
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      y(i) = kept[static_cast<std::size_t>(i)].friction_Nm;
+    }
+    const Eigen::VectorXd c = x.colPivHouseholderQr().solve(y);
+    const Eigen::VectorXd predicted = columns_of(held, terms) * c;
+    double squares = 0;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      squares += std::pow(held[i].friction_Nm - predicted(static_cast<Eigen::Index>(i)), 2);
+    }
+    errors.push_back(squares / static_cast<double>(held.size()));
+  }
+  return errors;
+}
+
+double root_mean(const std::vector<double>& squares) {
+  double sum = 0;
+  for (const double s : squares) sum += s;
+  return std::sqrt(sum / static_cast<double>(squares.size()));
+}
+
+/// The mean of `worse - better` exceeds its standard error.
+bool pays(const std::vector<double>& worse, const std::vector<double>& better) {
+  const auto n = static_cast<double>(worse.size());
+  double mean = 0;
+  for (std::size_t i = 0; i < worse.size(); ++i) mean += (worse[i] - better[i]) / n;
+  double squares = 0;
+  for (std::size_t i = 0; i < worse.size(); ++i) {
+    squares += std::pow(worse[i] - better[i] - mean, 2);
+  }
+  return mean > std::sqrt(squares / (n * (n - 1)));
+}
+
+void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
+                LoadDependenceResult& out) {
+  for (std::size_t first = 0; first < rows.size();) {
+    LoadPoint p;
+    std::size_t last = first;
+    for (; last < rows.size() && rows[last].cell == rows[first].cell; ++last) {
+      const Row& row = rows[last];
+      p.q_rad += row.q_rad;
+      p.load_Nm += row.load_Nm;
+      p.speed_rad_s += row.speed_rad_s;
+      p.friction_Nm += row.friction_Nm;
+      p.fit_Nm += row.friction_Nm - residuals(static_cast<Eigen::Index>(last));
+    }
+    const auto n = static_cast<double>(last - first);
+    out.points.push_back(
+        {p.q_rad / n, p.load_Nm / n, p.speed_rad_s / n, p.friction_Nm / n, p.fit_Nm / n});
+    first = last;
+  }
+}
+
+}  // namespace
+
+LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
+                                              const std::optional<Estimate>& q_peak_rad,
+                                              double gear_ratio) {
+  LoadDependenceResult out;
+  if (!sweep.found || !q_peak_rad || !sweep.both_directions) {
+    out.sentence =
+        "whether friction depends on the load cannot be seen: that takes a sweep in both "
+        "directions over the same angles, through angles of much and of little gravity torque";
+    return out;
+  }
+  const std::vector<Row> rows = paired_rows(sweep, q_peak_rad->value, gear_ratio);
+  double slowest = std::numeric_limits<double>::infinity();
+  double fastest = 0;
+  std::size_t used_cells = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    slowest = std::min(slowest, rows[i].speed_rad_s);
+    fastest = std::max(fastest, rows[i].speed_rad_s);
+    out.lowest_load_Nm = i == 0 ? rows[i].load_Nm : std::min(out.lowest_load_Nm, rows[i].load_Nm);
+    out.highest_load_Nm = std::max(out.highest_load_Nm, rows[i].load_Nm);
+    used_cells += i == 0 || rows[i].cell != rows[i - 1].cell ? 1 : 0;
+  }
+  if (used_cells < fewest_cells) {
+    out.sentence = fmt::format(
+        "whether friction depends on the load cannot be seen: the two directions of the sweep "
+        "share {} of {} cells of its angles only",
+        used_cells, cells);
+    return out;
+  }
+  if (out.highest_load_Nm - out.lowest_load_Nm < least_change * sweep.gravity_Nm.value) {
+    out.sentence = fmt::format(
+        "whether friction depends on the load cannot be seen: gravity torque changes from {:.3g} "
+        "to {:.3g} N·m only over the sweep, by less than {:.0f} % of its amplitude",
+        out.lowest_load_Nm, out.highest_load_Nm, 100 * least_change);
+    return out;
+  }
+  const bool speed_changes = fastest - slowest > constant_share * fastest;
+  const Terms with = speed_changes ? Terms::speed_and_load : Terms::load;
+  const Terms without = speed_changes ? Terms::speed : Terms::constant;
+  Eigen::VectorXd y(static_cast<Eigen::Index>(rows.size()));
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    y(static_cast<Eigen::Index>(i)) = rows[i].friction_Nm;
+    const bool is_new =
+        i > 0 && rows[i].cell / cells_in_a_block != rows[i - 1].cell / cells_in_a_block;
+    blocks.push_back(i == 0 ? 0 : blocks.back() + (is_new ? 1 : 0));
+  }
+  const BlockRegression fit = block_regression(columns_of(rows, with), y, blocks);
+  const auto estimate = [&](Eigen::Index k) {
+    return symmetric_estimate(fit.coefficients(k), fit.half_width(k),
+                              "paired strokes at equal angle, blocks of the angle");
+  };
+  out.unloaded_Nm = estimate(0);
+  out.per_load = estimate(1);
+  if (speed_changes) out.viscous_Nms_rad = estimate(2);
+  const std::vector<double> errors = held_out_errors(rows, with);
+  const std::vector<double> errors_without = held_out_errors(rows, without);
+  out.held_out_Nm = root_mean(errors);
+  out.held_out_without_load_Nm = root_mean(errors_without);
+  out.held_out_speed_alone_Nm = speed_changes
+                                    ? root_mean(held_out_errors(rows, Terms::cubic_of_speed))
+                                    : std::numeric_limits<double>::quiet_NaN();
+  add_points(rows, fit.residuals, out);
+  out.examined = true;
+  out.found = out.per_load.low > 0 && pays(errors_without, errors);
+  const std::string error_words =
+      fmt::format("at angles held out the error is {:.3g} N·m with the load and {:.3g} N·m without",
+                  out.held_out_Nm, out.held_out_without_load_Nm);
+  if (!out.found) {
+    out.sentence = fmt::format(
+        "friction does not visibly depend on the load: {:.2g} % of the gravity torque (95 %: "
+        "{:.2g} to {:.2g} %); {}",
+        100 * out.per_load.value, 100 * out.per_load.low, 100 * out.per_load.high, error_words);
+    return out;
+  }
+  const bool speed_rivals = speed_changes && out.held_out_speed_alone_Nm <= out.held_out_Nm;
+  out.sentence = fmt::format(
+      "friction depends on the load: it grows by {:.3g} % of the gravity torque (95 %: {:.3g} to "
+      "{:.3g} %), from {:.3g} N·m unloaded by {:.3g} N·m at the largest load of the sweep; {}{}",
+      100 * out.per_load.value, 100 * out.per_load.low, 100 * out.per_load.high,
+      out.unloaded_Nm.value, out.per_load.value * out.highest_load_Nm, error_words,
+      speed_rivals ? "; a curved viscous law would explain it as well, because speed and load "
+                     "change together in this sweep: sweeps at several constant speeds tell them "
+                     "apart"
+                   : "");
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,56 @@
+#pragma once
+// Does friction grow with the load? From a sweep in both directions over the same angles.
+//
+// Half the difference of the two directions' torques at equal angle is friction; gravity cannot
+// enter it. It is held against the size of the gravity torque there, and against the speed where
+// that changes along the sweep:
+//   (T(+) - T(-))/2 = unloaded + viscous |w| + per_load |G/n cos(q - q_peak)|
+// Rows are means over cells of the angle, one for each pair of strokes. What is left repeats with
+// the angle, so intervals are taken over blocks of the angle, and a term counts only if it also
+// brings angles closer that took no part in the fit.
+//
+// It cannot tell load from angle: friction that depends on the angle itself in the same pattern
+// looks the same. In a sine about the angle of no load, speed too is a function of the load; a
+// cubic of the speed without any load is therefore fitted as a rival.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "method/gravity/cog_sweep.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// One cell of the angle, mean of all pairs of strokes. Motor side.
+struct LoadPoint {
+  double q_rad{};
+  double load_Nm{};  ///< |G/n cos(q - q_peak)|
+  double speed_rad_s{};
+  double friction_Nm{};
+  double fit_Nm{};
+};
+
+struct LoadDependenceResult {
+  bool examined{false};  ///< The numbers below are valid.
+  bool found{false};     ///< Friction depends on the load.
+  std::string sentence;  ///< What came of it, in words; never empty.
+  Estimate per_load;     ///< N·m of friction for each N·m of gravity torque.
+  Estimate unloaded_Nm;  ///< Friction without load, and at standstill where `viscous` is fitted.
+  std::optional<Estimate> viscous_Nms_rad;  ///< Where the speed changes along the sweep.
+  double lowest_load_Nm{};
+  double highest_load_Nm{};
+  /// Root mean square error at angles held out: with the load, without it, and of the cubic of the
+  /// speed without load (NaN where the speed does not change).
+  double held_out_Nm{};
+  double held_out_without_load_Nm{};
+  double held_out_speed_alone_Nm{};
+  std::vector<LoadPoint> points;  ///< By angle.
+};
+
+/// @param sweep the rough sweep. @param q_peak_rad the angle of the gravity peak.
+LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
+                                              const std::optional<Estimate>& q_peak_rad,
+                                              double gear_ratio);
+
+}  // namespace tribolog

@@ -1,0 +1,307 @@
+#include "method/viscous/model_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "method/viscous/curve_parameters.h"
+#include "method/viscous/held_out.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double one_standard_error = 1.0;
+constexpr double term_standard_errors = 2.0;
+constexpr double least_load_range = 0.1;  // share of the gravity torque
+constexpr std::size_t fewest_speeds = 3;
+
+/// A trial with the errors of each group held out.
+struct Tried {
+  CurveModelTrial trial;
+  CurveFit fit;  // of all speeds
+  std::vector<double> errors;
+  [[nodiscard]] bool took_part() const { return trial.excluded_because.empty(); }
+};
+
+class Chooser {
+ public:
+  Chooser(const std::vector<CurveSample>& samples, bool sweep)
+      : samples_(samples), sweep_(sweep), groups_(groups_to_hold_out(samples)) {
+    double low = 1;
+    double high = 0;
+    for (const CurveSample& s : samples) {
+      low = std::min(low, s.load);
+      high = std::max(high, s.load);
+      mean_load_ += s.load / static_cast<double>(samples.size());
+      rising_ = rising_ || s.direction > 0;
+      falling_ = falling_ || s.direction < 0;
+    }
+    double slowest = std::numeric_limits<double>::infinity();
+    double fastest = 0;
+    for (const CurveSample& s : samples) {
+      slowest = std::min(slowest, s.speed_rad_s);
+      fastest = std::max(fastest, s.speed_rad_s);
+    }
+    constexpr int points = 120;
+    for (int i = 0; i <= points; ++i) {
+      // Dense at low speed, where the Stribeck effect bends the curve.
+      const double share = static_cast<double>(i) / points;
+      curve_speeds_.push_back(slowest + (fastest - slowest) * share * share);
+    }
+    load_varies_ = high - low >= least_load_range;
+  }
+
+  [[nodiscard]] CurveModelChoice choose();
+
+ private:
+  const Tried& tried(const CurveModel& model) {
+    const auto key =
+        std::tuple(static_cast<int>(model.law), static_cast<int>(model.asymmetry), model.load);
+    const auto at = memory_.find(key);
+    if (at != memory_.end()) return at->second;
+    return memory_.emplace(key, attempt(model)).first->second;
+  }
+
+  [[nodiscard]] Tried attempt(const CurveModel& model) const {
+    Tried t;
+    t.trial.model = model;
+    std::string& why = t.trial.excluded_because;
+    const bool has_stribeck = model.law == CurveLaw::stribeck || model.law == CurveLaw::waiboer;
+    // Terms of direction and load lie across the speeds; the law itself has to be told by them.
+    const CurveModel law{model.law, Asymmetry::none, false};
+    const std::size_t speeds = group_count(samples_);
+    if (sweep_ && has_stribeck) {
+      why = "speed and angle change together in a sweep, which hides a Stribeck effect";
+      return t;
+    }
+    if (speeds < static_cast<std::size_t>(law.parameters()) + 2) {
+      why = fmt::format("{} speeds for {} parameters; at least {} are needed", speeds,
+                        law.parameters(), law.parameters() + 2);
+      return t;
+    }
+    const auto fit = fit_curve(model, samples_);
+    if (!fit) {
+      why = "its parameters cannot be told apart in this curve";
+      return t;
+    }
+    t.fit = *fit;
+    why = fit->impossible_because();
+    if (!why.empty()) return t;
+    t.errors = held_out_errors(*fit, samples_, groups_);
+    if (t.errors.empty()) {
+      why = "it cannot be fitted without each of the speeds";
+      return t;
+    }
+    t.trial.training_rms_Nm = root_mean(training_errors(*fit));
+    t.trial.held_out_rms_Nm = root_mean(t.errors);
+    for (const double w : curve_speeds_) {
+      t.trial.curve_Nm.push_back(fit->friction_Nm({w, 0, 0, mean_load_, 0}));
+    }
+    return t;
+  }
+
+  /// Of a fit to all speeds, at those that are held out in turn: to be compared with the errors
+  /// there.
+  [[nodiscard]] std::vector<double> training_errors(const CurveFit& fit) const {
+    std::vector<double> errors;
+    for (const std::size_t group : groups_) {
+      std::vector<CurveSample> members;
+      for (const CurveSample& s : samples_) {
+        if (s.group == group) members.push_back(s);
+      }
+      errors.push_back(std::pow(fit.rms_Nm(members), 2));
+    }
+    return errors;
+  }
+
+  /// The simplest law no worse than the best by more than a standard error; nothing if none fits.
+  [[nodiscard]] std::optional<CurveLaw> simplest_law(const CurveModel& terms) {
+    const Tried* best = nullptr;
+    for (const CurveLaw law : curve_laws) {
+      const Tried& t = tried({law, terms_for(law, terms.asymmetry), terms.load});
+      if (!t.took_part()) continue;
+      if (best == nullptr || t.trial.held_out_rms_Nm < best->trial.held_out_rms_Nm) best = &t;
+    }
+    if (best == nullptr) return std::nullopt;
+    for (const CurveLaw law : curve_laws) {
+      const Tried& t = tried({law, terms_for(law, terms.asymmetry), terms.load});
+      if (!t.took_part()) continue;
+      const ErrorDifference d = difference(t.errors, best->errors);
+      if (d.mean <= one_standard_error * d.standard_error || is_rounding(t)) return law;
+    }
+    return best->trial.model.law;
+  }
+
+  /// Coulomb friction alone has no viscous term to be different in each direction.
+  static Asymmetry terms_for(CurveLaw law, Asymmetry asymmetry) {
+    return law == CurveLaw::coulomb && asymmetry == Asymmetry::coulomb_viscous ? Asymmetry::coulomb
+                                                                               : asymmetry;
+  }
+
+  /// An error that no drive resolves, or is only the computer's: nothing is left to explain.
+  static bool is_rounding(const Tried& t) {
+    constexpr double resolved = 1e-6;  // of the friction's size
+    return t.trial.held_out_rms_Nm < resolved * t.fit.torque_scale_Nm;
+  }
+
+  /// Takes up terms one by one while the best of those left pays.
+  CurveModel with_terms_that_pay(CurveLaw law, CurveModelChoice& out);
+
+  const std::vector<CurveSample>& samples_;
+  bool sweep_;
+  std::vector<std::size_t> groups_;
+  bool load_varies_{false};
+  bool rising_{false};
+  bool falling_{false};
+  double mean_load_{0};
+  std::vector<double> curve_speeds_;
+  std::map<std::tuple<int, int, bool>, Tried> memory_;
+};
+
+CurveModel Chooser::with_terms_that_pay(CurveLaw law, CurveModelChoice& out) {
+  CurveModel now{law, Asymmetry::none, false};
+  out.options.push_back(tried(now).trial);
+  while (true) {
+    std::vector<CurveModel> next;
+    if (rising_ && falling_ && now.asymmetry == Asymmetry::none) {
+      next.push_back({law, Asymmetry::coulomb, now.load});
+    }
+    if (now.asymmetry == Asymmetry::coulomb && law != CurveLaw::coulomb) {
+      next.push_back({law, Asymmetry::coulomb_viscous, now.load});
+    }
+    if (load_varies_ && !now.load) next.push_back({law, now.asymmetry, true});
+    const Tried& base = tried(now);
+    const CurveModel* best = nullptr;
+    double best_gain = 0;
+    for (const CurveModel& candidate : next) {
+      const Tried& t = tried(candidate);
+      out.options.push_back(t.trial);
+      if (!t.took_part() || !base.took_part() || is_rounding(base)) continue;
+      const ErrorDifference gain = difference(base.errors, t.errors);
+      if (gain.mean > term_standard_errors * gain.standard_error && gain.mean > best_gain) {
+        best = &candidate;
+        best_gain = gain.mean;
+      }
+    }
+    if (best == nullptr) return now;
+    now = *best;
+  }
+}
+
+std::string error_words(const CurveModelTrial& t) {
+  return fmt::format("{:.3g} N·m", t.held_out_rms_Nm);
+}
+
+std::string choice_in_words(const CurveModelChoice& c) {
+  const CurveModelTrial& chosen = *c.find(c.chosen.law);
+  const CurveModelTrial* best = &chosen;
+  for (const CurveModelTrial& t : c.ladder) {
+    if (t.excluded_because.empty() && t.held_out_rms_Nm < best->held_out_rms_Nm) best = &t;
+  }
+  std::string words = fmt::format("{}: {} parameters, error {} at speeds held out",
+                                  in_words(c.chosen), c.chosen.parameters(), error_words(chosen));
+  if (best != &chosen) {
+    words += fmt::format("; {} with {} parameters has {}, a gain within its standard error",
+                         in_words(best->model.law), best->model.parameters(), error_words(*best));
+  }
+  const CurveModelTrial* simpler = nullptr;
+  for (const CurveModelTrial& t : c.ladder) {
+    if (t.model.law == c.chosen.law) break;
+    if (t.excluded_because.empty()) simpler = &t;
+  }
+  if (simpler != nullptr) {
+    words += fmt::format("; the next simpler one, {}, has {}", in_words(simpler->model.law),
+                         error_words(*simpler));
+  }
+  return words;
+}
+
+void judge_five(CurveModelChoice& c) {
+  const CurveModelTrial& five = *c.find(CurveLaw::waiboer);
+  c.carries_five = c.chosen.law == CurveLaw::waiboer;
+  if (c.carries_five) {
+    c.five_sentence = "the curve carries Waiboer's five parameters";
+  } else if (!five.excluded_because.empty()) {
+    c.five_sentence = "the curve cannot carry Waiboer's five parameters: " + five.excluded_because;
+  } else {
+    const CurveModelTrial& chosen = *c.find(c.chosen.law);
+    const bool is_worse = five.held_out_rms_Nm >= chosen.held_out_rms_Nm;
+    c.five_sentence = fmt::format(
+        "the curve cannot carry Waiboer's five parameters: at speeds held out their error is {}, "
+        "{} "
+        "{} of the model with {}{}",
+        error_words(five), is_worse ? "no less than the" : "against", error_words(chosen),
+        c.chosen.parameters(), is_worse ? "" : ", a gain within its standard error");
+  }
+}
+
+CurveModelChoice Chooser::choose() {
+  CurveModelChoice out;
+  out.speeds = group_count(samples_);
+  out.curve_speed_rad_s = curve_speeds_;
+  if (out.speeds < fewest_speeds) {
+    out.sentence = fmt::format(
+        "{} speed{} cannot tell friction models apart; at least {} are "
+        "needed, ten or more would be good",
+        out.speeds, out.speeds == 1 ? "" : "s", fewest_speeds);
+    return out;
+  }
+  // Terms first, with the law that fits best where all of them are in, so that a missing term is
+  // not taken for a bend of the curve; then the law with the terms that paid.
+  const Asymmetry full = rising_ && falling_ ? Asymmetry::coulomb_viscous : Asymmetry::none;
+  auto law = simplest_law({CurveLaw::coulomb, full, load_varies_});
+  if (!law) law = simplest_law({});
+  if (!law) {
+    out.sentence =
+        "no friction model describes this curve with parameters that a joint can have: " +
+        tried({}).trial.excluded_because;
+    return out;
+  }
+  const CurveModel terms = with_terms_that_pay(*law, out);
+  law = simplest_law(terms);
+  if (!law) {
+    out.sentence = "no friction model describes this curve with parameters that a joint can have";
+    return out;
+  }
+  out.chosen = {*law, terms_for(*law, terms.asymmetry), terms.load};
+  for (const CurveLaw each : curve_laws) {
+    out.ladder.push_back(tried({each, terms_for(each, terms.asymmetry), terms.load}).trial);
+  }
+  out.chosen_any = true;
+  out.parameters = curve_parameters(tried(out.chosen).fit, samples_);
+  out.sentence = choice_in_words(out);
+  judge_five(out);
+  return out;
+}
+
+}  // namespace
+
+const CurveModelTrial* CurveModelChoice::find(CurveLaw law) const {
+  const auto it = std::find_if(ladder.begin(), ladder.end(),
+                               [&](const CurveModelTrial& t) { return t.model.law == law; });
+  return it == ladder.end() ? nullptr : &*it;
+}
+
+CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, bool sweep) {
+  return Chooser(samples, sweep).choose();
+}
+
+CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
+                                    const std::string& estimator) {
+  const ViscousCurve* curve = curves.find(estimator);
+  if (curve == nullptr || curves.runs.empty()) {
+    CurveModelChoice none;
+    none.sentence = "there is no viscous curve to choose a model for";
+    return none;
+  }
+  CurveModelChoice out = choose_curve_model(curve_samples(curves, *curve), curves.from_sweep);
+  out.curve = estimator;
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,70 @@
+#pragma once
+// Which model the viscous curve can carry, chosen on speeds that took no part in the fit.
+//
+// Each speed (both directions and all repetitions of it) is held out in turn, the others are
+// fitted, and the error is taken there; where six speeds or more were recorded the slowest and the
+// fastest stay in, so that a model is asked between the speeds only. The simplest model is taken
+// whose error exceeds that of the best by no more than one standard error of the difference over
+// the speeds. The training error falls with every further parameter and decides nothing.
+//
+// Terms for direction and load are taken up only if they bring held-out speeds closer by more than
+// twice the standard error of the gain. The load can be seen only where runs differ in it.
+//
+// It fails where few speeds were recorded: the standard error is then coarse and the simplest model
+// wins, which is what the data can carry.
+
+#include <string>
+#include <vector>
+
+#include "method/viscous/curve_model.h"
+#include "method/viscous/curve_samples.h"
+#include "method/viscous/viscous_curves.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// One model put to the test. Torques on the motor's side.
+struct CurveModelTrial {
+  CurveModel model;
+  std::string excluded_because;  ///< Empty: it took part, and the errors are valid.
+  double training_rms_Nm{};
+  double held_out_rms_Nm{};
+  /// Friction at CurveModelChoice::curve_speed_rad_s, at the mean load and the mean of the
+  /// directions, for figures.
+  std::vector<double> curve_Nm;
+};
+
+/// A parameter of the chosen model, motor side.
+struct CurveParameter {
+  std::string name;   ///< "coulomb_Nm", "viscous_exponent": with its unit, for results.
+  std::string words;  ///< "Coulomb torque T_c"
+  std::string unit;   ///< "N·m"; empty: none.
+  Estimate estimate;
+};
+
+struct CurveModelChoice {
+  bool chosen_any{false};  ///< The values below are valid.
+  std::string sentence;    ///< What was chosen and why, or why nothing; never empty.
+  std::string curve;       ///< Estimator whose curve it is.
+  CurveModel chosen;
+  std::vector<CurveModelTrial> ladder;     ///< The laws, all with the terms that were taken up.
+  std::vector<CurveModelTrial> options;    ///< The terms tried, with the law that tried them.
+  std::vector<CurveParameter> parameters;  ///< Of the chosen model, with 95 % intervals.
+  std::vector<double> curve_speed_rad_s;
+  std::size_t speeds{};  ///< Groups held together: speeds, or parts of a sweep.
+  /// Whether the curve carries Waiboer's five parameters: they were chosen.
+  bool carries_five{false};
+  std::string five_sentence;  ///< On Waiboer's five, in words; empty if nothing was chosen.
+
+  [[nodiscard]] const CurveModelTrial* find(CurveLaw law) const;
+};
+
+/// @param estimator whose curve is taken; without a curve nothing is chosen.
+CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
+                                    const std::string& estimator);
+
+/// The same from samples, for curves that come from elsewhere. @param sweep laws with a Stribeck
+/// effect take no part: speed and angle change together in a sweep.
+CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, bool sweep);
+
+}  // namespace tribolog

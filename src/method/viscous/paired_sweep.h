@@ -1,0 +1,17 @@
+#pragma once
+// A sweep of varying speed in both directions, cut into equal angles: at each angle one run up and
+// one run down, whose half difference is friction and whose mean is gravity.
+
+#include <vector>
+
+#include "method/gravity/cog_sweep.h"
+#include "method/viscous/viscous_curves.h"
+
+namespace tribolog {
+
+/// Two runs (falling, rising) for each angle bin that both directions cross, partners of each
+/// other. Inertia and offset identified by the sweep are taken out of the torque.
+std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, double gear_ratio,
+                                                  double q_peak_rad);
+
+}  // namespace tribolog

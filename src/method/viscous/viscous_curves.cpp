@@ -1,0 +1,311 @@
+#include "method/viscous/viscous_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "joint/degrees.h"
+#include "method/motion/plateaus.h"
+#include "method/viscous/paired_sweep.h"
+#include "statistics/student_t.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A run with the samples it came from, needed to pair directions over common angles.
+struct RunSource {
+  const Recording* recording;
+  std::size_t first, last;
+};
+
+struct BlockMean {
+  double mean{};
+  double half_width{};  // 95 %, from the scatter of the blocks
+  std::vector<double> blocks;
+};
+
+/// Mean of a signal over a plateau.
+template <class Signal>
+BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
+  constexpr std::size_t most_blocks = 10;
+  const std::size_t n = last - first;
+  const std::size_t blocks = std::clamp<std::size_t>(n / 5, 1, most_blocks);
+  double mean = 0;
+  std::vector<double> means(blocks, 0.0);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t from = first + n * b / blocks;
+    const std::size_t to = first + n * (b + 1) / blocks;
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += signal(i);
+    means[b] = sum / static_cast<double>(to - from);
+    mean += sum / static_cast<double>(n);
+  }
+  if (blocks < 2) return {mean, std::numeric_limits<double>::infinity(), {}};
+  double squares = 0;
+  for (double m : means) squares += (m - mean) * (m - mean);
+  const auto b = static_cast<double>(blocks);
+  return {mean, student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b), std::move(means)};
+}
+
+/// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
+/// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
+ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gear_ratio,
+                          double q_peak, double gravity, const Ripple& ripple) {
+  ConstantSpeedRun run;
+  run.recording = r.name;
+  run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
+  run.samples = plateau.size();
+  double q = 0;
+  double cosine = 0;
+  double sine = 0;
+  double load = 0;
+  double torque = 0;
+  run.lowest_rad = run.highest_rad = r.q_rad[plateau.first];
+  for (std::size_t i = plateau.first; i < plateau.last; ++i) {
+    q += r.q_rad[i];
+    cosine += std::cos(r.q_rad[i] - q_peak);
+    sine += std::sin(r.q_rad[i] - q_peak);
+    load += std::abs(std::cos(r.q_rad[i] - q_peak));
+    run.lowest_rad = std::min(run.lowest_rad, r.q_rad[i]);
+    run.highest_rad = std::max(run.highest_rad, r.q_rad[i]);
+    torque += r.torque_Nm[i];
+  }
+  const auto n = static_cast<double>(plateau.size());
+  run.q_rad = q / n;
+  run.mean_cos = cosine / n;
+  run.mean_sin = sine / n;
+  run.mean_load = load / n;
+  run.torque_Nm = torque / n;
+  BlockMean friction = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
+    return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak);
+  });
+  if (!ripple.lines.empty()) {
+    BlockMean without = block_mean(plateau.first, plateau.last, [&](std::size_t i) {
+      return r.torque_Nm[i] - gravity * std::cos(r.q_rad[i] - q_peak) -
+             ripple.torque_Nm(gear_ratio * r.q_rad[i]);
+    });
+    if (without.half_width < friction.half_width) {
+      run.torque_Nm += without.mean - friction.mean;
+      friction = std::move(without);
+    }
+  }
+  run.torque_half_width_Nm = friction.half_width;
+  run.block_friction_Nm = std::move(friction.blocks);
+  run.direction_difference_Nm = nan;
+  run.direction_difference_half_width_Nm = nan;
+  run.direction_mean_Nm = nan;
+  run.direction_mean_cos = nan;
+  return run;
+}
+
+/// Gravity as the sweep has it, for the scatter of what is left without it.
+struct GravityShape {
+  double q_peak_rad, gravity_Nm;
+  [[nodiscard]] double torque_Nm(double q_rad) const {
+    return gravity_Nm * std::cos(q_rad - q_peak_rad);
+  }
+};
+
+struct MeanTorque {
+  double torque_Nm, half_width_Nm, cosine;
+};
+
+/// Mean torque of a run within [low, high], gravity and all, with the interval that friction and
+/// noise leave it; NaN if it has too few samples there.
+MeanTorque torque_between(const RunSource& s, double low, double high, const GravityShape& shape) {
+  std::size_t from = s.last;
+  std::size_t to = s.first;
+  for (std::size_t i = s.first; i < s.last; ++i) {
+    if (s.recording->q_rad[i] < low || s.recording->q_rad[i] > high) continue;
+    from = std::min(from, i);
+    to = i + 1;
+  }
+  if (from + 5 > to) return {nan, nan, nan};
+  MeanTorque mean{0, 0, 0};
+  for (std::size_t i = from; i < to; ++i) {
+    mean.torque_Nm += s.recording->torque_Nm[i];
+    mean.cosine += std::cos(s.recording->q_rad[i] - shape.q_peak_rad);
+  }
+  mean.torque_Nm /= static_cast<double>(to - from);
+  mean.cosine /= static_cast<double>(to - from);
+  mean.half_width_Nm = block_mean(from, to, [&](std::size_t i) {
+                         return s.recording->torque_Nm[i] - shape.torque_Nm(s.recording->q_rad[i]);
+                       }).half_width;
+  return mean;
+}
+
+/// Pairs each rising run with the falling one of the same speed that shares most of its angles.
+void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunSource>& sources,
+                     const GravityShape& shape) {
+  constexpr double same_speed = 0.03;
+  constexpr double least_overlap = 0.2;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].speed_rad_s < 0) continue;
+    double best = least_overlap;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const double ratio = -runs[k].speed_rad_s / runs[i].speed_rad_s;
+      if (runs[k].partner >= 0 || std::abs(ratio - 1) > same_speed) continue;
+      const double low = std::max(runs[i].lowest_rad, runs[k].lowest_rad);
+      const double high = std::min(runs[i].highest_rad, runs[k].highest_rad);
+      const double overlap = (high - low) / (runs[i].highest_rad - runs[i].lowest_rad);
+      if (overlap > best) {
+        best = overlap;
+        runs[i].partner = static_cast<int>(k);
+      }
+    }
+    if (runs[i].partner < 0) continue;
+    const auto k = static_cast<std::size_t>(runs[i].partner);
+    runs[k].partner = static_cast<int>(i);
+    const double low = std::max(runs[i].lowest_rad, runs[k].lowest_rad);
+    const double high = std::min(runs[i].highest_rad, runs[k].highest_rad);
+    const MeanTorque up = torque_between(sources[i], low, high, shape);
+    const MeanTorque down = torque_between(sources[k], low, high, shape);
+    const double difference = (up.torque_Nm - down.torque_Nm) / 2;
+    for (const std::size_t run : {i, k}) {
+      runs[run].direction_difference_Nm = run == i ? difference : -difference;
+      runs[run].direction_difference_half_width_Nm =
+          std::hypot(up.half_width_Nm, down.half_width_Nm) / 2;
+      runs[run].direction_mean_Nm = (up.torque_Nm + down.torque_Nm) / 2;
+      runs[run].direction_mean_cos = (up.cosine + down.cosine) / 2;
+    }
+  }
+}
+
+DirectionAngles direction_angles(const std::vector<ConstantSpeedRun>& runs) {
+  constexpr double least_travel_share = 0.25;
+  double widest = 0;
+  for (const ConstantSpeedRun& run : runs)
+    widest = std::max(widest, run.highest_rad - run.lowest_rad);
+  DirectionAngles out;
+  for (const ConstantSpeedRun& run : runs) {
+    if (run.highest_rad - run.lowest_rad < least_travel_share * widest) continue;
+    const bool is_rising = run.speed_rad_s > 0;
+    bool& has = is_rising ? out.has_rising : out.has_falling;
+    double& low = is_rising ? out.rising_low_rad : out.falling_low_rad;
+    double& high = is_rising ? out.rising_high_rad : out.falling_high_rad;
+    low = has ? std::min(low, run.lowest_rad) : run.lowest_rad;
+    high = has ? std::max(high, run.highest_rad) : run.highest_rad;
+    has = true;
+  }
+  return out;
+}
+
+void sort_by_speed(std::vector<ConstantSpeedRun>& runs) {
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return runs[a].speed_rad_s < runs[b].speed_rad_s;
+  });
+  std::vector<int> place(runs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int>(i);
+  std::vector<ConstantSpeedRun> sorted;
+  sorted.reserve(runs.size());
+  for (const std::size_t i : order) {
+    sorted.push_back(runs[i]);
+    if (sorted.back().partner >= 0) {
+      sorted.back().partner = place[static_cast<std::size_t>(sorted.back().partner)];
+    }
+  }
+  runs = std::move(sorted);
+}
+
+}  // namespace
+
+bool DirectionAngles::share_angles() const {
+  return has_rising && has_falling &&
+         std::max(rising_low_rad, falling_low_rad) < std::min(rising_high_rad, falling_high_rad);
+}
+
+std::string DirectionAngles::in_words() const {
+  if (!has_rising && !has_falling) return "the angles of the runs are not known";
+  if (!has_rising || !has_falling) {
+    return has_rising ? "the joint angle rises in all of them"
+                      : "the joint angle falls in all of them";
+  }
+  return fmt::format("rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
+                     degrees_per_rad * rising_low_rad, degrees_per_rad * rising_high_rad,
+                     degrees_per_rad * falling_low_rad, degrees_per_rad * falling_high_rad,
+                     share_angles() ? "" : ": the directions share no angle");
+}
+
+const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
+  const auto it = std::find_if(curves.begin(), curves.end(),
+                               [&](const ViscousCurve& c) { return c.estimator == estimator; });
+  return it == curves.end() ? nullptr : &*it;
+}
+
+ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& recordings,
+                                            const CogSweepResult& rough,
+                                            const SurrogateMassesResult& masses,
+                                            const std::optional<Estimate>& q_peak_rad,
+                                            double gear_ratio,
+                                            const std::optional<StatedGravity>& stated) {
+  ViscousCurvesResult out;
+  out.stage = {"viscous_curves", StageState::skipped, ""};
+  const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
+  const SurrogateMass* of_runs = masses.find("runs");
+  const double gravity = rough.found          ? rough.gravity_Nm.value
+                         : of_runs != nullptr ? of_runs->gravity_Nm.value
+                                              : 0.0;
+  std::vector<RunSource> sources;
+  for (const Recording* r : recordings) {
+    const MotionSegments motion = find_plateaus(*r);
+    for (const Plateau& plateau : motion.plateaus) {
+      sources.push_back({r, plateau.first, plateau.last});
+      out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple));
+      out.samples_used += plateau.size();
+    }
+    out.samples_left_out += r->size() - motion.samples_on_plateaus;
+    if (motion.plateaus.empty()) ++out.recordings_without_plateau;
+  }
+  if (!out.runs.empty()) {
+    pair_directions(out.runs, sources, {q_peak, gravity});
+  } else if (rough.found && rough.both_directions && !rough.constant_speed && q_peak_rad) {
+    out.runs = pair_sweep_by_angle(rough, gear_ratio, q_peak);
+    out.from_sweep = !out.runs.empty();
+    for (const ConstantSpeedRun& run : out.runs) out.samples_used += run.samples;
+    out.samples_left_out += rough.samples_used + rough.samples_left_out - out.samples_used;
+  }
+  sort_by_speed(out.runs);
+  out.angles = direction_angles(out.runs);
+  for (const SurrogateMass& mass : masses.masses) {
+    ViscousCurve curve{mass.estimator, {}};
+    const bool is_stated = stated && mass.estimator == stated_estimator;
+    const double away = is_stated ? stated->q_peak_rad() - q_peak : 0.0;
+    for (const ConstantSpeedRun& run : out.runs) {
+      const double cosine = std::cos(away) * run.mean_cos + std::sin(away) * run.mean_sin;
+      curve.friction_Nm.push_back(run.torque_Nm - mass.gravity_Nm.value * cosine);
+    }
+    out.curves.push_back(std::move(curve));
+  }
+
+  if (out.runs.empty()) {
+    out.stage.reason = recordings.empty()
+                           ? "no constant_speed run was recorded; runs at ten or more speeds in "
+                             "both directions over the same angles would give the viscous curve"
+                           : "no plateau of constant speed was found in the constant_speed runs";
+    if (!recordings.empty()) out.stage.state = StageState::not_identifiable;
+  } else if (out.curves.empty()) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = "the runs' torque still contains gravity: no surrogate mass is known";
+  } else if (out.from_sweep) {
+    out.stage.state = StageState::partial;
+    out.stage.reason =
+        "no constant_speed run was recorded; friction comes from the sweep's two directions at "
+        "equal angle, so that speed and angle change together along the curve";
+  } else if (out.recordings_without_plateau > 0) {
+    out.stage.state = StageState::partial;
+    out.stage.reason = fmt::format("{} of {} runs hold no plateau of constant speed",
+                                   out.recordings_without_plateau, recordings.size());
+  } else {
+    out.stage.state = StageState::done;
+  }
+  return out;
+}
+
+}  // namespace tribolog

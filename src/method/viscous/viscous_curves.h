@@ -1,0 +1,86 @@
+#pragma once
+// Stage 5: friction against motor speed, one curve per candidate mass, eq. (11):
+// Tf = T - (G/n) cos(q - q_peak), averaged over each plateau of constant speed.
+//
+// Where no constant-speed run was recorded but a sweep of varying speed in both directions was,
+// its samples are paired at equal angle instead: each angle gives a run of each direction.
+
+#include <string>
+#include <vector>
+
+#include "joint/known_load.h"
+#include "joint/recording.h"
+#include "method/gravity/cog_sweep.h"
+#include "method/hysteresis/surrogate_masses.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+/// One plateau, or one angle bin of a paired sweep in one direction.
+struct ConstantSpeedRun {
+  std::string recording;
+  double speed_rad_s{};  ///< Motor side, signed.
+  double torque_Nm{};    ///< Mean driving torque T, motor side (inertia and ripple removed).
+  double torque_half_width_Nm{};  ///< 95 % of the mean.
+  double q_rad{};                 ///< Mean joint angle.
+  double mean_cos{};              ///< Mean of cos(q - q_peak) over it.
+  std::size_t samples{};
+  int partner{-1};  ///< Index of the run of opposite direction at the same speed; -1: none.
+  /// (T(+v) - T(-v))/2 over the angles that both directions share, with this run's sign;
+  /// NaN without a partner or a common angle.
+  double direction_difference_Nm{};
+  double direction_difference_half_width_Nm{};
+  double mean_sin{};    ///< Mean of sin(q - q_peak).
+  double mean_load{};   ///< Mean of |cos(q - q_peak)|: share of the gravity torque that loads it.
+  double lowest_rad{};  ///< Joint angles that it covers.
+  double highest_rad{};
+  /// (T(+v) + T(-v))/2 over the angles that both directions share, and the mean of cos(q - q_peak)
+  /// there; the same for both partners. NaN without a partner.
+  double direction_mean_Nm{};
+  double direction_mean_cos{};
+  // For resampling, not stored.
+  /// T less gravity, averaged over each of the run's blocks; empty if there are none.
+  std::vector<double> block_friction_Nm;
+};
+
+/// Angles of the runs that travel a quarter of the widest way or more.
+struct DirectionAngles {
+  bool has_rising{false};
+  bool has_falling{false};
+  double rising_low_rad{};
+  double rising_high_rad{};
+  double falling_low_rad{};
+  double falling_high_rad{};
+
+  [[nodiscard]] bool share_angles() const;
+  /// "rising runs cover 3° to 172°, falling ones −166° to −4°: they share no angle"
+  [[nodiscard]] std::string in_words() const;
+};
+
+struct ViscousCurve {
+  std::string estimator;
+  std::vector<double> friction_Nm;  ///< Per run, motor side, signed as the speed is.
+};
+
+struct ViscousCurvesResult {
+  StageReport stage;
+  std::vector<ConstantSpeedRun> runs;  ///< Sorted by speed.
+  std::vector<ViscousCurve> curves;    ///< One per surrogate mass, in that order.
+  DirectionAngles angles;
+  bool from_sweep{};  ///< Runs are angle bins of a sweep of varying speed.
+  std::size_t samples_used{};
+  std::size_t samples_left_out{};  ///< Rest, acceleration, reversal, settling.
+  std::size_t recordings_without_plateau{};
+
+  [[nodiscard]] const ViscousCurve* find(const std::string& estimator) const;
+};
+
+/// @param stated gravity known beforehand: the curve "stated", at its own angle of the peak.
+ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& runs,
+                                            const CogSweepResult& rough,
+                                            const SurrogateMassesResult& masses,
+                                            const std::optional<Estimate>& q_peak_rad,
+                                            double gear_ratio,
+                                            const std::optional<StatedGravity>& stated = {});
+
+}  // namespace tribolog

@@ -1,0 +1,43 @@
+#pragma once
+// Waiboer's five parameters, eq. (6), fitted to friction against speed.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "friction/waiboer.h"
+#include "statistics/estimate.h"
+
+namespace tribolog {
+
+struct WaiboerFit {
+  bool converged{false};
+  Estimate asperity_torque_Nm;
+  Estimate stribeck_speed_rad_s;
+  Estimate stribeck_power;
+  Estimate viscous_coefficient;
+  Estimate viscous_power;
+  double residual_Nm{};
+};
+
+/// Friction magnitude at an absolute motor speed.
+struct CurvePoint {
+  double speed_rad_s{};
+  double friction_Nm{};
+};
+
+/// Residuals model - measured, and their derivatives if asked for. Unknown: log Ta, log ws, log da,
+/// log cv, and log of the viscous exponent 1 - dv: all positive by construction.
+void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::VectorXd& p,
+                       Eigen::VectorXd& r, Eigen::MatrixXd* j);
+
+/// @param points sorted by speed.
+/// @param why_not receives the reason in words where there is no fit.
+std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std::string& why_not);
+
+/// The curve that a fit describes.
+WaiboerFriction waiboer_of(const WaiboerFit& fit);
+
+}  // namespace tribolog

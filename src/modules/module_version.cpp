@@ -1,3 +1,0 @@
-#include "modules/module_version.h"
-
-const char* tribolog_module_version() { return TRIBOLOG_MODULE_VERSION; }

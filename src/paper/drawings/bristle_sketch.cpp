@@ -1,0 +1,136 @@
+#include "paper/drawings/bristle_sketch.h"
+
+#include <utility>
+
+#include "paper/drawings/block_style.h"
+#include "paper/drawings/sketch_lines.h"
+
+namespace tribolog::paper {
+namespace {
+
+using render::Diagram;
+using render::DiagramPoint;
+using render::LineStyle;
+using render::TextPlace;
+
+constexpr double upper_top = 14;
+constexpr double upper_surface = 28;
+constexpr double lower_surface = 57;
+constexpr double lower_bottom = 70;
+constexpr double bristle_length = 18;
+constexpr double mean_deflection = 7;
+constexpr double bristle_px = 4.0;
+constexpr render::Colour rigid = render::palette::vermilion;
+constexpr render::Colour rest = render::palette::grey;
+
+void add_line(Diagram& diagram, std::vector<DiagramPoint> points, render::Colour colour,
+              double width_px = 2.5, LineStyle style = LineStyle::solid) {
+  render::Stroke stroke;
+  stroke.points = std::move(points);
+  stroke.colour = colour;
+  stroke.width_px = width_px;
+  stroke.style = style;
+  diagram.strokes.push_back(std::move(stroke));
+}
+
+/// A body with a surface; its other three sides are not outlined where it goes on.
+void add_body(Diagram& diagram, double left, double top, double right, double bottom,
+              double surface, render::Colour colour) {
+  diagram.areas.push_back({upright_rectangle(left, top, right, bottom), colour});
+  add_line(diagram, {{left, surface}, {right, surface}}, render::palette::black, 3.0);
+}
+
+void add_contact(Diagram& diagram) {
+  add_body(diagram, 6, upper_top, 98, upper_surface, upper_surface, ground::element);
+  add_body(diagram, 6, lower_surface, 98, lower_bottom, lower_surface, ground::outside);
+  render::Block support;
+  support.kind = render::BlockKind::fixed_support;
+  support.centre = {52, lower_bottom + 2};
+  support.width = 92;
+  support.height = 4;
+  support.faces = render::BlockSide::top;
+  diagram.blocks.push_back(support);
+  // Bristles differ; z is the mean of what they deflect.
+  const double deflections[] = {6.2, 7.6, 6.6, 8.1, 6.5};
+  double root = 23;
+  for (const double deflection : deflections) {
+    const auto bristle = bent_bristle({root, upper_surface}, bristle_length, -deflection);
+    const DiagramPoint touched = bristle[20];
+    add_line(diagram, bristle, bristle_colour, bristle_px);
+    const double beside = 0.5;
+    add_line(diagram, {{touched.x + beside, touched.y}, {touched.x + beside, lower_surface}}, rigid,
+             bristle_px);
+    root += 16;
+  }
+  diagram.texts.push_back(
+      {"moving body (motor shaft)", {52, (upper_top + upper_surface) / 2}, TextPlace::centre});
+  diagram.texts.push_back(
+      {"body at rest (housing)", {52, (lower_surface + lower_bottom) / 2}, TextPlace::centre});
+  render::Stroke motion;
+  motion.points = {{40, 8.5}, {64, 8.5}};
+  motion.width_px = 4.0;
+  motion.arrow_at_end = true;
+  diagram.strokes.push_back(motion);
+  diagram.texts.push_back({"speed ω", {52, 8}, TextPlace::above});
+}
+
+void add_mean_bristle(Diagram& diagram) {
+  const double left = 110;
+  const double right = 154;
+  const double root = 146;
+  const double length = 24;
+  const double tip_level = upper_surface + length;
+  const double tip = root - enlargement_of_mean_bristle * mean_deflection;
+  add_body(diagram, left, upper_top, right, upper_surface, upper_surface, ground::element);
+  diagram.texts.push_back({"the mean bristle",
+                           {(left + right) / 2, (upper_top + upper_surface) / 2},
+                           TextPlace::centre});
+  add_line(diagram, {{root, upper_surface}, {root, tip_level + 7}}, rest, 2.0, LineStyle::dash);
+  add_line(diagram, {{tip, tip_level}, {tip, tip_level + 7}}, rest, 2.0, LineStyle::dash);
+  add_line(diagram, bent_bristle({root, upper_surface}, length, tip - root), bristle_colour,
+           bristle_px);
+  render::Dimension z;
+  z.from = {tip, tip_level + 5};
+  z.to = {root, tip_level + 5};
+  z.text = "z";
+  z.place = TextPlace::below;
+  diagram.dimensions.push_back(z);
+  render::Stroke force;
+  force.points = {{tip - 0.5, tip_level}, {tip - 21, tip_level}};
+  force.arrow_at_end = true;
+  force.width_px = 3.5;
+  force.colour = rigid;
+  diagram.strokes.push_back(force);
+  diagram.texts.push_back({"σ_{0} z + σ_{1} dz/dt", {tip - 11, tip_level - 1}, TextPlace::above});
+}
+
+}  // namespace
+
+ReportFigure bristle_sketch_figure() {
+  ReportFigure out;
+  out.number = 3;
+  out.id = "fig-03-bristles";
+  out.title = "Surfaces in contact through elastic bristles";
+  out.caption =
+      "The picture behind LuGre: asperities of the moving surface bend like bristles when those of "
+      "the other hold them back. z is their mean deflection; bending gives the friction torque "
+      "σ₀ z + σ₁ dz/dt.";
+  out.how_to_read =
+      "Blue: bristles of the moving surface, elastic. Red: those of the surface at rest, drawn "
+      "rigid for simplicity. At rest a blue bristle hangs along the dashed line; once it is bent "
+      "far enough it slips off, so that z does not exceed g(ω) in steady sliding.";
+  out.alt =
+      "Sketch. A body moves to the right over a body at rest. Elastic bristles under the moving "
+      "body are bent to the left by rigid ones of the other. An enlarged bristle shows the mean "
+      "deflection z between its tip and its place at rest.";
+  Diagram& diagram = out.figure.diagram.emplace();
+  diagram.height = 77;
+  add_contact(diagram);
+  add_mean_bristle(diagram);
+  out.figure.height_px = 850;
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  return out;
+}
+
+}  // namespace tribolog::paper

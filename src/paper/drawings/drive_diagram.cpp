@@ -1,0 +1,125 @@
+#include "paper/drawings/drive_diagram.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "paper/drawings/block_style.h"
+#include "paper/drawings/schematic.h"
+
+namespace tribolog::paper {
+namespace {
+
+using render::BlockKind;
+using render::BlockSide;
+
+constexpr double inertia_row = 20;
+constexpr double torque_row = 40;
+constexpr double friction_row = 60;
+constexpr double source_column = 25;
+constexpr double element_column = 60;
+constexpr double sum_column = 88;
+
+std::map<std::string, NodePlace> places() {
+  return {
+      {"motor acceleration", {{source_column, inertia_row}, 12, 10}},
+      {"motor torque", {{source_column, torque_row}, 12, 10}},
+      {"motor speed", {{source_column, friction_row}, 12, 10}},
+      {"inertia", {{element_column, inertia_row}, 15, 14}},
+      {"friction",
+       {{element_column, friction_row}, 24, 14, BlockSide::right, {"friction", "T_{f}(φ\u0307)"}}},
+      {"balance", {{sum_column, torque_row}, 10, 10}},
+      {"gear", {{114, torque_row}, 15, 15}},
+      {"arm torque", {{147, torque_row}, 18, 10}}};
+}
+
+std::vector<WireRoute> routes() {
+  const Port left{BlockSide::left, 0};
+  const Port right{BlockSide::right, 0};
+  const Port top{BlockSide::top, 0};
+  const Port bottom{BlockSide::bottom, 0};
+  return {
+      {"motor acceleration", "inertia", right, left},
+      {"motor torque", "balance", right, left},
+      {"motor speed", "friction", right, left},
+      {"inertia", "balance", right, top, {}, {}, "J φ\u0308", {78.5, inertia_row}},
+      {"friction", "balance", right, bottom, {}, {}, "T_{f}", {80, friction_row}},
+      {"balance", "gear", right, left},
+      {"gear", "arm torque", right, left},
+  };
+}
+
+render::Block source_frame() {
+  render::Block frame;
+  frame.kind = BlockKind::frame;
+  frame.lines = {"ideal source", "of motion"};
+  frame.centre = {18.5, 37};
+  frame.width = 29;
+  frame.height = 66;
+  frame.colour = render::palette::grey;
+  frame.fill.alpha = 0;
+  return frame;
+}
+
+}  // namespace
+
+SignalGraph drive_graph(const DriveElements& drive) {
+  SignalGraph graph;
+  graph.nodes = {{"motor torque", "T", Operation::input},
+                 {"motor speed", "φ\u0307", Operation::input},
+                 {"motor acceleration", "φ\u0308", Operation::input},
+                 {"inertia", "J", Operation::gain, drive.motor_inertia_kgm2},
+                 {"friction", "T_{f}", Operation::function, 0, drive.friction_Nm},
+                 {"balance", "", Operation::sum},
+                 {"gear", "n", Operation::gain, drive.gear_ratio},
+                 {"arm torque", "T_{ARM}", Operation::output}};
+  graph.edges = {{"motor acceleration", "inertia"},
+                 {"motor speed", "friction"},
+                 {"motor torque", "balance", '+'},
+                 {"inertia", "balance", '-'},
+                 {"friction", "balance", '-'},
+                 {"balance", "gear"},
+                 {"gear", "arm torque"}};
+  return graph;
+}
+
+ReportFigure drive_diagram_figure(double gear_ratio) {
+  ReportFigure out;
+  out.number = 6;
+  out.id = "fig-06-drive-diagram";
+  out.title = "Inputs and outputs of the drive";
+  out.caption = fmt::format(
+      "Equation (8): what is left of the motor's torque T after the inertia J of rotor and gear "
+      "and the friction of the motor shaft is multiplied by the gear ratio n = {:g} and drives "
+      "the arm.",
+      gear_ratio);
+  out.how_to_read =
+      "The ideal source imposes the motion, so speed and acceleration of the motor shaft are known "
+      "without a controller's delay. Friction acts before the gear: what the arm feels of it is n "
+      "times as large.";
+  out.alt = fmt::format(
+      "Block diagram. An ideal source of motion gives torque, speed and acceleration of the motor "
+      "shaft. J times the acceleration and the friction torque are taken from the torque; the "
+      "rest times n = {:g} is the arm's torque.",
+      gear_ratio);
+  render::Diagram& diagram = out.figure.diagram.emplace(draw_schematic(
+      drive_graph({gear_ratio, 0.0, [](double) { return 0.0; }}), places(), routes()));
+  diagram.height = 74;
+  diagram.blocks.insert(diagram.blocks.begin(), source_frame());
+  diagram.strokes.push_back({{{129, 4}, {129, 70}},
+                             render::palette::grey,
+                             2.0,
+                             render::LineStyle::dash_dot,
+                             false,
+                             false});
+  diagram.texts.push_back({"motor side", {128, 6}, render::TextPlace::left});
+  diagram.texts.push_back({"arm side", {130, 6}, render::TextPlace::right});
+  diagram.texts.push_back(
+      {fmt::format("n = {:g}", gear_ratio), {114, 49}, render::TextPlace::below});
+  out.figure.height_px = 820;
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  return out;
+}
+
+}  // namespace tribolog::paper

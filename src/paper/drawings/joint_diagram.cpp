@@ -1,0 +1,146 @@
+#include "paper/drawings/joint_diagram.h"
+
+#include <utility>
+
+#include "paper/drawings/block_style.h"
+#include "paper/drawings/schematic.h"
+
+namespace tribolog::paper {
+namespace {
+
+using render::Block;
+using render::BlockKind;
+using render::BlockSide;
+using render::TextPlace;
+
+constexpr double measured_speed_row = 11;
+constexpr double friction_row = 36;
+constexpr double contact = 7;  // of the switch, above and below the middle
+constexpr double inertia_row = 62;
+constexpr double arm_inertia_row = 82;
+constexpr double gravity_row = 101;
+constexpr double measured_angle_row = 116;
+constexpr double source_column = 37.5;
+constexpr double branch_column = 50.5;
+constexpr double gear_column = 61;
+constexpr double model_column = 89;
+constexpr double sum_column = 130;
+constexpr double arm_sum_column = 113;
+constexpr double output_column = 152;
+
+std::map<std::string, NodePlace> places() {
+  return {
+      {"arm speed", {{source_column, friction_row}, 11, 10}},
+      {"arm acceleration", {{source_column, inertia_row}, 11, 10}},
+      {"arm angle", {{source_column, gravity_row}, 11, 10}},
+      {"speed gear", {{gear_column, friction_row}, 12, 13}},
+      {"acceleration gear", {{gear_column, inertia_row}, 12, 13}},
+      {"static friction",
+       {{model_column, friction_row - contact}, 27, 11, BlockSide::right, {"static (6), (7)"}}},
+      {"dynamic friction",
+       {{model_column, friction_row + contact}, 27, 11, BlockSide::right, {"LuGre (3)–(5)"}}},
+      {"friction choice", {{113, friction_row}, 12, 4 * contact}},
+      {"inertia", {{model_column, inertia_row}, 14, 13}},
+      {"arm inertia", {{model_column, arm_inertia_row}, 14, 13}},
+      {"gravity",
+       {{model_column - 4, gravity_row}, 36, 11, BlockSide::right, {"m g r cos(q + q_{c})"}}},
+      {"arm torque", {{arm_sum_column, gravity_row}, 10, 10}},
+      {"gear", {{sum_column, arm_inertia_row}, 15, 15, BlockSide::top}},
+      {"torque", {{sum_column, inertia_row}, 10, 10}},
+      {"measured speed", {{output_column, measured_speed_row}, 11, 10}},
+      {"measured torque", {{output_column, inertia_row}, 11, 10}},
+      {"measured angle", {{output_column, measured_angle_row}, 11, 10}},
+  };
+}
+
+std::vector<WireRoute> routes() {
+  const Port left{BlockSide::left, 0};
+  const Port right{BlockSide::right, 0};
+  const Port top{BlockSide::top, 0};
+  const Port bottom{BlockSide::bottom, 0};
+  const double speed_branch = 70;
+  const double above = friction_row - contact;
+  return {
+      {"arm speed", "speed gear", right, left},
+      {"speed gear", "measured speed", top, left, {}, {{speed_branch, above}}},
+      {"speed gear", "static friction", right, left, {speed_branch, above}},
+      {"speed gear", "dynamic friction", bottom, left, {}, {{speed_branch, friction_row}}},
+      {"static friction", "friction choice", right, {BlockSide::left, -contact}},
+      {"dynamic friction", "friction choice", right, {BlockSide::left, contact}},
+      {"friction choice", "torque", right, top, {}, {}, "T_{f}", {124.5, friction_row}},
+      {"arm acceleration", "acceleration gear", right, left},
+      {"acceleration gear", "inertia", right, left, {}, {}, "φ\u0308", {74.5, inertia_row}},
+      {"inertia", "torque", right, left, {}, {}, "J φ\u0308", {110.5, inertia_row}},
+      {"arm acceleration", "arm inertia", bottom, left, {}, {{branch_column, inertia_row}}},
+      {"arm inertia", "arm torque", right, top, {}, {}, "I q\u0308", {104, arm_inertia_row}},
+      {"arm angle", "gravity", right, left},
+      {"arm angle", "measured angle", bottom, left, {}, {{branch_column, gravity_row}}},
+      {"gravity", "arm torque", right, left},
+      {"arm torque", "gear", right, bottom, {}, {}, "T_{ARM}", {124.5, gravity_row}},
+      {"gear", "torque", top, bottom},
+      {"torque", "measured torque", right, left},
+  };
+}
+
+void add_surroundings(render::Diagram& diagram) {
+  const auto frame = [](std::vector<std::string> lines, render::DiagramPoint centre, double width,
+                        double height) {
+    Block block;
+    block.kind = BlockKind::frame;
+    block.lines = std::move(lines);
+    block.centre = centre;
+    block.width = width;
+    block.height = height;
+    block.colour = render::palette::grey;
+    block.fill.alpha = 0;
+    return block;
+  };
+  diagram.blocks.push_back(frame({"ideal source", "of motion"}, {36.5, 65}, 22, 88));
+  diagram.blocks.push_back(frame({"friction"}, {96.5, friction_row - 1.5}, 48, 35));
+  Block reference;
+  reference.lines = {"reference", "signal"};
+  reference.centre = {11.5, 67};
+  reference.width = 19;
+  reference.height = 14;
+  diagram.blocks.push_back(reference);
+  render::Wire wire;
+  wire.points = {{21, 67}, {25.5, 67}};
+  diagram.wires.push_back(wire);
+  diagram.texts.push_back({"measured", {159, 3}, TextPlace::left, true});
+}
+
+}  // namespace
+
+ReportFigure joint_diagram_figure() {
+  const auto none = [](double) { return 0.0; };
+  JointElements any;
+  any.drive = {1.0, 0.0, none};
+  any.dynamic_friction_Nm = none;
+  ReportFigure out;
+  out.number = 7;
+  out.id = "fig-07-joint-model";
+  out.title = "Model of the joint";
+  out.caption =
+      "Inverse dynamics of the joint: an ideal source moves the arm along the reference signal, "
+      "and the motor torque T is what friction, the inertia J of motor and gear, and the arm "
+      "with inertia I and gravity ask of it. Sweeps and runs at constant speed use the static "
+      "friction model, micro-oscillations the dynamic one.";
+  out.how_to_read =
+      "Angles and torques of the arm pass the gear: n on the way to the motor, 1/n on the way of "
+      "the arm's torque. The outputs on the right are all that a robot's log holds: the arm's "
+      "angle, the motor's speed and its torque.";
+  out.alt =
+      "Block diagram. From the reference signal an ideal source of motion makes angle, speed and "
+      "acceleration of the arm. Through the gear they drive the friction models and the inertia "
+      "of the motor; gravity and inertia of the arm, divided by n, are added to the motor torque. "
+      "Measured are q, the motor speed and T.";
+  out.figure.diagram = draw_schematic(joint_graph(any), places(), routes());
+  out.figure.diagram->height = 123;
+  add_surroundings(*out.figure.diagram);
+  out.figure.height_px = 1310;
+  out.figure.id = out.id;
+  out.figure.title = out.title;
+  return out;
+}
+
+}  // namespace tribolog::paper

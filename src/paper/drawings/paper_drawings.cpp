@@ -1,0 +1,15 @@
+#include "paper/drawings/paper_drawings.h"
+
+#include "paper/drawings/bristle_sketch.h"
+#include "paper/drawings/drive_diagram.h"
+#include "paper/drawings/joint_diagram.h"
+#include "paper/drawings/lugre_diagram.h"
+
+namespace tribolog::paper {
+
+std::vector<ReportFigure> paper_drawings(double gear_ratio) {
+  return {bristle_sketch_figure(), lugre_diagram_figure(), drive_diagram_figure(gear_ratio),
+          joint_diagram_figure(), gear_diagram_figure(gear_ratio)};
+}
+
+}  // namespace tribolog::paper

@@ -1,0 +1,92 @@
+#include "paper/page/check_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wording/rounding.h"
+
+namespace tribolog::report {
+namespace {
+
+constexpr int most_digits = 8;
+
+std::string small(double value) { return value == 0 ? "0" : significant(value, 2); }
+
+std::string without_end_zeros(std::string number) {
+  if (number.find('.') == std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
+}
+
+/// As many decimals as show the second digit of what is allowed, and one more; no more digits than
+/// a double means.
+std::string seen_against(double bound, double value, int least_places) {
+  if (bound <= 0 || value == 0) return as_stated(value);
+  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const int places = std::max(decimals_for(bound) + 1, least_places);
+  return fixed(value, std::clamp(places, 0, std::max(0, most_digits - before_point)));
+}
+
+std::string origin_word(paper::Origin origin) {
+  switch (origin) {
+    case paper::Origin::printed:
+      return "print";
+    case paper::Origin::reconstructed:
+      return "method";
+    case paper::Origin::law:
+      return "law";
+  }
+  return "–";
+}
+
+}  // namespace
+
+CheckTexts check_texts(const paper::Check& check) {
+  CheckTexts out;
+  out.origin = origin_word(check.origin);
+  if (check.is_words()) {
+    out.expected = check.expected_words;
+    out.ours = check.ours_words.empty() ? "–" : check.ours_words;
+    out.difference = check.holds() ? "none" : "another";
+    out.allowed = "none";
+    return out;
+  }
+  const bool is_zero = check.expected == 0;
+  if (check.printed_places >= 0) {
+    out.expected = fixed(check.expected, check.printed_places);
+  } else {
+    out.expected = is_zero ? "0" : without_end_zeros(seen_against(check.bound, check.expected, 0));
+  }
+  out.ours =
+      is_zero ? small(check.ours) : seen_against(check.bound, check.ours, check.printed_places);
+  out.difference = small(check.difference());
+  out.allowed = small(check.bound);
+  return out;
+}
+
+std::string tick(bool is_well) { return is_well ? "✓" : "✗"; }
+
+void fill_checks(const paper::Checks& checks, const std::string& id, const std::string& caption,
+                 const std::string& marker, TemplateValues& values) {
+  if (checks.empty()) return;
+  TemplateValues& table = values.add_include(marker, "check_table.tpl");
+  table.set("TABLE_ID", "checks-" + id);
+  table.set("TABLE_CAPTION", caption);
+  for (const paper::Check& check : checks) {
+    const CheckTexts texts = check_texts(check);
+    TemplateValues& row = table.add_section("CHECK");
+    row.set("STATE", check.holds() ? "holds" : "fails");
+    row.set("WHAT", check.what);
+    row.set_optional("REASON", check.reason);
+    row.set("EXPECTED", texts.expected);
+    row.set("ORIGIN", texts.origin);
+    row.set("OURS", texts.ours);
+    row.set("UNIT", check.unit.empty() ? "–" : check.unit);
+    row.set("DIFFERENCE", texts.difference);
+    row.set("ALLOWED", texts.allowed);
+    row.set("TICK", tick(check.holds()));
+  }
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,114 @@
+#include "paper/page/paper_page.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "paper/page/check_rows.h"
+#include "paper/page/paper_json.h"
+#include "paper/page/paper_outcome.h"
+#include "report/closing_values.h"
+#include "report/element_values.h"
+#include "report/page_style.h"
+#include "report/view_parts.h"
+
+namespace tribolog {
+namespace {
+
+using namespace report;
+using paper::ItemKind;
+using paper::PaperItem;
+using paper::PaperSection;
+
+std::string section_anchor(const PaperSection& section) {
+  std::string id = "section-" + section.number;
+  std::replace(id.begin(), id.end(), '.', '-');
+  return id;
+}
+
+std::string heading_of(const PaperItem& item) {
+  switch (item.kind) {
+    case ItemKind::figure:
+      return "";  // the figure brings its own
+    case ItemKind::statement:
+      return item.title;
+    case ItemKind::equation:
+      return fmt::format("Equation ({}): {}", item.number, item.title);
+    case ItemKind::table:
+      break;
+  }
+  return fmt::format("Table {}: {}", item.number, item.title);
+}
+
+void fill_item(const PaperItem& item, const std::vector<ReportFigure>& figures,
+               const std::vector<FigureCard>& cards, TemplateValues& section) {
+  TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
+  out.set("ITEM_ID", item_anchor(item));
+  out.set_optional("HEADING", heading_of(item));
+  if (item.kind == ItemKind::equation) {
+    out.add_include("EQUATION", "equations.tpl")
+        .add_section(fmt::format("EQUATION_{}", item.number));
+  }
+  if (item.kind == ItemKind::figure) {
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+      if (figures[i].number == item.number) fill_figure(cards[i], out);
+    }
+  }
+  out.set_optional("REMARK", item.remark);
+  const paper::Tally tally = paper::tally_checks(item.checks);
+  fill_checks(item.checks, item_anchor(item),
+              fmt::format("{}: {} of {} checks hold", item_name(item), tally.hold, tally.there),
+              "CHECKS", out);
+}
+
+/// Section 3.4 in full: curves, masses, errors, choice.
+void fill_selection(const Calibration& calibration, TemplateValues& section) {
+  const auto add = [&](const char* id, void (*describe)(const Calibration&, Section&)) {
+    Section stage;
+    stage.id = id;
+    describe(calibration, stage);
+    for (const Table& table : stage.tables) fill_table(table, "TABLE", section);
+  };
+  add("curves", describe_viscous_curves);
+  add("masses", describe_surrogate_masses);
+  add("errors", describe_quality_errors);
+  add("choice", describe_selection);
+}
+
+}  // namespace
+
+std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
+                       const std::vector<render::DrawnFigure>& drawn, Language language) {
+  TemplateValues values;
+  fill_head(paper.provenance, values);
+  fill_outcome_of(paper, drawn, values);
+  const std::vector<FigureCard> cards = figure_cards(paper.figures, drawn);
+  for (const PaperSection& section : paper.sections) {
+    TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
+    TemplateValues& out = values.add_section("PAPER_SECTION");
+    for (TemplateValues* both : {&entry, &out}) {
+      both->set("SECTION_ID", section_anchor(section));
+      both->set("NUMBER", section.number);
+      both->set("TITLE", section.title);
+    }
+    for (const PaperItem& item : section.items) fill_item(item, paper.figures, cards, out);
+    const bool is_selection = std::any_of(
+        section.items.begin(), section.items.end(),
+        [](const PaperItem& item) { return item.kind == ItemKind::equation && item.number == 14; });
+    if (is_selection) fill_selection(calibration, out);
+  }
+  fill_checks(paper.golden_numbers, "golden", "Given, computed, and the difference", "GOLDEN",
+              values);
+  fill_errata(errata_numbers(), "section 3.4", values);
+  for (const PaperSource& source : paper.sources) {
+    TemplateValues& file = values.add_section("SOURCE_FILE");
+    file.set("FILE_NAME", source.name);
+    file.set("FILE_TEXT", source.text);
+  }
+  fill_provenance(paper.provenance.command_line, or_dash(paper.provenance.created_utc), {},
+                  provenance_tables(calibration, paper.provenance), values);
+  values.set_checked_by_modifier("RESULT_JSON", paper_json(paper));
+  return expand_template("paper.tpl", values, language);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,50 @@
+#pragma once
+// The paper regenerated, as one HTML file that needs nothing else.
+
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "calibration/provenance.h"
+#include "figures/report_figure.h"
+#include "paper/checks/paper_items.h"
+#include "render/workers/renderer.h"
+#include "wording/language.h"
+
+namespace tribolog {
+
+/// A file that the page was computed from.
+struct PaperSource {
+  std::string name;  ///< "examples/paper/scenario.toml"
+  std::string text;
+};
+
+/// What the page shows.
+struct RegeneratedPaper {
+  std::vector<paper::PaperSection> sections;
+  paper::Checks golden_numbers;
+  std::vector<ReportFigure> figures;  ///< By the paper's numbers.
+  std::vector<PaperSource> sources;
+  Provenance provenance;
+};
+
+/// How many items of a kind the paper has, how many are here, and of how many all is well: every
+/// check holds, and a figure has its picture.
+struct PaperTally {
+  std::string kind;  ///< "figures"
+  int printed{};
+  int here{};
+  int well{};
+};
+
+/// Figures, tables, equations.
+std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
+                                 const std::vector<render::DrawnFigure>& drawn);
+
+/// UTF-8 HTML without script or link to the outside, in the style of the report.
+/// @param calibration of the paper's joint: the tables of section 3.4.
+std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
+                       const std::vector<render::DrawnFigure>& drawn,
+                       Language language = Language::english);
+
+}  // namespace tribolog

@@ -1,0 +1,29 @@
+#pragma once
+// The fleet sheet: all joints on one page, outliers first. One HTML file without script.
+
+#include <set>
+#include <string>
+
+#include "calibration/provenance.h"
+#include "history/fleet.h"
+#include "wording/language.h"
+
+namespace tribolog::archive {
+
+/// Where the reports are that were written beside the page.
+struct FleetLinks {
+  std::set<std::string> ids;  ///< Of the latest calibrations that have one.
+  std::string directory;      ///< From the page; "reports". Names are any bytes.
+
+  /// The link to a report. @return empty: there is none.
+  [[nodiscard]] std::string href(const std::string& id) const;
+};
+
+/// Cards of the page; joints beyond them stand in their robot's table alone.
+inline constexpr std::size_t most_cards = 120;
+
+/// @param archive its name, to show.
+std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
+                       const Provenance& provenance, Language language = Language::english);
+
+}  // namespace tribolog::archive

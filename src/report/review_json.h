@@ -1,0 +1,35 @@
+#pragma once
+// What the report's loop viewer (templates/viewer/) draws, as compact JSON: the script embedded
+// in the report computes no result, it shows what stands here.
+//
+// "tribolog-loops-1":
+//   quantities   of the columns below: words, symbol, unit
+//   loops        one per oscillation, columns t, q, T and, where there is one, z, dz and fit
+//   (LuGre's
+//                torque), sample by sample and thinned out alike; t counts from t0_s, q from
+//                centre_deg; midline: q, T of the mid-line; q_peak in q's unit
+//   points       "first" (the paper's reading) and "steady": A to F of the first loop, as numbers
+//                and as the texts of the report's tables
+//   midline      torque at q_peak, as number and text; null if unknown
+//   runs         one entry per run of constant speed: w speed, T torque, f reference friction, band
+//                half width of the reference in %; null where there is none
+//   candidates   one per surrogate mass: f friction and e quality error of each run, T, and texts
+// Numbers are in the unit of their quantity, rounded to six significant digits; what is not finite
+// is null.
+
+#include <cstddef>
+#include <string>
+
+#include "calibration/calibration.h"
+#include "wording/language.h"
+
+namespace tribolog::report {
+
+/// Samples of one loop; many loops share the room of five.
+inline constexpr std::size_t most_loop_samples = 2000;
+
+/// Empty if there is neither a loop nor a candidate's curve.
+/// @param language of every text in it, and of what the viewer says itself (`says`).
+std::string review_json(const Calibration& calibration, Language language = Language::english);
+
+}  // namespace tribolog::report

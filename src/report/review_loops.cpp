@@ -1,0 +1,250 @@
+// Loops of the oscillations, their points and their mid-line.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "figures/estimator_style.h"
+#include "figures/plot_data.h"
+#include "joint/degrees.h"
+#include "report/estimator_words.h"
+#include "report/kept_samples.h"
+#include "report/review_json.h"
+#include "report/review_parts.h"
+#include "report/view_parts.h"
+#include "wording/units.h"
+
+namespace tribolog::report::review {
+namespace {
+
+using figures::AxisScale;
+
+constexpr std::size_t loops_at_full_length = 5;
+constexpr std::size_t fewest_samples = 100;
+constexpr std::size_t most_midline_points = 200;
+constexpr double first_strokes = 1.25;  // periods; the readings A to F come from them
+
+/// Lines of the loops: dark enough on white, and told apart by their dashes too.
+Json loop_style(std::size_t k) {
+  namespace colour = render::palette;
+  using render::LineStyle;
+  constexpr std::array colours{colour::blue, colour::vermilion, colour::green, colour::purple,
+                               colour::grey};
+  constexpr std::array lines{LineStyle::solid, LineStyle::dash, LineStyle::dash_dot, LineStyle::dot,
+                             LineStyle::dash_dot_dot};
+  // From the second round on each colour meets another dash.
+  const std::size_t round = k / colours.size();
+  return style(colours[k % colours.size()], lines[(k + round) % lines.size()]);
+}
+
+std::size_t samples_of_each(std::size_t loops) {
+  const std::size_t share =
+      loops_at_full_length * most_loop_samples / std::max<std::size_t>(loops, 1);
+  return std::clamp(share, fewest_samples, most_loop_samples);
+}
+
+/// The fitted torque on the trace's samples; null: none.
+const std::vector<double>* fitted_torque(const HysteresisResult& r, std::size_t k) {
+  if (!r.lugre || !r.lugre->converged || k >= r.lugre->loops.size()) return nullptr;
+  const LuGreLoop& loop = r.lugre->loops[k];
+  return loop.torque_Nm.size() == r.traces[k].t_s.size() ? &loop.torque_Nm : nullptr;
+}
+
+/// Evenly spread samples over the whole trace, more closely over the first strokes: however noisy
+/// the torque is, z and dz/dt stay round. The rest of the room is for what sticks out.
+void add_even(const std::vector<double>& t, double first_strokes_s, std::size_t most,
+              std::vector<std::size_t>& needed) {
+  const auto add = [&](std::size_t size, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) needed.push_back(i * size / count);
+  };
+  const auto end = std::upper_bound(t.begin(), t.end(), t.front() + first_strokes_s) - t.begin();
+  add(t.size(), most / 2);
+  add(static_cast<std::size_t>(end), most / 4);
+}
+
+/// Samples around an instant.
+void add_neighbours(const std::vector<double>& t, double at, std::vector<std::size_t>& needed) {
+  if (!std::isfinite(at)) return;
+  const auto after = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), at) - t.begin());
+  if (after > 0) needed.push_back(after - 1);
+  if (after < t.size()) needed.push_back(after);
+}
+
+std::vector<double> picked(const std::vector<double>& signal,
+                           const std::vector<std::size_t>& kept) {
+  std::vector<double> out;
+  for (const std::size_t i : kept) out.push_back(signal[i]);
+  return out;
+}
+
+std::vector<std::size_t> every_so_many(std::size_t size, std::size_t most) {
+  std::vector<std::size_t> kept;
+  const std::size_t step = std::max<std::size_t>(1, (size + most - 1) / most);
+  for (std::size_t i = 0; i < size; i += step) kept.push_back(i);
+  if (size > 0 && kept.back() + 1 != size) kept.push_back(size - 1);
+  return kept;
+}
+
+Json midline_curve(const LoopTrace& trace, const AxisScale& angle, const AxisScale& torque) {
+  if (trace.midline_q_rad.empty() || trace.midline_q_rad.size() != trace.midline_Nm.size()) {
+    return nullptr;
+  }
+  const auto kept = every_so_many(trace.midline_q_rad.size(), most_midline_points);
+  return {{"q", column(picked(trace.midline_q_rad, kept), angle)},
+          {"T", column(picked(trace.midline_Nm, kept), torque)}};
+}
+
+double centre_of(const HysteresisResult& r, std::size_t k) {
+  const double centre = k < r.oscillations.size() ? r.oscillations[k].centre_rad : r.midline_q_rad;
+  return std::isfinite(centre) ? centre : 0.0;
+}
+
+Json loop(const HysteresisResult& r, std::size_t k, const LoopScales& scales,
+          const std::optional<Estimate>& q_peak_rad) {
+  const LoopTrace& trace = r.traces[k];
+  const std::size_t size = trace.t_s.size();
+  AxisScale angle = scales.angle;
+  angle.offset = centre_of(r, k);
+  struct Column {
+    const char* name;
+    const std::vector<double>* signal;
+    const AxisScale* scale;
+  };
+  std::vector<Column> columns{{"q", &trace.q_rad, &angle}, {"T", &trace.torque_Nm, &scales.torque}};
+  if (!trace.z_rad.empty()) columns.push_back({"z", &trace.z_rad, &scales.deflection});
+  if (!trace.dz_rad_s.empty()) columns.push_back({"dz", &trace.dz_rad_s, &scales.rate});
+  const std::vector<double>* fit = r.bristle_source == "recorded" ? nullptr : fitted_torque(r, k);
+  if (fit != nullptr) columns.push_back({"fit", fit, &scales.torque});
+
+  std::vector<const std::vector<double>*> signals;
+  for (const Column& c : columns) signals.push_back(c.signal);
+  std::vector<std::size_t> needed;
+  if (k == 0) {
+    for (const auto* points : {&r.points, &r.steady_points}) {
+      for (const LoopPoint& p : *points) add_neighbours(trace.t_s, p.t_s, needed);
+    }
+  }
+  const std::size_t most = samples_of_each(r.traces.size());
+  const double frequency = k < r.oscillations.size() ? r.oscillations[k].frequency_Hz : 0.0;
+  if (size > most) {
+    add_even(trace.t_s, frequency > 0.0 ? first_strokes / frequency : 0.0, most, needed);
+  }
+  const auto kept = kept_samples(trace.t_s, signals, needed, most);
+  const AxisScale time{1.0, "s", trace.t_s.front()};
+
+  Json out;
+  out["name"] = shown_text(log_name(trace.recording));
+  out["style"] = loop_style(k);
+  out["samples"] = size;
+  out["t0_s"] = trace.t_s.front();
+  out["centre_deg"] = angle.offset * degrees_per_rad;
+  out["frequency_Hz"] = nullptr;
+  if (k < r.oscillations.size()) {
+    if (frequency > 0.0) out["frequency_Hz"] = json::short_numbers({frequency}).front();
+    out["amplitude"] =
+        with_unit(significant(r.oscillations[k].amplitude_rad * angle.factor, 4), angle.unit);
+  }
+  const bool has_peak = q_peak_rad && std::isfinite(q_peak_rad->value);
+  out["q_peak"] = has_peak ? entry(q_peak_rad->value, angle) : Json(nullptr);
+  out["t"] = column(picked(trace.t_s, kept), time);
+  for (const Column& c : columns) out[c.name] = column(picked(*c.signal, kept), *c.scale);
+  out["midline"] = midline_curve(trace, angle, scales.torque);
+  return out;
+}
+
+bool is_drawable(const LoopTrace& trace) {
+  const std::size_t size = trace.t_s.size();
+  const auto fits = [&](const std::vector<double>& signal) {
+    return signal.empty() || signal.size() == size;
+  };
+  return size >= 2 && trace.q_rad.size() == size && trace.torque_Nm.size() == size &&
+         fits(trace.z_rad) && fits(trace.dz_rad_s);
+}
+
+double largest_of(const HysteresisResult& r, std::vector<double> LoopTrace::* signal) {
+  figures::Extent all;
+  for (const LoopTrace& trace : r.traces) all.add(trace.*signal);
+  return all.largest();
+}
+
+/// The texts of the report's table of points, by the table's headings.
+Json table_texts(const Table& table, std::size_t row) {
+  Json texts = Json::array();
+  for (std::size_t i = 2; i < table.columns.size(); ++i) {
+    const Column& column = table.columns[i];
+    const std::string& cell = table.rows[row].cells[i];
+    if (cell != "–") texts.push_back({column.heading, with_unit(cell, column.unit)});
+  }
+  return texts;
+}
+
+Json point_list(const std::vector<LoopPoint>& list, const HysteresisResult& r,
+                const LoopScales& scales) {
+  if (r.traces.empty() || !is_drawable(r.traces.front())) return Json::array();
+  AxisScale angle = scales.angle;
+  angle.offset = centre_of(r, 0);
+  const AxisScale time{1.0, "s", r.traces.front().t_s.front()};
+  const Table table = loop_points_table(list, "points", "points");
+  Json out = Json::array();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const LoopPoint& p = list[i];
+    out.push_back({{"name", std::string(1, p.name)},
+                   {"where", point_meaning(std::string(1, p.name))},
+                   {"t", entry(p.t_s, time)},
+                   {"q", entry(p.q_rad, angle)},
+                   {"T", entry(p.torque_Nm, scales.torque)},
+                   {"z", entry(p.z_rad, scales.deflection)},
+                   {"dz", entry(p.dz_rad_s, scales.rate)},
+                   {"texts", table_texts(table, i)}});
+  }
+  return out;
+}
+
+}  // namespace
+
+LoopScales loop_scales(const HysteresisResult& r) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < r.traces.size(); ++k) {
+    for (const double q : r.traces[k].q_rad) {
+      if (std::isfinite(q)) largest = std::max(largest, std::abs(q - centre_of(r, k)));
+    }
+  }
+  return {figures::prefixed("rad", largest),
+          figures::prefixed("N·m", largest_of(r, &LoopTrace::torque_Nm)),
+          figures::prefixed("rad", largest_of(r, &LoopTrace::z_rad)),
+          figures::prefixed("rad/s", largest_of(r, &LoopTrace::dz_rad_s))};
+}
+
+void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities) {
+  quantities["t"] = quantity(from_first_sample ? "time from the first sample" : "time",
+                             from_first_sample ? "t − t₀" : "t", "s");
+  quantities["q"] = quantity("joint angle from the loop's centre", "q − q₀", scales.angle.unit);
+  quantities["q"]["degrees"] = degrees_per_rad / scales.angle.factor;
+  quantities["T"] = quantity("driving torque", "T", scales.torque.unit);
+  quantities["z"] = quantity("bristle deflection", "z", scales.deflection.unit);
+  quantities["dz"] = quantity("bristle rate", "dz/dt", scales.rate.unit);
+}
+
+Json loops(const HysteresisResult& r, const LoopScales& scales,
+           const std::optional<Estimate>& q_peak_rad) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < r.traces.size(); ++k) {
+    if (is_drawable(r.traces[k])) list.push_back(loop(r, k, scales, q_peak_rad));
+  }
+  return list;
+}
+
+Json points(const HysteresisResult& r, const LoopScales& scales) {
+  return {{"first", point_list(r.points, r, scales)},
+          {"steady", point_list(r.steady_points, r, scales)}};
+}
+
+Json midline(const HysteresisResult& r, const LoopScales& scales) {
+  if (!r.midline_Nm) return nullptr;
+  return {{"T", entry(r.midline_Nm->value, scales.torque)},
+          {"text", in_words(*r.midline_Nm, torque_scale(r.midline_Nm->value))}};
+}
+
+}  // namespace tribolog::report::review

@@ -1,0 +1,311 @@
+#include "truth/identified_joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/present.h"
+#include "friction/lugre.h"
+#include "friction/waiboer.h"
+#include "method/hysteresis/lugre_input.h"
+#include "method/motion/encoder_resolution.h"
+#include "method/motion/moving_part.h"
+#include "method/motion/plateaus.h"
+#include "method/viscous/waiboer_fit.h"
+#include "simulate/bristle_integrator.h"
+#include "truth/found_noise.h"
+
+namespace tribolog {
+namespace {
+
+/// Sliding friction over the motor's speed, continuous through zero.
+class SlidingFriction final : public StaticFriction {
+ public:
+  SlidingFriction(double coulomb_Nm, double viscous_Nms_rad, double rest_speed_rad_s)
+      : coulomb_Nm_(coulomb_Nm), viscous_(viscous_Nms_rad), rest_(rest_speed_rad_s) {}
+  [[nodiscard]] std::string name() const override { return "coulomb_viscous"; }
+  [[nodiscard]] NamedParameters named_parameters() const override { return {}; }
+  [[nodiscard]] double torque_Nm(double speed) const override {
+    return coulomb_Nm_ * std::tanh(speed / rest_) + viscous_ * speed;
+  }
+
+ private:
+  double coulomb_Nm_;
+  double viscous_;
+  double rest_;
+};
+
+/// Speeds below this share of the largest are rest: there the sign of friction is nobody's.
+constexpr double rest_share = 1e-3;
+
+class Maker {
+ public:
+  Maker(const Calibration& calibration, double gravity_Nm)
+      : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
+
+  /// Torque of the model along a recording; empty if the model cannot follow, with the reason.
+  [[nodiscard]] std::vector<double> torque(const Recording& r, std::string& why_not) const {
+    switch (r.role) {
+      case Role::rough_sweep:
+        return sweep_torque(r, c_.rough, why_not);
+      case Role::precise_sweep:
+        return sweep_torque(r, c_.precise, why_not);
+      case Role::oscillation:
+        return loop_torque(r, why_not);
+      case Role::break_away:
+        why_not =
+            "the motion of a break-away ramp is its answer, which no recorded one can stand for";
+        return {};
+      case Role::constant_speed:
+        break;
+    }
+    return run_torque(r, why_not);
+  }
+
+ private:
+  [[nodiscard]] double gravity(double q, double middle) const {
+    return gravity_Nm_ * std::cos(q - (c_.q_peak_rad ? c_.q_peak_rad->value : middle));
+  }
+
+  [[nodiscard]] std::vector<double> sliding(const Recording& r, const MotionSegments& motion,
+                                            const StaticFriction& friction, double offset_Nm,
+                                            double inertia_kgm2) const {
+    std::vector<double> torque(r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      torque[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm +
+                  friction.torque_Nm(n_ * motion.speed_rad_s[i]) +
+                  inertia_kgm2 * n_ * motion.acceleration_rad_s2[i];
+    }
+    return torque;
+  }
+
+  [[nodiscard]] double rest_speed(const MotionSegments& motion) const {
+    return std::max(1e-9, rest_share * n_ * motion.fastest_rad_s);
+  }
+
+  [[nodiscard]] std::vector<double> sweep_torque(const Recording& r, const CogSweepResult& sweep,
+                                                 std::string& why_not) const {
+    if (!sweep.found) {
+      why_not = "the sweep gave no gravity";
+      return {};
+    }
+    // One direction alone cannot tell friction from an offset; the level of both is in the mean.
+    const double coulomb = sweep.coulomb_Nm ? sweep.coulomb_Nm->value : 0.0;
+    const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
+    const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
+    const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
+    const MotionSegments motion = find_plateaus(r);
+    const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
+    std::vector<double> torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
+    if (sweep.load_coulomb_Nm) add_load_friction(r, motion, sweep, torque);
+    return torque;
+  }
+
+  /// Friction that grows with the gravity torque.
+  void add_load_friction(const Recording& r, const MotionSegments& motion,
+                         const CogSweepResult& sweep, std::vector<double>& torque) const {
+    const SlidingFriction per_load(present(sweep.load_coulomb_Nm).value, 0.0, rest_speed(motion));
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
+                   std::abs(std::cos(r.q_rad[i] - sweep.q_peak_rad.value));
+    }
+  }
+
+  [[nodiscard]] std::vector<double> run_torque(const Recording& r, std::string& why_not) const {
+    const FrictionParametersResult& f = c_.friction;
+    if (f.waiboer && f.waiboer->converged) {
+      return sliding(r, find_plateaus(r), waiboer_of(*f.waiboer), 0, 0);
+    }
+    if (f.coulomb_viscous && !c_.viscous.from_sweep) {
+      const MotionSegments motion = find_plateaus(r);
+      const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
+                                     f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
+      return sliding(r, motion, friction, 0, 0);
+    }
+    why_not = "no friction curve was identified";
+    return {};
+  }
+
+  [[nodiscard]] std::vector<double> loop_torque(const Recording& r, std::string& why_not) const {
+    if (!c_.hysteresis.lugre || !c_.hysteresis.lugre->converged) {
+      why_not = "no LuGre model was fitted to the loop";
+      return {};
+    }
+    const auto motion = fit_oscillation_motion(r);
+    const bool is_harmonic = motion && motion->follows_the_angle(common_step(r.q_rad));
+    const MotionTrace trace = is_harmonic ? MotionTrace{} : trace_motion(r);
+    if (!motion && !trace.motion) {
+      why_not = "the angle does not swing through one whole cycle; and " + trace.refusal;
+      return {};
+    }
+    const LuGreFit& fit = *c_.hysteresis.lugre;
+    const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
+    const auto level = fit.shown("static_Nm");
+    if (!stiffness || !level) {
+      why_not = "the loops do not show stiffness and static torque";
+      return {};
+    }
+    // What they do not show stays out; neither damping may push.
+    const auto size_of = [&](const char* name) {
+      const auto shown = fit.shown(name);
+      return shown ? std::max(0.0, shown->value) : 0.0;
+    };
+    const auto coulomb = fit.shown("coulomb_Nm");
+    const auto stribeck = fit.shown("stribeck_speed_rad_s");
+    const bool weakens = coulomb && stribeck && coulomb->value < level->value;
+    const LuGreFriction friction(
+        {stiffness->value, size_of("bristle_damping_Nms_rad"), size_of("viscous_Nms_rad"),
+         weakens ? coulomb->value : level->value, level->value, weakens ? stribeck->value : 1.0});
+    const double inertia = size_of("inertia_kgm2");
+    const LuGreInput input{&r, motion ? &*motion : nullptr,
+                           trace.motion ? &*trace.motion : nullptr};
+    const std::shared_ptr<const Motion> along = input.motor_motion(n_);
+    const Motion& motor = *along;
+    const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);
+    std::vector<double> z(r.size());
+    std::vector<double> dz(r.size());
+    integrate_bristle(friction, motor, 0.0, dt, start_deflection(r), z, dz);
+    std::vector<double> torque(r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      // A clock that jitters: between the two instants of the even grid around it.
+      const double t = r.t_s[i] - r.t_s.front();
+      const auto k = std::min(static_cast<std::size_t>(t / dt), r.size() - 2);
+      const double x = t / dt - static_cast<double>(k);
+      const double z_t = z[k] + x * (z[k + 1] - z[k]);
+      const double dz_t = dz[k] + x * (dz[k + 1] - dz[k]);
+      torque[i] = gravity(r.q_rad[i], input.centre_rad()) +
+                  friction.torque_Nm(z_t, dz_t, motor.speed(t)) + inertia * motor.acceleration(t);
+    }
+    return torque;
+  }
+
+  /// Of the loop's own bristle where it was observed, else of an unloaded contact.
+  [[nodiscard]] double start_deflection(const Recording& r) const {
+    for (const LoopTrace& trace : c_.hysteresis.traces) {
+      if (trace.recording == r.name && !trace.z_rad.empty()) return trace.z_rad.front();
+    }
+    return 0;
+  }
+
+  const Calibration& c_;
+  double n_;
+  double gravity_Nm_;
+};
+
+/// The recordings that a reading comes from.
+bool is_read_from(const Reading& reading, Role role) {
+  switch (reading.quantity) {
+    case ReadingKind::peak_angle:
+      return role == Role::rough_sweep || role == Role::precise_sweep;
+    case ReadingKind::sweep_friction:
+      return role == Role::rough_sweep;
+    case ReadingKind::gravity:
+      return role == (reading.name == "sweep" ? Role::rough_sweep : Role::oscillation);
+    case ReadingKind::stiffness:
+    case ReadingKind::static_torque:
+      return role == Role::oscillation;
+    default:
+      return role == Role::constant_speed;
+  }
+}
+
+/// Of the identified readings those that the model was made with and that its recordings can show.
+std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
+                            const std::vector<Recording>& recordings) {
+  std::vector<Reading> kept;
+  for (Reading reading : readings_of(c)) {
+    const bool is_recorded =
+        std::any_of(recordings.begin(), recordings.end(),
+                    [&](const Recording& r) { return is_read_from(reading, r.role); });
+    if (!is_recorded || is_single_point(reading.name)) continue;
+    // Where eq. (6) is put in, no straight line is.
+    const bool is_line =
+        reading.quantity == ReadingKind::coulomb || reading.quantity == ReadingKind::viscous;
+    if (is_line &&
+        (c.viscous.from_sweep || (c.friction.waiboer && c.friction.waiboer->converged))) {
+      continue;
+    }
+    const double value =
+        reading.quantity == ReadingKind::gravity ? gravity_Nm : reading.estimate.value;
+    reading.estimate = {value, value, value, "put in"};
+    kept.push_back(std::move(reading));
+  }
+  return kept;
+}
+
+/// Of a recording so long that repeating it would take longer than the identification itself, what
+/// tells as much: an oscillation's first cycles, of any other every so many samples.
+Recording shortened(const Recording& r) {
+  constexpr std::size_t long_from = 200'000;
+  constexpr std::size_t enough = 50'000;
+  if (r.size() < long_from) return r;
+  const std::size_t stride = r.role == Role::oscillation ? 1 : r.size() / enough;
+  const auto picked = [&](const std::vector<double>& whole) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < whole.size() && out.size() < enough; i += stride) {
+      out.push_back(whole[i]);
+    }
+    return out;
+  };
+  Recording out;
+  out.name = r.name;
+  out.role = r.role;
+  out.t_s = picked(r.t_s);
+  out.q_rad = picked(r.q_rad);
+  out.dq_rad_s = picked(r.dq_rad_s);
+  out.torque_Nm = picked(r.torque_Nm);
+  out.temperature_C = picked(r.temperature_C);
+  return out;
+}
+
+}  // namespace
+
+IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
+  IdentifiedJoint out;
+  out.dataset.manifest = dataset.manifest;
+  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  if (mass == nullptr) {
+    out.left_out.emplace_back("nothing can be simulated: no gravity torque was identified");
+    return out;
+  }
+  const double gravity = mass->gravity_Nm.value;
+  const Maker maker(c, gravity);
+  for (const Recording& recorded : dataset.recordings) {
+    const Recording whole = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
+    Recording r = shortened(whole);
+    std::string why_not;
+    std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
+    if (torque.empty()) {
+      out.left_out.push_back(
+          fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
+      continue;
+    }
+    const double step = common_step(whole.torque_Nm);
+    // A rounded number is uniform within its step: that part comes back with the rounding.
+    const double rounding = step / std::sqrt(12.0);
+    const double white = white_torque_Nm(whole.torque_Nm);
+    out.white_Nm.push_back(std::sqrt(std::max(0.0, white * white - rounding * rounding)));
+    out.torque_step_Nm.push_back(step);
+    if (r.size() < whole.size()) {
+      out.left_out.push_back(
+          fmt::format("{}: {} of its {} samples are simulated, {}", r.name, r.size(), whole.size(),
+                      r.role == Role::oscillation ? "from the first on" : "evenly spread"));
+    }
+    r.torque_Nm = std::move(torque);
+    r.z_rad.clear();
+    r.dz_rad_s.clear();
+    out.dataset.recordings.push_back(std::move(r));
+  }
+  out.ripple = ripple_of(c.rough, c.manifest.drive.gear_ratio());
+  out.put_in = put_in(c, gravity, out.dataset.recordings);
+  const FrictionParametersResult& f = c.friction;
+  if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {
+    out.dataset.manifest.reference = std::make_shared<WaiboerFriction>(waiboer_of(*f.waiboer));
+  }
+  return out;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,36 @@
+#pragma once
+// What was identified, as a simulation: its torque along the recorded motions.
+//
+// Angles, speeds and times are those of the log, so that its motions, its sampling and its encoder
+// are all in it whatever they were. The torque is the model's:
+//
+//   sweeps and runs:   T = G cos(q - q_peak) + offset + Tf(speed) + J acceleration
+//   oscillations:      T = G cos(q - q_peak) + s0 z + s1 dz/dt + s2 w + J dw/dt, eq. (3), (4)
+//
+// with speeds from the angle itself. G is that of the recommended estimator in all of them: one
+// joint, whose numbers are known.
+
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+#include "simulate/scenario.h"
+#include "truth/readings.h"
+
+namespace tribolog {
+
+struct IdentifiedJoint {
+  /// The dataset with the model's torque, without noise. Recordings that the model cannot follow
+  /// are left out.
+  Dataset dataset;
+  std::vector<Reading> put_in;   ///< The numbers it was made with, each an estimate of no width.
+  std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
+  std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
+  std::vector<Noise::Ripple> ripple;   ///< Found in the rough sweep; laid on all recordings.
+  std::vector<std::string> left_out;   ///< What could not be simulated, and why; sentences.
+};
+
+/// @param dataset the one that the calibration was made from.
+IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& calibration);
+
+}  // namespace tribolog

@@ -1,0 +1,145 @@
+#include "truth/readings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tribolog {
+namespace {
+
+class Reader {
+ public:
+  void add(const std::string& name, ReadingKind quantity, const Estimate& estimate) {
+    if (std::isfinite(estimate.value)) all_.push_back({name, quantity, estimate});
+  }
+  void add(const std::string& name, ReadingKind quantity, const std::optional<Estimate>& estimate) {
+    if (estimate) add(name, quantity, *estimate);
+  }
+  std::vector<Reading> all() { return std::move(all_); }
+
+ private:
+  std::vector<Reading> all_;
+};
+
+void read_masses(const Calibration& c, const char* const* first, const char* const* last,
+                 Reader& out) {
+  for (const char* const* name = first; name != last; ++name) {
+    if (const SurrogateMass* mass = c.masses.find(*name)) {
+      out.add(*name, ReadingKind::gravity, mass->gravity_Nm);
+    }
+  }
+}
+
+/// A and B of the steady loop, with the interval of their mean over the cycles.
+void read_steady_points(const Calibration& c, Reader& out) {
+  for (const LoopPoint& point : c.hysteresis.steady_points) {
+    if (point.name != 'A' && point.name != 'B') continue;
+    const double cosine = c.q_peak_rad ? std::cos(point.q_rad - c.q_peak_rad->value) : 1.0;
+    out.add(std::string(1, point.name) + "_steady", ReadingKind::gravity,
+            scaled({point.torque_Nm, point.torque_low_Nm, point.torque_high_Nm,
+                    "scatter of the cycles"},
+                   1 / cosine));
+  }
+}
+
+void read_loop_fit(const LuGreFit& fit, Reader& out) {
+  if (!fit.converged) return;
+  out.add("fit", ReadingKind::gravity, fit.gravity_Nm);
+  out.add("bristle_stiffness", ReadingKind::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
+  out.add("static_torque", ReadingKind::static_torque, fit.shown("static_Nm"));
+}
+
+void read_curve(const FrictionParametersResult& friction, Reader& out) {
+  if (const auto& line = friction.coulomb_viscous) {
+    out.add("coulomb", ReadingKind::coulomb, line->coulomb_Nm);
+    out.add("viscous", ReadingKind::viscous, line->viscous_Nms_rad);
+  }
+  if (const auto& w = friction.waiboer; w && w->converged) {
+    out.add("asperity_torque", ReadingKind::asperity_torque, w->asperity_torque_Nm);
+    out.add("stribeck_speed", ReadingKind::stribeck_speed, w->stribeck_speed_rad_s);
+    out.add("stribeck_power", ReadingKind::stribeck_power, w->stribeck_power);
+    out.add("viscous_coefficient", ReadingKind::viscous_factor, w->viscous_coefficient);
+    out.add("viscous_power", ReadingKind::viscous_power, w->viscous_power);
+  }
+}
+
+}  // namespace
+
+std::string unit_of(ReadingKind quantity) {
+  switch (quantity) {
+    case ReadingKind::gravity:
+    case ReadingKind::static_torque:
+    case ReadingKind::sweep_friction:
+    case ReadingKind::coulomb:
+    case ReadingKind::asperity_torque:
+      return "N·m";
+    case ReadingKind::peak_angle:
+      return "rad";
+    case ReadingKind::stiffness:
+      return "N·m/rad";
+    case ReadingKind::viscous:
+      return "N·m·s/rad";
+    case ReadingKind::stribeck_speed:
+      return "rad/s";
+    case ReadingKind::viscous_factor:
+      return "N·m·(s/rad)^(1−δ_v)";
+    case ReadingKind::stribeck_power:
+    case ReadingKind::viscous_power:
+      break;
+  }
+  return "";
+}
+
+std::vector<Reading> readings_of(const Calibration& c) {
+  Reader out;
+  constexpr std::array points{"A", "B", "C", "D", "E", "F"};
+  constexpr std::array averages{"AB", "CD", "EF", "midline", "sweep"};
+  read_masses(c, points.data(), points.data() + points.size(), out);
+  read_steady_points(c, out);
+  read_masses(c, averages.data(), averages.data() + averages.size(), out);
+  if (c.hysteresis.lugre) read_loop_fit(*c.hysteresis.lugre, out);
+  out.add("q_peak", ReadingKind::peak_angle, c.q_peak_rad);
+  if (c.rough.found) out.add("sweep_friction", ReadingKind::sweep_friction, c.rough.coulomb_Nm);
+  read_curve(c.friction, out);
+  return out.all();
+}
+
+const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name) {
+  const auto it = std::find_if(readings.begin(), readings.end(),
+                               [&](const Reading& r) { return r.name == name; });
+  return it == readings.end() ? nullptr : &*it;
+}
+
+std::string reading_words(const std::string& name) {
+  static const std::array<std::pair<const char*, const char*>, 19> words{
+      {{"A_steady", "A of the steady loop"},
+       {"B_steady", "B of the steady loop"},
+       {"AB", "mean of A and B"},
+       {"CD", "mean of C and D"},
+       {"EF", "mean of E and F"},
+       {"midline", "mid-line"},
+       {"sweep", "sweep fit"},
+       {"fit", "LuGre fit"},
+       {"q_peak", "gravity peak q_peak"},
+       {"bristle_stiffness", "bristle stiffness σ₀"},
+       {"static_torque", "break-away torque T_s"},
+       {"sweep_friction", "sweep friction"},
+       {"coulomb", "Coulomb torque T_c"},
+       {"viscous", "viscous coefficient c"},
+       {"asperity_torque", "asperity torque T_a"},
+       {"stribeck_speed", "Stribeck velocity ω_s"},
+       {"stribeck_power", "Stribeck power δ_a"},
+       {"viscous_coefficient", "viscous coefficient c_v"},
+       {"viscous_power", "viscous power δ_v"}}};
+  for (const auto& [key, text] : words) {
+    if (name == key) return text;
+  }
+  return "point " + name;
+}
+
+bool is_single_point(const std::string& name) {
+  return name.size() == 1 || name == "A_steady" || name == "B_steady";
+}
+
+}  // namespace tribolog

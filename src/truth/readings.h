@@ -1,0 +1,54 @@
+#pragma once
+// The numbers of a calibration that can be held against a known truth, each by a name.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+
+namespace tribolog {
+
+/// What a number is of; numbers of one kind share a unit and the bounds of what matters.
+enum class ReadingKind {
+  gravity,          ///< Gravity torque at the motor, centre of gravity level [N·m].
+  peak_angle,       ///< q_peak [rad]
+  stiffness,        ///< Bristle stiffness s0 [N·m/rad]
+  static_torque,    ///< Ts [N·m]
+  sweep_friction,   ///< Half the distance of the sweep's directions [N·m].
+  coulomb,          ///< Of the straight line over the curve [N·m].
+  viscous,          ///< Its slope [N·m·s/rad].
+  asperity_torque,  ///< Ta of eq. (6) [N·m]
+  stribeck_speed,   ///< ws of eq. (6) [rad/s]
+  stribeck_power,   ///< da of eq. (6)
+  viscous_factor,   ///< cv of eq. (6)
+  viscous_power,    ///< dv of eq. (6)
+};
+
+/// "N·m", "rad"; empty: a pure number.
+std::string unit_of(ReadingKind quantity);
+
+struct Reading {
+  /// Stable: "A" to "F" (the paper's reading), "A_steady", "B_steady" (of the steady loop), "AB",
+  /// "CD", "EF", "midline", "sweep", "fit", all of gravity; "q_peak", "bristle_stiffness",
+  /// "static_torque", "sweep_friction", "coulomb", "viscous",
+  /// "asperity_torque", "stribeck_speed", "stribeck_power", "viscous_coefficient",
+  /// "viscous_power".
+  std::string name;
+  ReadingKind quantity{ReadingKind::gravity};
+  Estimate estimate;
+};
+
+/// All that were found, in the order of the names above.
+std::vector<Reading> readings_of(const Calibration& calibration);
+
+const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name);
+
+/// "mid-line", "point B", "gravity peak", "Coulomb torque": a reading's name in words.
+std::string reading_words(const std::string& name);
+
+/// The reading is one of the paper's single points or the same point of the steady loop: it keeps
+/// the friction of its instant and is off by that, as its definition has it.
+bool is_single_point(const std::string& name);
+
+}  // namespace tribolog

@@ -1,0 +1,162 @@
+#include "truth/truth_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/parallel_for.h"
+#include "statistics/median.h"
+#include "statistics/random_stream.h"
+#include "truth/identified_joint.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::uint64_t first_recording_stream = 1ULL << 32;
+
+/// A deviation below this is of no consequence, however narrow the interval.
+double what_matters(const Reading& put_in) {
+  constexpr double angle_rad = 1e-4;  // costs 5e-9 of the gravity torque
+  constexpr double share = 1e-3;
+  constexpr double curve_share = 1e-2;  // parameters of a curve, whose errors cancel within it
+  switch (put_in.quantity) {
+    case ReadingKind::peak_angle:
+      return angle_rad;
+    case ReadingKind::gravity:
+    case ReadingKind::static_torque:
+    case ReadingKind::sweep_friction:
+      return share * std::abs(put_in.estimate.value);
+    default:
+      break;
+  }
+  return curve_share * std::abs(put_in.estimate.value);
+}
+
+/// The joint's torque with the noise of one run.
+Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run) {
+  Dataset dataset = joint.dataset;
+  RandomStream phases(seed, run);
+  std::vector<Noise::Ripple> ripple = joint.ripple;
+  for (Noise::Ripple& one : ripple) one.phase_rad = 2 * std::numbers::pi * phases.uniform();
+  const double n = dataset.manifest.drive.gear_ratio();
+  for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {
+    Recording& r = dataset.recordings[k];
+    // Streams of the recordings lie beyond those of the phases, each of its own.
+    RandomStream random(seed, first_recording_stream + run * dataset.recordings.size() + k);
+    const double step = joint.torque_step_Nm[k];
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      double& torque = r.torque_Nm[i];
+      for (const Noise::Ripple& one : ripple) {
+        torque +=
+            one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
+      }
+      if (joint.white_Nm[k] > 0) torque += joint.white_Nm[k] * random.normal();
+      if (step > 0) torque = step * std::round(torque / step);
+    }
+  }
+  return dataset;
+}
+
+ReturnedQuantity returned(const Reading& put_in, const std::vector<std::vector<Reading>>& runs) {
+  ReturnedQuantity q;
+  q.name = put_in.name;
+  q.unit = unit_of(put_in.quantity);
+  q.put_in = put_in.estimate.value;
+  q.came_back = q.scatter = q.half_width = nan;
+  std::vector<double> values;
+  double widths = 0;
+  std::size_t good = 0;
+  for (const std::vector<Reading>& readings : runs) {
+    const Reading* back = find_reading(readings, put_in.name);
+    if (back == nullptr) continue;
+    const Estimate& e = back->estimate;
+    const bool inside = e.low <= q.put_in && q.put_in <= e.high;
+    const double off = e.value - q.put_in;
+    values.push_back(e.value);
+    widths += e.half_width();
+    q.inside += inside ? 1 : 0;
+    good += inside || std::abs(off) <= what_matters(put_in) ? 1 : 0;
+    if (e.half_width() > 0) q.in_half_widths.push_back(off / e.half_width());
+  }
+  q.found = values.size();
+  q.comes_back = 2 * q.found >= runs.size() && 2 * good >= q.found && q.found > 0;
+  if (values.empty()) return q;
+  const auto n = static_cast<double>(values.size());
+  q.half_width = widths / n;
+  q.came_back = 0;
+  for (const double value : values) q.came_back += value / n;
+  if (values.size() < 2) return q;
+  double squares = 0;
+  for (const double value : values) squares += std::pow(value - q.came_back, 2);
+  q.scatter = std::sqrt(squares / (n - 1));
+  return q;
+}
+
+std::string finding_of(const ReturnedQuantity& q, std::size_t runs) {
+  const std::string name = reading_words(q.name);
+  if (q.found == 0) {
+    return fmt::format(
+        "the method cannot find its own answer on these motions at this noise: the {} was not "
+        "found in any of {} simulations of what was identified",
+        name, runs);
+  }
+  return fmt::format(
+      "the method cannot find its own answer on these motions at this noise: of the {} {:.5g} {} "
+      "was put in, {:.5g} {} came back, and the stated interval holds it in {} of {} simulations",
+      name, q.put_in, q.unit, q.came_back, q.unit, q.inside, runs);
+}
+
+double standard_deviation(const std::vector<Noise::Ripple>& ripple) {
+  double variance = 0;
+  for (const Noise::Ripple& one : ripple) variance += one.amplitude_Nm * one.amplitude_Nm / 2;
+  return std::sqrt(variance);
+}
+
+}  // namespace
+
+const ReturnedQuantity* TruthCheckResult::find(const std::string& name) const {
+  const auto it = std::find_if(quantities.begin(), quantities.end(),
+                               [&](const ReturnedQuantity& q) { return q.name == name; });
+  return it == quantities.end() ? nullptr : &*it;
+}
+
+TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
+                                   const PlainIdentification& identify,
+                                   const TruthCheckOptions& options) {
+  TruthCheckResult out;
+  out.runs = options.runs;
+  out.seed = options.seed;
+  out.left_out = joint.left_out;
+  out.ripple_Nm = standard_deviation(joint.ripple);
+  if (!joint.dataset.recordings.empty()) {
+    out.white_Nm = median(joint.white_Nm);
+    out.torque_step_Nm = median(joint.torque_step_Nm);
+  }
+  std::vector<std::vector<Reading>> runs(options.runs);
+  parallel_for(
+      options.runs,
+      [&](std::size_t run) {
+        runs[run] = readings_of(identify(noisy(joint, options.seed, run), options.seed + run));
+      },
+      options.threads);
+  for (const Reading& put_in : joint.put_in) {
+    out.quantities.push_back(returned(put_in, runs));
+    const ReturnedQuantity& last = out.quantities.back();
+    if (!last.comes_back) out.findings.push_back({last.name, finding_of(last, options.runs)});
+  }
+  return out;
+}
+
+TruthCheckResult check_known_truth(const Dataset& dataset, const Calibration& calibration,
+                                   const PlainIdentification& identify,
+                                   const TruthCheckOptions& options) {
+  return check_known_truth(identified_joint(dataset, calibration), identify, options);
+}
+
+}  // namespace tribolog

@@ -1,0 +1,14 @@
+#pragma once
+// What the viscous curve, the runs and the sweep show beyond their numbers, for the verdict.
+
+#include <string>
+#include <vector>
+
+#include "calibration/calibration.h"
+
+namespace tribolog {
+
+/// Most important first; empty if there is nothing that a reader must know.
+std::vector<std::string> curve_findings(const Calibration& calibration);
+
+}  // namespace tribolog

@@ -1,0 +1,113 @@
+#include "wording/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tribolog::figures {
+namespace {
+
+constexpr double lopsided = 0.2;  // of the half width: more is shown as two ends
+constexpr double exact = 1e-6;
+
+std::string with_minus(std::string text) {
+  const std::size_t first = text.find('-');
+  if (first != 0) return text;
+  // "-0.00" is zero.
+  if (text.find_first_of("123456789") == std::string::npos) return text.substr(1);
+  std::string minus = "−";
+  return minus.append(text, 1, std::string::npos);
+}
+
+std::string fixed(double value, int decimals) {
+  return with_minus(fmt::format("{:.{}f}", value, decimals));
+}
+
+/// Decimals that show `step` with so many significant digits.
+int decimals_for(double step, int digits) {
+  // Through the printed form, so that 0.99996 to three digits is 1.00 and not 1.000.
+  const std::string printed = fmt::format("{:.{}e}", std::abs(step), digits - 1);
+  const int exponent = std::stoi(printed.substr(printed.find('e') + 1));
+  return std::clamp(digits - 1 - exponent, 0, 12);
+}
+
+bool printable_in_full(double value) {
+  return value == 0.0 || (std::abs(value) < 1e9 && std::abs(value) >= 1e-9);
+}
+
+/// Whether an interval says how the value is to be rounded. One of a millionth is a computer's.
+bool worth_showing(double half, double value) {
+  return half > exact * std::abs(value) && printable_in_full(half) && half != 0.0 &&
+         printable_in_full(value);
+}
+
+std::string joined(const std::string& number, const std::string& unit) {
+  if (unit.empty() || unit == "°") return number + unit;
+  return number + " " + unit;
+}
+
+}  // namespace
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return "unknown";
+  if (!printable_in_full(value)) return with_minus(fmt::format("{:.{}e}", value, digits - 1));
+  return fixed(value, value == 0.0 ? 0 : decimals_for(value, digits));
+}
+
+std::string to_place(double value, double largest, int digits) {
+  if (!std::isfinite(value)) return "unknown";
+  if (!printable_in_full(largest) || largest == 0.0) return significant(value, digits);
+  return fixed(value, decimals_for(largest, digits));
+}
+
+std::string with_unit(double si_value, const AxisScale& scale, int digits) {
+  return joined(significant(scale(si_value), digits), scale.unit);
+}
+
+std::string size_words(double si_size, double floor, const std::string& si_unit) {
+  const auto scale_of = [&](double size) {
+    return si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, size);
+  };
+  if (std::abs(si_size) < floor) return "below " + with_unit(floor, scale_of(floor), 1);
+  return with_unit(si_size, scale_of(si_size), 2);
+}
+
+std::string with_interval(const Estimate& estimate, const AxisScale& scale) {
+  const double value = scale(estimate.value);
+  const double below = value - scale(estimate.low);
+  const double above = scale(estimate.high) - value;
+  const double half = (below + above) / 2;
+  if (!std::isfinite(value)) return "unknown";
+  if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
+  const int decimals = decimals_for(half, 2);
+  const std::string number = joined(fixed(value, decimals), scale.unit);
+  if (std::abs(above - below) > lopsided * half) {
+    return fmt::format("{} ({} to {})", number, fixed(value - below, decimals),
+                       fixed(value + above, decimals));
+  }
+  if (scale.unit == "°") return number + " ± " + fixed(half, decimals) + "°";
+  return joined(fixed(value, decimals) + " ± " + fixed(half, decimals), scale.unit);
+}
+
+std::string rounded(const Estimate& estimate, const AxisScale& scale) {
+  const double value = scale(estimate.value);
+  const double half = std::abs(estimate.half_width() * scale.factor);
+  if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
+  return joined(fixed(value, decimals_for(half, 1)), scale.unit);
+}
+
+std::string counted(std::size_t count, const std::string& singular) {
+  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace tribolog::figures

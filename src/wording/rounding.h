@@ -1,0 +1,64 @@
+#pragma once
+// The program's rounding rules: an interval decides how many digits of an estimate mean anything.
+//
+// The half width is printed to two significant digits and the estimate to the same decimal place:
+// 3.88318571 with a half width of 0.00431 reads "3.8832 ± 0.0043". No estimate gets more than
+// seven significant digits; where the interval is narrower than the last of them, the half width
+// reads "< 0.000001". Minus signs are U+2212. Nothing here depends on the locale.
+
+#include <cstddef>
+#include <string>
+
+#include "statistics/estimate.h"
+
+namespace tribolog::report {
+
+/// How an SI number is shown: `number * factor` in `unit`.
+struct Scale {
+  double factor{1.0};
+  std::string unit;
+};
+
+/// An estimate as text, all parts rounded to the same decimal place and without the unit.
+struct RoundedEstimate {
+  std::string estimate;    ///< "3.8832"; "not identified" if the value is not finite.
+  std::string half_width;  ///< "0.0043"; empty if there is no interval or it is lopsided.
+  std::string low;         ///< Empty if there is no interval, or one too narrow to print.
+  std::string high;
+  [[nodiscard]] std::string plus_minus() const;  ///< "3.8832 ± 0.0043", or the estimate alone.
+  [[nodiscard]] std::string range() const;       ///< "3.8789 … 3.8875"; empty without interval.
+};
+
+/// An interval counts as lopsided if its sides differ by more than a tenth of the half width.
+RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale);
+
+/// "3.8832 ± 0.0043 N·m"; lopsided: "3.8832 N·m (3.8789 … 3.8899)".
+std::string in_words(const Estimate& estimate, const Scale& scale);
+
+/// A hyphen in front becomes U+2212; in front of a zero it goes.
+std::string with_minus_sign(std::string digits);
+
+/// A plus in front of a number above zero, of a change or a deviation; in front of a zero none.
+std::string with_plus_sign(const std::string& number);
+
+/// Decimal places that show `half_width` to two significant digits; negative: tens, hundreds.
+int decimals_for(double half_width);
+
+/// Fixed notation with that many decimals; negative decimals round to tens, hundreds...
+/// "unknown" if the value is not finite; minus zero loses its sign.
+std::string fixed(double value, int decimals);
+
+/// So many significant digits, in fixed notation between 1e-6 and 1e9, else "1.2×10⁻⁹".
+std::string significant(double value, int digits);
+
+/// A number as somebody stated it, with up to ten significant digits and no zeros behind:
+/// "100", "9.81".
+std::string as_stated(double value);
+
+/// Value and unit: "3.883 N·m", "22.2°" (no space before the degree sign).
+std::string with_unit(const std::string& number, const std::string& unit);
+
+/// Whole number, digits in groups of three: "120 000" (narrow no-break space).
+std::string count(std::size_t value);
+
+}  // namespace tribolog::report

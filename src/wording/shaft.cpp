@@ -1,0 +1,17 @@
+#include "wording/shaft.h"
+
+namespace tribolog::figures {
+
+std::string shaft(const Manifest& manifest) {
+  return manifest.drive.gear_ratio() == 1.0 ? "joint" : "motor";
+}
+
+std::string speed_symbol(const Manifest& manifest) {
+  return manifest.drive.gear_ratio() == 1.0 ? "q\u0307" : "φ\u0307";
+}
+
+std::string speed_quantity(const Manifest& manifest) {
+  return shaft(manifest) + " speed " + speed_symbol(manifest);
+}
+
+}  // namespace tribolog::figures

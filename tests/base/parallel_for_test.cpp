@@ -1,0 +1,57 @@
+#include "base/parallel_for.h"
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace tribolog {
+namespace {
+
+TEST(ParallelFor, DoesEachPieceOnce) {
+  for (const std::size_t threads : {0U, 1U, 2U, 7U}) {
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+      std::vector<int> done(count, 0);
+      parallel_for(count, [&](std::size_t i) { ++done[i]; }, threads);
+      EXPECT_EQ(done, std::vector<int>(count, 1));
+    }
+  }
+}
+
+TEST(ParallelFor, WorksInTheCallersThreadIfOneIsAskedFor) {
+  std::set<std::thread::id> seen;
+  parallel_for(10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); }, 1);
+  EXPECT_EQ(seen, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ParallelFor, UsesAsManyThreadsAsAskedFor) {
+  // Each piece waits until the other has begun: with one thread this would never end.
+  std::atomic<int> begun{0};
+  parallel_for(
+      2,
+      [&](std::size_t) {
+        ++begun;
+        while (begun < 2) std::this_thread::yield();
+      },
+      2);
+  EXPECT_EQ(begun, 2);
+}
+
+TEST(ParallelFor, ThrowsOnWhatAPieceThrows) {
+  for (const std::size_t threads : {1U, 3U}) {
+    std::atomic<int> done{0};
+    const auto work = [&](std::size_t i) {
+      if (i == 5) throw std::runtime_error("piece 5");
+      ++done;
+    };
+    EXPECT_THROW(parallel_for(100, work, threads), std::runtime_error);
+    EXPECT_LT(done, 100);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

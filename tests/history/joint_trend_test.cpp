@@ -1,0 +1,192 @@
+#include "history/joint_trend.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "history/simulated_history.h"
+#include "history/trend_json.h"
+
+namespace tribolog::history {
+namespace {
+
+using test::simulated_history;
+using test::unchanged;
+
+const QuantityTrend& quantity(const JointTrend& trend, std::string_view name) {
+  for (const QuantityTrend& q : trend.quantities) {
+    if (q.name == name) return q;
+  }
+  throw std::logic_error(std::string(name));
+}
+
+/// Coulomb torque 8 % more from the calibration with that number on.
+test::Truth step_at(std::size_t at) {
+  return [at](const std::string& name, std::size_t k) {
+    return name == "coulomb_torque" && k >= at ? 1.08 : 1.0;
+  };
+}
+
+test::HistoryShape of_length(std::size_t calibrations) {
+  test::HistoryShape shape;
+  shape.calibrations = calibrations;
+  return shape;
+}
+
+TEST(JointTrend, TellsTheDateAndTheSizeOfAStep) {
+  const JointTrend t = joint_trends(simulated_history(3, step_at(14), of_length(24)), {}).front();
+  EXPECT_EQ(t.state(), TrendState::warning);
+  const QuantityTrend& q = quantity(t, "coulomb_torque");
+  ASSERT_EQ(q.changes.size(), 1U);
+  EXPECT_EQ(q.changes.front().from, test::utc_of_day(14 * 14));
+  EXPECT_GT(q.changes.front().alarm, q.changes.front().from);
+  EXPECT_NEAR(*q.changes.front().percent, 8, 1);
+  EXPECT_GT(q.changes.front().size.low, 0);
+  EXPECT_EQ(quantity(t, "inertia").state, TrendState::steady);
+}
+
+TEST(JointTrend, GoesByTimeAndNotByTheOrderOfArrival) {
+  auto calibrations = simulated_history(3, step_at(14), of_length(24));
+  const std::string in_time = trend_json(joint_trends(calibrations, {}));
+  std::reverse(calibrations.begin(), calibrations.end());
+  EXPECT_EQ(trend_json(joint_trends(calibrations, {})), in_time);
+}
+
+TEST(JointTrend, UnequalSpacingChangesDatesAlone) {
+  auto calibrations = simulated_history(3, step_at(14), of_length(24));
+  std::size_t day = 0;
+  for (std::size_t k = 0; k < calibrations.size(); ++k) {
+    day += 1 + 7 * (k % 5) * (k % 3);
+    calibrations[k].entry.facts.measured_at = test::utc_of_day(day);
+  }
+  const QuantityTrend q = quantity(joint_trends(calibrations, {}).front(), "coulomb_torque");
+  EXPECT_EQ(q.changes.front().from, calibrations[14].entry.facts.measured_at);
+}
+
+TEST(JointTrend, KeepsJointsApart) {
+  auto calibrations = simulated_history(3, step_at(14), of_length(24));
+  auto other = simulated_history(4, unchanged, of_length(8));
+  for (archive::Measured& m : other) m.entry.facts.of.joint = "J3";
+  calibrations.insert(calibrations.end(), other.begin(), other.end());
+  const auto trends = joint_trends(calibrations, {});
+  ASSERT_EQ(trends.size(), 2U);
+  EXPECT_EQ(trends[0].state(), TrendState::warning);
+  EXPECT_EQ(trends[1].calibrations, 8U);
+  EXPECT_EQ(trends[1].state(), TrendState::steady);
+}
+
+TEST(JointTrend, LeavesOutAndCountsWhatDoesNotBelong) {
+  auto calibrations = simulated_history(3, unchanged, of_length(20));
+  calibrations[2].quantities[0].verdict = Verdict::doubtful;
+  calibrations[2].quantities[0].estimate->value *= 3;
+  calibrations[2].quantities[0].estimate->high *= 3;
+  calibrations[5].quantities[0].verdict = Verdict::not_identifiable;
+  calibrations[5].quantities[0].estimate.reset();
+  calibrations[7].entry.facts.gear_ratio = 50;
+  calibrations[9].entry.facts.payload_kg = 5;
+  const JointTrend t = joint_trends(calibrations, {}).front();
+  const QuantityTrend& coulomb = quantity(t, "coulomb_torque");
+  EXPECT_EQ(coulomb.count(LeftOut::not_usable), 1U);
+  EXPECT_EQ(coulomb.without_estimate, 1U);
+  EXPECT_EQ(coulomb.count(LeftOut::other_gear), 1U);
+  EXPECT_EQ(coulomb.count(LeftOut::other_payload), 0U);
+  EXPECT_EQ(coulomb.count(LeftOut::none), 17U);
+  EXPECT_EQ(coulomb.learned + coulomb.judged, 17U);
+  EXPECT_EQ(quantity(t, "gravity_torque").count(LeftOut::other_payload), 1U);
+  EXPECT_EQ(t.state(), TrendState::steady);
+}
+
+TEST(JointTrend, FewCalibrationsSaySo) {
+  const JointTrend t = joint_trends(simulated_history(3, step_at(3), of_length(6)), {}).front();
+  EXPECT_EQ(t.state(), TrendState::too_few);
+  EXPECT_EQ(t.watched, 0U);
+  EXPECT_FALSE(quantity(t, "coulomb_torque").points.front().chart.is_judged);
+}
+
+TEST(JointTrend, BaselineByCountAndByDate) {
+  const auto calibrations = simulated_history(3, step_at(14), of_length(30));
+  Baseline ten;
+  ten.count = 10;
+  EXPECT_EQ(quantity(joint_trends(calibrations, ten).front(), "coulomb_torque").learned, 10U);
+  Baseline dates;
+  dates.from = test::utc_of_day(14 * 14).substr(0, 10);
+  dates.to = test::utc_of_day(14 * 21).substr(0, 10);
+  const JointTrend of_dates = joint_trends(calibrations, dates).front();
+  const QuantityTrend& later = quantity(of_dates, "coulomb_torque");
+  EXPECT_EQ(later.count(LeftOut::before_baseline), 14U);
+  EXPECT_EQ(later.learned, 8U);
+  EXPECT_EQ(later.state, TrendState::steady) << "the step lies before";
+  Baseline short_one;
+  short_one.count = 3;
+  EXPECT_THROW(joint_trends(calibrations, short_one), UsageError);
+  Baseline no_date;
+  no_date.from = "last spring";
+  EXPECT_THROW(joint_trends(calibrations, no_date), UsageError);
+}
+
+TEST(JointTrend, TemperatureThatHardlyVariedIsNotCorrectedFor) {
+  test::HistoryShape shape = of_length(20);
+  for (std::size_t k = 0; k < 20; ++k) {
+    shape.temperature_C.push_back(25 + 0.05 * static_cast<double>(k % 4));
+  }
+  const JointTrend t = joint_trends(simulated_history(3, unchanged, shape), {}).front();
+  EXPECT_EQ(quantity(t, "coulomb_torque").temperature, TemperatureUse::too_even);
+  EXPECT_EQ(quantity(t, "coulomb_torque").reference->slope_per_K, 0);
+  const JointTrend blind = joint_trends(simulated_history(3, unchanged, of_length(20)), {}).front();
+  EXPECT_EQ(quantity(blind, "coulomb_torque").temperature, TemperatureUse::not_recorded);
+}
+
+TEST(JointTrend, WarmingAlongWithTimeIsACaution) {
+  test::HistoryShape shape = of_length(20);
+  for (std::size_t k = 0; k < 20; ++k) {
+    shape.temperature_C.push_back(20 + static_cast<double>(k));
+  }
+  const JointTrend t = joint_trends(simulated_history(3, unchanged, shape), {}).front();
+  ASSERT_EQ(t.cautions.size(), 1U);
+  EXPECT_NE(t.cautions.front().find("went together"), std::string::npos);
+}
+
+TEST(JointTrend, ASlowDriftIsToldAsOne) {
+  test::HistoryShape shape = of_length(24);
+  shape.noise = {0.004, 0.004};
+  const auto drift = [](const std::string& name, std::size_t k) {
+    return name == "coulomb_torque" ? 1 - 0.02 * static_cast<double>(k) / 23 : 1;
+  };
+  const auto trends = joint_trends(simulated_history(5, drift, shape), {});
+  const QuantityTrend& coulomb = quantity(trends.front(), "coulomb_torque");
+  ASSERT_EQ(coulomb.state, TrendState::warning);
+  ASSERT_EQ(coulomb.changes.size(), 1U);
+  const FoundChange& change = coulomb.changes.front();
+  EXPECT_TRUE(change.is_slow);
+  EXPECT_EQ(change.direction, -1);
+  EXPECT_LT(change.size.low, -0.02 * 0.45);
+  EXPECT_GT(change.size.high, -0.02 * 0.45);
+  ASSERT_TRUE(change.percent);
+  EXPECT_NEAR(*change.percent, -2, 1);
+  EXPECT_NEAR(change.drift_start, 0.45, 0.01);
+  EXPECT_EQ(change.from, coulomb.points.front().measured_at);
+  const auto json = nlohmann::json::parse(trend_json(trends));
+  const auto& told = json["joints"][0]["quantities"][0]["changes"][0];
+  EXPECT_EQ(told["kind"], "drift");
+  EXPECT_EQ(told["since"], change.from);
+  EXPECT_EQ(told["visible_from"], change.alarm);
+}
+
+TEST(JointTrend, JsonHoldsItAll) {
+  const auto json = nlohmann::json::parse(
+      trend_json(joint_trends(simulated_history(3, step_at(14), of_length(24)), {})));
+  EXPECT_EQ(json["schema"], "tribolog-archive-trend-1");
+  EXPECT_EQ(json["joints"][0]["state"], "warning");
+  const auto& coulomb = json["joints"][0]["quantities"][0];
+  EXPECT_EQ(coulomb["changes"][0]["visible_from"], test::utc_of_day(14 * 14));
+  EXPECT_TRUE(coulomb["changes"][0]["back_from"].is_null());
+  EXPECT_EQ(coulomb["points"].size(), 24U);
+  EXPECT_TRUE(coulomb["points"][0]["score"].is_null());
+  EXPECT_TRUE(coulomb["points"][20]["score"].is_number());
+}
+
+}  // namespace
+}  // namespace tribolog::history

@@ -1,0 +1,43 @@
+// A false alarm is as bad as a miss: the examples raise only what is true of them.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "identify/pipeline.h"
+#include "ingest/manifest/scenario_file.h"
+#include "method/checks/data_checks.h"
+#include "simulate/simulated_dataset.h"
+#include "support/check_findings.h"
+#include "support/paper_joint.h"
+
+namespace tribolog {
+namespace {
+
+using test::findings_of;
+
+std::vector<std::string> findings_in_example(const std::string& name) {
+  const Dataset dataset = simulated_dataset(
+      read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name));
+  return findings_of(identify(dataset).data_checks);
+}
+
+TEST(NoFalseAlarm, InThePapersJointCleanAndNoisy) {
+  EXPECT_EQ(findings_in_example("scenario.toml"), std::vector<std::string>{});
+  EXPECT_EQ(findings_in_example("scenario_noise.toml"), std::vector<std::string>{});
+}
+
+TEST(NoFalseAlarm, RippleAtOnePositionIsAllThatIsWrongWithTheRipplingOne) {
+  EXPECT_EQ(findings_in_example("scenario_ripple.toml"), std::vector<std::string>{"torque_ripple"});
+}
+
+TEST(NoFalseAlarm, OverTwentySeedsOfNoise) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Dataset dataset = simulated_dataset(test::noisy_paper_joint(seed));
+    EXPECT_EQ(findings_of(check_recordings(dataset)), std::vector<std::string>{}) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,94 @@
+// The promises on the paper's joint, noise-free: simulate, identify, compare with the truth and
+// with what the paper prints.
+
+#include "support/paper_joint.h"
+
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "identify/pipeline.h"
+
+namespace tribolog {
+namespace {
+
+class PaperJoint : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    dataset_ = new Dataset(test::simulated_dataset(test::paper_joint()));
+    calibration_ = new Calibration(identify(*dataset_));
+  }
+  static void TearDownTestSuite() {
+    delete calibration_;
+    delete dataset_;
+  }
+  static const Calibration& c() { return *calibration_; }
+
+ private:
+  static Dataset* dataset_;
+  static Calibration* calibration_;
+};
+
+Dataset* PaperJoint::dataset_ = nullptr;
+Calibration* PaperJoint::calibration_ = nullptr;
+
+TEST_F(PaperJoint, SixMassesWithinHalfAPercentOfTable2) {
+  const std::pair<const char*, double> table_2[] = {{"A", 79.999}, {"B", 78.811}, {"C", 97.023},
+                                                    {"D", 61.009}, {"E", 75.494}, {"F", 82.785}};
+  for (const auto& [estimator, mass] : table_2) {
+    const SurrogateMass* ours = c().masses.find(estimator);
+    ASSERT_NE(ours, nullptr) << estimator;
+    EXPECT_NEAR(ours->mass_kg.value / mass, 1, 0.005) << estimator;
+  }
+}
+
+TEST_F(PaperJoint, ThePaperSelectsB) {
+  EXPECT_EQ(c().selection.paper_rule, "B");
+  EXPECT_TRUE(c().selection.paper_rule_rivals.empty());
+}
+
+TEST_F(PaperJoint, MidlineGivesTheTrueMass) {
+  EXPECT_EQ(c().selection.recommended, "midline");
+  EXPECT_NEAR(c().masses.find("midline")->mass_kg.value / test::true_surrogate_mass_kg, 1, 1e-4);
+}
+
+TEST_F(PaperJoint, AnglesOfTheCentreOfGravity) {
+  EXPECT_NEAR(c().precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
+  EXPECT_NEAR(c().rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-4);
+  EXPECT_NEAR(c().rough.argmax_rad, test::true_q_peak_rad(), 1e-4);
+  EXPECT_NEAR(c().selection.q_c_rad->value, 0.388019, 1e-6);
+}
+
+TEST_F(PaperJoint, CorrectedAngleIsTheAngleAtThePointChosen) {
+  // Eq. (14): q_c less the micro-angle at which B was read.
+  const LoopPoint& b = c().hysteresis.points[1];
+  ASSERT_TRUE(c().selection.q_c_corrected_rad);
+  EXPECT_NEAR(*c().selection.q_c_corrected_rad, -b.q_rad, 1e-12);
+  EXPECT_GT(c().selection.q_c_rad->value - *c().selection.q_c_corrected_rad, 0);
+  EXPECT_LT(c().selection.q_c_rad->value - *c().selection.q_c_corrected_rad, 1e-4);
+}
+
+TEST_F(PaperJoint, ViscousParametersComeBack) {
+  ASSERT_TRUE(c().friction.waiboer);
+  EXPECT_NEAR(c().friction.waiboer->asperity_torque_Nm.value, 0.8844, 1e-3);
+  EXPECT_NEAR(c().friction.waiboer->stribeck_speed_rad_s.value, 5, 1e-2);
+  EXPECT_NEAR(c().friction.waiboer->viscous_power.value, 0.6, 1e-3);
+}
+
+TEST_F(PaperJoint, EveryStageIsDoneAndTheVerdictIsUsable) {
+  for (const StageReport& stage : c().stages()) {
+    EXPECT_EQ(stage.state, StageState::done) << stage.name << ": " << stage.reason;
+  }
+  EXPECT_EQ(c().judgement.verdict, Verdict::usable);
+}
+
+TEST_F(PaperJoint, EveryIntervalHoldsItsEstimate) {
+  for (const SurrogateMass& m : c().masses.masses) {
+    EXPECT_LE(m.mass_kg.low, m.mass_kg.value);
+    EXPECT_GE(m.mass_kg.high, m.mass_kg.value);
+  }
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,118 @@
+// The reference that needs no knowledge beforehand, against the true curve of a simulated joint.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "identify/pipeline.h"
+#include "support/paper_joint.h"
+
+namespace tribolog {
+namespace {
+
+/// Calibration of the same data without the true curve.
+Calibration identify_blind(Dataset dataset) {
+  dataset.manifest.reference.reset();
+  return identify(dataset);
+}
+
+TEST(QualityWithoutTruth, ReferenceAgreesWithTheTrueCurveWithinItsInterval) {
+  constexpr std::uint64_t seeds = 20;
+  const WaiboerFriction truth = test::paper_curve();
+  int covered = 0;
+  int all = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Calibration c = identify_blind(test::simulated_dataset(test::noisy_paper_joint(seed)));
+    ASSERT_EQ(c.quality.reference, "direction_difference");
+    for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
+      const ConstantSpeedRun& run = c.viscous.runs[i];
+      if (run.speed_rad_s < 0) continue;  // partners share one reference
+      const double error = std::abs(c.quality.reference_Nm[i] - truth.torque_Nm(run.speed_rad_s));
+      covered += error <= c.quality.reference_half_width_Nm[i];
+      ++all;
+      EXPECT_LT(error, 0.01) << run.speed_rad_s;  // 1 % of the friction, far below a candidate's
+    }
+  }
+  RecordProperty("covered", covered);
+  RecordProperty("all", all);
+  EXPECT_GE(covered, 0.90 * all);
+}
+
+TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
+  constexpr std::uint64_t seeds = 20;
+  int same = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(seed));
+    const Calibration sighted = identify(dataset);
+    const Calibration blind = identify_blind(dataset);
+    EXPECT_EQ(sighted.quality.reference, "analytic");
+    EXPECT_EQ(sighted.quality.reference_rms_percent, 0);
+    EXPECT_EQ(sighted.selection.recommended, blind.selection.recommended);
+    same += sighted.selection.paper_rule == blind.selection.paper_rule;
+    EXPECT_GT(blind.quality.reference_rms_percent, 0);
+    EXPECT_NE(blind.quality.evidence.find("no evidence"), std::string::npos)
+        << blind.quality.evidence;
+    for (const QualityError& e : sighted.quality.errors) {
+      const double other = blind.quality.find(e.estimator)->rms_percent;
+      EXPECT_NEAR(other, e.rms_percent, std::max(0.05, 2 * blind.quality.reference_rms_percent));
+    }
+  }
+  EXPECT_GE(same, 18);
+}
+
+// The limit of the reference: it is the mean of both directions. An offset of the torque signal
+// shifts every candidate by the same amount, and the asymmetry says so.
+TEST(QualityWithoutTruth, AsymmetricFrictionIsSeenBesideIt) {
+  constexpr double offset_Nm = 0.15;
+  Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(5));
+  const Calibration even = identify_blind(dataset);
+  EXPECT_FALSE(even.direction_asymmetry.found) << even.direction_asymmetry.sentence;
+  for (Recording& r : dataset.recordings) {
+    if (r.role != Role::constant_speed) continue;
+    for (double& torque : r.torque_Nm) torque += offset_Nm;
+  }
+  const Calibration odd = identify_blind(dataset);
+  ASSERT_TRUE(odd.direction_asymmetry.examined);
+  EXPECT_TRUE(odd.direction_asymmetry.found) << odd.direction_asymmetry.sentence;
+  EXPECT_NEAR(odd.direction_asymmetry.mean_Nm.value, offset_Nm, 0.01);
+  for (std::size_t i = 0; i < even.quality.reference_Nm.size(); ++i) {
+    EXPECT_NEAR(odd.quality.reference_Nm[i], even.quality.reference_Nm[i], 1e-9);
+  }
+}
+
+// Runs whose directions share no angle have no such reference.
+TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
+  Dataset dataset = test::simulated_dataset(test::paper_joint());
+  dataset.manifest.reference.reset();
+  std::vector<Recording> cut;
+  for (const Recording& r : dataset.recordings) {
+    if (r.role != Role::constant_speed) {
+      cut.push_back(r);
+      continue;
+    }
+    // The way back becomes a recording of its own, moved beyond the way there.
+    const auto top = static_cast<std::size_t>(std::max_element(r.q_rad.begin(), r.q_rad.end()) -
+                                              r.q_rad.begin());
+    for (const bool back : {false, true}) {
+      Recording part;
+      part.name = r.name;
+      part.role = r.role;
+      for (std::size_t i = back ? top : 0; i < (back ? r.size() : top); ++i) {
+        part.t_s.push_back(r.t_s[i]);
+        part.q_rad.push_back(r.q_rad[i] + (back ? 1.5 : 0.0));
+        part.torque_Nm.push_back(r.torque_Nm[i]);
+      }
+      cut.push_back(std::move(part));
+    }
+  }
+  dataset.recordings = std::move(cut);
+  const Calibration c = identify(dataset);
+  EXPECT_TRUE(c.quality.reference.empty());
+  EXPECT_NE(c.quality.stage.reason.find("the directions share no angle"), std::string::npos)
+      << c.quality.stage.reason;
+  EXPECT_NE(c.quality.stage.reason.find("both directions over the same angles"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tribolog

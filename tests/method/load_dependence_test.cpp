@@ -1,0 +1,126 @@
+// Friction that grows with the load: found again where it is, refused where it is not.
+
+#include "method/viscous/load_dependence.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "method/gravity/cog_sweep.h"
+#include "statistics/random_stream.h"
+
+namespace tribolog {
+namespace {
+
+constexpr double gravity_Nm = 100.0;
+constexpr double coulomb_Nm = 11.0;
+constexpr double viscous_Nms_rad = 18.0;
+constexpr double q_peak_rad = 0.0;
+
+/// Sines of 1 rad about an angle without load, as the UR10e's; `per_load` of the gravity torque is
+/// friction.
+Recording sine(double per_load, double noise_Nm, std::uint64_t seed, double centre_rad) {
+  RandomStream random(seed, 0);
+  Recording r;
+  r.role = Role::rough_sweep;
+  constexpr double w = 2 * std::numbers::pi * 0.1;
+  for (int i = 0; i < 5000; ++i) {
+    const double t = 0.01 * i;
+    const double q = centre_rad + std::sin(w * t);
+    const double v = w * std::cos(w * t);
+    const double gravity = gravity_Nm * std::cos(q - q_peak_rad);
+    const double sign = v > 0 ? 1.0 : -1.0;
+    r.t_s.push_back(t);
+    r.q_rad.push_back(q);
+    r.torque_Nm.push_back(gravity + 0.7 + sign * (coulomb_Nm + per_load * std::abs(gravity)) +
+                          viscous_Nms_rad * v - 15 * w * w * std::sin(w * t) +
+                          noise_Nm * random.normal());
+  }
+  return r;
+}
+
+struct Result {
+  CogSweepResult sweep;
+  LoadDependenceResult load;
+};
+
+Result identify(const Recording& r) {
+  Result out;
+  out.sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+  out.load = identify_load_dependence(out.sweep, out.sweep.q_peak_rad, 1.0);
+  return out;
+}
+
+constexpr double no_load_rad = std::numbers::pi / 2;
+
+TEST(LoadDependence, IsFoundAgain) {
+  const Recording r = sine(0.06, 1.5, 1, no_load_rad);
+  const Result found = identify(r);
+  ASSERT_TRUE(found.load.found) << found.load.sentence;
+  EXPECT_NEAR(found.load.per_load.value, 0.06, 0.006);
+  EXPECT_NEAR(found.load.unloaded_Nm.value, coulomb_Nm, 0.5);
+  ASSERT_TRUE(found.load.viscous_Nms_rad);
+  EXPECT_NEAR(found.load.viscous_Nms_rad->value, viscous_Nms_rad, 1.0);
+  EXPECT_LT(found.load.held_out_Nm, 0.5 * found.load.held_out_without_load_Nm);
+  // The sweep takes the same term up, and its Coulomb torque is that of the mean load.
+  ASSERT_TRUE(found.sweep.load_coulomb_Nm);
+  EXPECT_NEAR(found.sweep.load_coulomb_Nm->value, 6.0, 0.5);
+  EXPECT_NEAR(found.sweep.unloaded_coulomb_Nm->value, coulomb_Nm, 0.5);
+  EXPECT_GT(found.sweep.coulomb_Nm->value, coulomb_Nm + 2);
+  // In a sine inertia and gravity look nearly alike.
+  EXPECT_NEAR(found.sweep.gravity_Nm.value, gravity_Nm, 0.02 * gravity_Nm);
+}
+
+// Without the term the regression lays the load's share on inertia, speed and gravity.
+TEST(LoadDependence, CoversAndIsRefusedWhereItIsNot) {
+  constexpr int seeds = 100;
+  int covered = 0;
+  int falsely_found = 0;
+  int falsely_taken_up = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Recording loaded = sine(0.06, 1.5, seed, no_load_rad);
+    const Result with = identify(loaded);
+    covered += with.load.per_load.low <= 0.06 && 0.06 <= with.load.per_load.high;
+    const Recording plain = sine(0, 1.5, 1000 + seed, no_load_rad);
+    const Result without = identify(plain);
+    falsely_found += without.load.found;
+    falsely_taken_up += without.sweep.load_coulomb_Nm.has_value();
+  }
+  RecordProperty("covered", covered);
+  RecordProperty("falsely_found", falsely_found);
+  RecordProperty("falsely_taken_up", falsely_taken_up);
+  EXPECT_GE(covered, 88);
+  EXPECT_LE(falsely_found, 10);
+  EXPECT_LE(falsely_taken_up, 10);
+}
+
+TEST(LoadDependence, LittleChangeOfLoadIsSaid) {
+  Recording r = sine(0.06, 0.1, 1, q_peak_rad);
+  for (std::size_t i = 0; i < r.size(); ++i) {  // a tenth of the stroke, all near the peak
+    const double q = r.q_rad[i];
+    r.torque_Nm[i] += gravity_Nm * (std::cos(q / 10) - std::cos(q));
+    r.q_rad[i] = q / 10;
+  }
+  const Result at_peak = identify(r);
+  EXPECT_FALSE(at_peak.load.examined);
+  EXPECT_FALSE(at_peak.load.sentence.empty());
+}
+
+TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
+  Recording r = sine(0, 0.5, 3, no_load_rad);
+  // Stops within 0.05 s in full motion, with the torque that this takes.
+  const double q_end = r.q_rad.back();
+  const double t_end = r.t_s.back();
+  for (int i = 1; i <= 30; ++i) {
+    r.t_s.push_back(t_end + 0.01 * i);
+    r.q_rad.push_back(q_end + (i < 5 ? 0.003 * i : 0.015));
+    r.torque_Nm.push_back(i < 8 ? -300.0 : gravity_Nm * std::cos(q_end));
+  }
+  const CogSweepResult sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+  EXPECT_NEAR(sweep.gravity_Nm.value, gravity_Nm, 1.0);
+  EXPECT_NEAR(sweep.q_peak_rad.value, q_peak_rad, 0.01);
+}
+
+}  // namespace
+}  // namespace tribolog

@@ -1,0 +1,168 @@
+#include "report/fleet_page.h"
+
+#include <gtest/gtest.h>
+
+#include "base/temporary_directory.h"
+#include "history/sample_fleet.h"
+#include "report/sparkline.h"
+#include "support/run_program.h"
+
+namespace tribolog::archive {
+namespace {
+
+using test::measured_fleet;
+
+Provenance sample_provenance() {
+  Provenance p;
+  p.tool_version = "0.1.0";
+  p.created_utc = "2026-12-24T12:00:00Z";
+  p.command_line = "tribolog archive fleet";
+  return p;
+}
+
+std::string page_of(const std::vector<Measured>& measured, const FleetLinks& links = {}) {
+  return fleet_page(fleet_of(measured), links, "a.tribolog", sample_provenance());
+}
+
+std::vector<Measured> one_worn(const test::FleetSize& size) {
+  std::vector<Measured> all = measured_fleet(size, 11);
+  auto& latest = all[static_cast<std::size_t>(size.calibrations) - 1];
+  latest.quantities[7].estimate = scaled(*latest.quantities[7].estimate, 1.5);
+  return all;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(FleetPage, OfFiveHundredRobotsStaysUnderTenMegabytes) {
+  const std::string page = page_of(one_worn({500, 6, 10}));
+  constexpr std::size_t most_bytes = 10'000'000;
+  EXPECT_LT(page.size(), most_bytes);
+  EXPECT_EQ(count_of(page, "<section class=\"robot\">"), 500U);
+  EXPECT_EQ(count_of(page, "<tr><th scope=\"row\">"), 3000U);
+  // A picture for each result, of the outliers a second one, and that of the explanation.
+  EXPECT_GE(count_of(page, "<svg"), 30'000U + 2U);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find("content-visibility: auto"), std::string::npos);
+}
+
+TEST(FleetPage, ShowsTheOutlierFirst) {
+  const std::string page = page_of(one_worn({20, 2, 6}));
+  EXPECT_NE(page.find("1 of 40 joints stand out"), std::string::npos);
+  ASSERT_EQ(count_of(page, "<article class=\"outlier\">"), 1U);
+  const std::string card =
+      page.substr(page.find("<article"), page.find("</article>") - page.find("<article"));
+  for (const char* part : {"<bdi>J1</bdi>", "R1000 · S1000", "<b>Coulomb torque</b>",
+                           "against 19 other robots", "against 5 earlier ones of its own"}) {
+    EXPECT_NE(card.find(part), std::string::npos) << part << " in\n" << card;
+  }
+  EXPECT_LT(page.find("<article"), page.find("id=\"robots\""));
+  const std::string first = page.substr(page.find("<section class=\"robot\">"), 80);
+  EXPECT_NE(first.find("R1000"), std::string::npos) << first;
+  EXPECT_EQ(count_of(page, "class=\"out\""), 1U);
+  const std::string none = page_of(measured_fleet({20, 2, 6}, 12));
+  EXPECT_NE(none.find("NO OUTLIER"), std::string::npos);
+  EXPECT_NE(page_of({}).find("NOTHING TO COMPARE"), std::string::npos);
+}
+
+TEST(FleetPage, LinksToReportsThatAreThere) {
+  const std::vector<Measured> all = one_worn({8, 1, 5});
+  const std::string id = all[4].entry.id;
+  const FleetLinks links{{id}, "reports \"of\" <all>%:javascript"};
+  const std::string page = page_of(all, links);
+  const std::string href =
+      "href=\"reports%20%22of%22%20%3Call%3E%25%3Ajavascript/" + id + ".html\"";
+  EXPECT_EQ(count_of(page, href), 2U);  // its card and its row
+  EXPECT_EQ(count_of(page, "<a href="), 2U);
+  const std::string command = "tribolog archive report " + id.substr(0, shown_digits) + " -o ";
+  EXPECT_EQ(page.find(command), std::string::npos);
+  const std::string without = page_of(all);
+  EXPECT_EQ(count_of(without, "<a href="), 0U);
+  EXPECT_NE(without.find(command), std::string::npos);
+}
+
+TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
+  std::vector<Measured> all = measured_fleet({1, 2, 1}, 13);
+  // The first joint without its inertia, and with a doubtful Coulomb torque.
+  all[0].quantities[6].estimate.reset();
+  all[0].quantities[7].verdict = Verdict::doubtful;
+  // Of the second, the data do not show the mass: the number that is there is none.
+  all[1].quantities[2].verdict = Verdict::not_identifiable;
+  const std::string page = page_of(all);
+  EXPECT_EQ(count_of(page, "<thead><tr>"), 1U);
+  EXPECT_EQ(count_of(page, "<th scope=\"col\">"), 11U);
+  EXPECT_EQ(count_of(page, "<td"), 20U);
+  EXPECT_EQ(count_of(page, "<td></td>"), 2U);
+  EXPECT_EQ(count_of(page, "<td class=\"doubt\" data-name=\"Coulomb torque\">"), 1U);
+  const std::string first = page.substr(page.find("<tr><th scope=\"row\">"));
+  const std::string row = first.substr(0, first.find("</tr>"));
+  // A quantity that one joint alone has comes behind those of the first joint.
+  EXPECT_LT(row.find("data-name=\"Bristle damping\""), row.find("data-name=\"Coulomb torque\""));
+  EXPECT_EQ(row.find("data-name=\"Inertia\""), std::string::npos);
+}
+
+TEST(FleetPage, HostileNamesAreText) {
+  std::vector<Measured> all = one_worn({8, 1, 5});
+  for (std::size_t k = 0; k < 5; ++k) {
+    all[k].entry.facts.of = {"<script>alert(1)</script>{{ROBOT}}", "\"><img src=x>\xe2\x80\xae",
+                             "../../" + std::string(10000, 'J')};
+    all[k].quantities[7].words = "' onmouseover='x";
+    all[k].quantities[7].unit = "</style><script>";
+  }
+  const std::string page = page_of(all);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find("' onmouseover="), std::string::npos);
+  EXPECT_EQ(page.find("\xe2\x80\xae"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;{{ROBOT}}"), std::string::npos);
+  EXPECT_NE(page.find("[U+202E]"), std::string::npos);
+}
+
+TEST(FleetPage, IsWellFormed) {
+  const test::TemporaryDirectory directory;
+  const std::string page = directory.file("page.html", page_of(one_worn({8, 2, 5})));
+  const std::string script = directory.file("check.py", R"(
+import sys
+from html.parser import HTMLParser
+void = {'meta', 'br', 'path', 'link', 'img', 'circle'}
+class Check(HTMLParser):
+    stack = []
+    def handle_starttag(self, tag, attributes):
+        if tag not in void: self.stack.append(tag)
+    def handle_startendtag(self, tag, attributes): pass
+    def handle_endtag(self, tag):
+        assert self.stack and self.stack.pop() == tag, (tag, self.getpos())
+check = Check()
+check.feed(open(sys.argv[1], encoding='utf-8').read())
+assert not check.stack, check.stack
+)");
+  const auto run = test::run_shell("python3 '" + script + "' '" + page + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST(Sparkline, ShowsWhereTheLatestLies) {
+  const Fleet fleet = fleet_of(one_worn({8, 1, 5}));
+  const FleetCell& worn = fleet.robots[0].joints[0].cells[7];
+  const Sparkline line = sparkline_of(worn, fleet);
+  int x = 0;
+  int y = 0;
+  ASSERT_EQ(std::sscanf(line.latest.c_str(), "M%d %dh0", &x, &y), 2);
+  int top = 0;
+  int height = 0;
+  ASSERT_EQ(std::sscanf(line.band.c_str(), "M0 %dh184v%dH0z", &top, &height), 2) << line.band;
+  EXPECT_LT(y, top);  // above the band
+  EXPECT_GT(height, 0);
+  EXPECT_LE(top + height, sparkline_height);
+  const FleetCell& calm = fleet.robots[1].joints[0].cells[7];
+  const Sparkline quiet = sparkline_of(calm, fleet);
+  ASSERT_EQ(std::sscanf(quiet.latest.c_str(), "M%d %dh0", &x, &y), 2);
+  ASSERT_EQ(std::sscanf(quiet.band.c_str(), "M0 %dh184v%d", &top, &height), 2);
+  EXPECT_GT(y, top);
+  EXPECT_LT(y, top + height);
+}
+
+}  // namespace
+}  // namespace tribolog::archive

@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""The rooms of src/ and render/: one folder, one CMake target, and no circle between them.
+
+  rooms.py circles          no folder needs one that needs it, on whatever way round
+  rooms.py lists            each room's CMakeLists.txt has all of its sources, and names the rooms
+                            that it includes and no other: PUBLIC for its headers, PRIVATE for its
+                            sources alone
+  rooms.py walls BUILD      the compiler finds no header of a room that is not named: one unit of each
+                            room is asked for every header there is
+  rooms.py graph            the rooms and what each needs, for `dot`
+
+Prints what is wrong; exit status 1 if anything is. Environment: TRIBOLOG_ROOMS, another tree than
+this one."""
+
+import collections
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(os.environ.get("TRIBOLOG_ROOMS") or pathlib.Path(__file__).parents[2]).resolve()
+INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
+CALL = re.compile(r"\btribolog_(room|module)\(([^)]*)\)")
+
+
+def room_of(header):
+    return header.rpartition("/")[0]
+
+
+def read_rooms():
+    """Room -> its files, as they are included."""
+    rooms = collections.defaultdict(dict)
+    for top in ("src", "render"):
+        base = ROOT / "src" if top == "src" else ROOT
+        for path in sorted((ROOT / top).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                name = path.relative_to(base).as_posix()
+                rooms[room_of(name)][name] = path.read_text()
+    return rooms
+
+
+def needs(rooms):
+    """(room, needed room) -> the files that include it."""
+    headers = {name for files in rooms.values() for name in files}
+    edges = collections.defaultdict(list)
+    for room, files in rooms.items():
+        for name, text in files.items():
+            for header in INCLUDE.findall(text):
+                if header in headers and room_of(header) != room:
+                    edges[room, room_of(header)].append((name, header))
+    return edges
+
+
+def circles(rooms):
+    edges = needs(rooms)
+    after = collections.defaultdict(set)
+    for room, other in edges:
+        after[room].add(other)
+    state, way, found = {}, [], []
+
+    def walk(room):
+        state[room] = "open"
+        way.append(room)
+        for other in sorted(after[room]):
+            if state.get(other) == "open":
+                found.append(way[way.index(other):] + [other])
+            elif other not in state:
+                walk(other)
+        way.pop()
+        state[room] = "done"
+
+    for room in sorted(rooms):
+        if room not in state:
+            walk(room)
+    for circle in found:
+        print("a circle:", " -> ".join(circle))
+        for room, other in zip(circle, circle[1:]):
+            name, header = edges[room, other][0]
+            print(f"  {name} includes {header}")
+    return not found
+
+
+def folder_of(room):
+    return ROOT / room if room.startswith("render") else ROOT / "src" / room
+
+
+def read_list(room):
+    """The call of tribolog_room() or tribolog_module() in a room's CMakeLists.txt, by its words."""
+    text = re.sub(r"#.*", "", (folder_of(room) / "CMakeLists.txt").read_text())
+    call = CALL.search(text)
+    if not call:
+        return None
+    lists, key = collections.defaultdict(list), "NAME"
+    for word in call.group(2).split():
+        if word in ("SOURCES", "PUBLIC", "PRIVATE", "LIBRARIES", "PUBLIC_LIBRARIES", "ROOMS"):
+            key = word
+        else:
+            lists[key].append(word)
+    return lists
+
+
+def lists(rooms):
+    faults = []
+    edges = needs(rooms)
+    for room, files in sorted(rooms.items()):
+        if not room:  # main.cpp
+            continue
+        if not (folder_of(room) / "CMakeLists.txt").exists():
+            faults.append(f"{room}: a folder with sources and without a CMakeLists.txt")
+            continue
+        listed = read_list(room)
+        if listed is None or room not in listed["NAME"]:
+            faults.append(f"{room}: its CMakeLists.txt makes no room of this name")
+            continue
+        text = (folder_of(room) / "CMakeLists.txt").read_text()
+        for name in files:
+            stem = pathlib.Path(name).name
+            if stem.endswith(".cpp") and stem not in listed["SOURCES"] and "${" not in text:
+                faults.append(f"{room}: {stem} is not among its SOURCES")
+        public = {other for (mine, other), where in edges.items()
+                  if mine == room and any(name.endswith(".h") for name, _ in where)}
+        private = {other for mine, other in edges if mine == room} - public
+        is_module = bool(listed["ROOMS"])
+        wanted = [("ROOMS", public | private)] if is_module else \
+            [("PUBLIC", public), ("PRIVATE", private)]
+        for key, needed in wanted:
+            for other in sorted(needed - set(listed[key])):
+                faults.append(f"{room}: includes {other}, which is not in its {key}")
+            for other in sorted(set(listed[key]) - needed):
+                faults.append(f"{room}: names {other} in its {key}, and does not include it there")
+    for fault in faults:
+        print(fault)
+    return not faults
+
+
+def walls(rooms, build):
+    """__has_include() of every header, by the search path that the room's units are compiled with."""
+    headers = sorted(name for files in rooms.values() for name in files if name.endswith(".h"))
+    probe = "".join(f'#if __has_include("{h}")\nSEEN {h}\n#endif\n' for h in headers)
+    commands = {}
+    for unit in json.loads((pathlib.Path(build) / "compile_commands.json").read_text()):
+        path = pathlib.Path(unit["directory"], unit["file"]).resolve()
+        for top in (ROOT / "src", ROOT):
+            if path.is_relative_to(top) and room_of(path.relative_to(top).as_posix()) in rooms:
+                commands.setdefault(room_of(path.relative_to(top).as_posix()), unit)
+                break
+    closure = {}
+
+    def seen_from(room, through_public):
+        """Rooms whose headers a room may include: those it names, and what their headers include."""
+        listed = read_list(room)
+        named = listed["PUBLIC"] + listed["ROOMS"]
+        if listed["ROOMS"]:  # a module, which has its version from there
+            named = named + ["base"]
+        if not through_public:
+            named = named + listed["PRIVATE"]
+        seen = {room}
+        for other in named:
+            if other not in closure:
+                closure[other] = seen_from(other, True)
+            seen |= closure[other]
+        return seen
+
+    faults = []
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place) / "probe.cpp"
+        file.write_text(probe)
+        for room in sorted(rooms):
+            if not room:
+                continue
+            if room not in commands:
+                faults.append(f"{room}: none of its units is in compile_commands.json")
+                continue
+            words = shlex.split(commands[room]["command"])
+            flags = [w for w in words[1:] if w.startswith(("-I", "-std"))]
+            seen = subprocess.run([words[0], *flags, "-E", "-P", str(file)], text=True, check=True,
+                                  capture_output=True, cwd=commands[room]["directory"]).stdout
+            allowed = seen_from(room, False)
+            found = {room_of(line.split()[1]) for line in seen.splitlines() if "SEEN" in line}
+            # A module may lie in a folder of the room that it is loaded by.
+            for other in sorted(found - allowed):
+                if not any(other.startswith(f"{a}/") for a in allowed):
+                    faults.append(f"{room}: its units find headers of {other}, which it does not name")
+            for other in sorted(allowed - found):
+                if any(h for h in headers if room_of(h) == other):
+                    faults.append(f"{room}: its units do not find headers of {other}")
+    for fault in faults:
+        print(fault)
+    return not faults
+
+
+def graph(rooms):
+    print("digraph rooms {\n  rankdir=TB; node [shape=box];")
+    for room, other in sorted(needs(rooms)):
+        print(f'  "{room or "main"}" -> "{other}";')
+    print("}")
+    return True
+
+
+def main():
+    what = sys.argv[1] if len(sys.argv) > 1 else ""
+    rooms = read_rooms()
+    if what == "walls" and len(sys.argv) == 3:
+        return walls(rooms, sys.argv[2])
+    checks = {"circles": circles, "lists": lists, "graph": graph}
+    if what not in checks:
+        sys.exit(__doc__)
+    return checks[what](rooms)
+
+
+if __name__ == "__main__":
+    sys.exit(0 if main() else 1)

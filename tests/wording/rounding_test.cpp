@@ -1,0 +1,106 @@
+#include "wording/rounding.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "wording/units.h"
+
+namespace tribolog::report {
+namespace {
+
+RoundedEstimate rounded(double value, double half_width, const Scale& scale = {}) {
+  return round_by_interval({value, value - half_width, value + half_width, ""}, scale);
+}
+
+TEST(Rounding, HalfWidthHasTwoDigitsAndTheEstimateFollows) {
+  EXPECT_EQ(rounded(3.88318571, 0.00431).plus_minus(), "3.8832 ± 0.0043");
+  EXPECT_EQ(rounded(3.88318571, 0.00431).range(), "3.8789 … 3.8875");
+  EXPECT_EQ(rounded(79.1679, 0.088).plus_minus(), "79.168 ± 0.088");
+  EXPECT_EQ(rounded(0.3, 12.0).plus_minus(), "0 ± 12");
+}
+
+TEST(Rounding, ACarryInTheHalfWidthCostsADecimal) {
+  EXPECT_EQ(rounded(1.23456, 0.0996).plus_minus(), "1.23 ± 0.10");
+  EXPECT_EQ(rounded(1.23456, 0.0994).plus_minus(), "1.235 ± 0.099");
+  EXPECT_EQ(rounded(10.0, 0.996).plus_minus(), "10.0 ± 1.0");
+}
+
+TEST(Rounding, WideIntervalsRoundToTensAndHundreds) {
+  EXPECT_EQ(rounded(46542.0, 1234.0).plus_minus(), "46500 ± 1200");
+}
+
+TEST(Rounding, NegativeNumbersHaveAMinusSignAndZeroHasNone) {
+  EXPECT_EQ(rounded(-0.388019, 0.00021).plus_minus(), "−0.38802 ± 0.00021");
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+}
+
+TEST(Rounding, DegreesTurnTheIntervalAlong) {
+  const Estimate link = scaled({-0.388019, -0.389, -0.387, ""}, -1.0);
+  const RoundedEstimate text = round_by_interval(link, degree_scale());
+  EXPECT_EQ(text.plus_minus(), "22.232 ± 0.057");
+  EXPECT_EQ(text.range(), "22.173 … 22.288");
+}
+
+TEST(Rounding, ALopsidedIntervalIsGivenByItsEndsOnly) {
+  const RoundedEstimate text = round_by_interval({1.0, 0.9, 1.4, ""}, {});
+  EXPECT_EQ(text.plus_minus(), "1.00");
+  EXPECT_EQ(text.range(), "0.90 … 1.40");
+}
+
+TEST(Rounding, NoMoreThanSevenDigits) {
+  const RoundedEstimate text = rounded(3.883185714321, 1e-12);
+  EXPECT_EQ(text.plus_minus(), "3.883186 ± < 0.000001");
+  EXPECT_EQ(text.range(), "");
+}
+
+TEST(Rounding, WhatIsNotKnownIsSaid) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(rounded(nan, 0.1).plus_minus(), "not identified");
+  EXPECT_EQ(rounded(3.0, nan).plus_minus(), "3.0000");
+  EXPECT_EQ(rounded(3.0, 0.0).range(), "");
+  EXPECT_EQ(rounded(3.0, std::numeric_limits<double>::infinity()).range(), "");
+}
+
+TEST(Rounding, SignificantDigits) {
+  EXPECT_EQ(significant(0.0, 3), "0");
+  EXPECT_EQ(significant(0.99996, 4), "1.000");
+  EXPECT_EQ(significant(1234567.0, 3), "1230000");
+  EXPECT_EQ(significant(-1.5e-9, 2), "−1.5×10⁻⁹");
+  EXPECT_EQ(as_stated(100.0), "100");
+  EXPECT_EQ(as_stated(9.81), "9.81");
+}
+
+TEST(Rounding, AZeroHasNoSign) {
+  EXPECT_EQ(with_plus_sign(fixed(0.0004, 3)), "0.000");
+  EXPECT_EQ(with_plus_sign(fixed(-0.0004, 3)), "0.000");
+  EXPECT_EQ(with_plus_sign(fixed(0.0006, 3)), "+0.001");
+  EXPECT_EQ(with_plus_sign(fixed(-0.0006, 3)), "−0.001");
+  EXPECT_EQ(with_plus_sign("unknown"), "unknown");
+}
+
+TEST(Rounding, CountsAreGrouped) {
+  EXPECT_EQ(count(0), "0");
+  EXPECT_EQ(count(999), "999");
+  EXPECT_EQ(count(140410), "140\u202f410");
+  EXPECT_EQ(count(8003370), "8\u202f003\u202f370");
+}
+
+TEST(Units, PrefixesKeepNumbersReadable) {
+  EXPECT_EQ(torque_scale(3.9).unit, "N·m");
+  EXPECT_EQ(torque_scale(0.0012).unit, "mN·m");
+  EXPECT_EQ(torque_scale(-5e-6).unit, "µN·m");
+  EXPECT_EQ(torque_scale(0.0).unit, "N·m");
+  EXPECT_EQ(radian_scale(1e-4).unit, "mrad");
+  EXPECT_EQ(stiffness_scale(4.66e6).unit, "kN·m/rad");
+}
+
+TEST(Rounding, InWords) {
+  EXPECT_EQ(in_words({3.88318571, 3.87888, 3.88749, ""}, plain_scale("N·m")),
+            "3.8832 ± 0.0043\u00a0N·m");
+  EXPECT_EQ(in_words({-0.388, -0.389, -0.387, ""}, degree_scale()), "−22.231° ± 0.057°");
+}
+
+}  // namespace
+}  // namespace tribolog::report
