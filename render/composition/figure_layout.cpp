@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "render/layout/data_drawing.h"
 #include "render/layout/diagram_layout.h"
-#include "render/layout/discrete_marks.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/label_placement.h"
 #include "render/layout/legend.h"

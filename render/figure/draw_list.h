@@ -1,20 +1,108 @@
 #pragma once
-// A laid-out figure: plain primitives in pixels, in the order in which they are painted.
-//
-// Every writer (PNG by way of VTK, a vector format) draws the same list, and the layout is tested
-// on it without drawing anything. Each primitive says what it stands for, so that a test or the
-// check of the finished picture can ask for "series 2 of panel 0".
+// Points and boxes in pixels of the picture: origin top left, y downwards.
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "render/figure/figure.h"
-#include "render/figure/pixel_geometry.h"
-#include "render/figure/scene_geometry.h"
+#include "render/figure/scene.h"
 
 namespace tribolog::render {
+
+struct PixelPoint {
+  double x{};
+  double y{};
+  friend bool operator==(const PixelPoint&, const PixelPoint&) = default;
+};
+
+/// `left <= right` and `top <= bottom`; a box without area is empty.
+struct PixelBox {
+  double left{};
+  double top{};
+  double right{};
+  double bottom{};
+
+  [[nodiscard]] double width() const { return right - left; }
+  [[nodiscard]] double height() const { return bottom - top; }
+  [[nodiscard]] double area() const { return width() * height(); }
+  [[nodiscard]] PixelPoint centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+  [[nodiscard]] bool contains(PixelPoint p) const {
+    return p.x >= left && p.x <= right && p.y >= top && p.y <= bottom;
+  }
+  [[nodiscard]] bool contains(const PixelBox& other) const {
+    return other.left >= left && other.right <= right && other.top >= top && other.bottom <= bottom;
+  }
+  [[nodiscard]] PixelBox grown(double by) const {
+    return {left - by, top - by, right + by, bottom + by};
+  }
+  [[nodiscard]] PixelBox moved(double dx, double dy) const {
+    return {left + dx, top + dy, right + dx, bottom + dy};
+  }
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+/// Area that both cover; 0 if they only touch.
+inline double overlap_area(const PixelBox& a, const PixelBox& b) {
+  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  return width > 0 && height > 0 ? width * height : 0.0;
+}
+
+// A laid-out scene: how space maps to the picture, and the surfaces of the solid parts.
+
+/// A camera whose picture is fitted into the figure.
+struct SceneView {
+  Point3 eye;
+  Point3 right;  ///< Unit vectors of the picture: right, up and away from the eye.
+  Point3 up;
+  Point3 forward;
+  bool parallel{true};
+  double scale{1.0};   ///< Pixels per metre, or, in perspective, at a distance of one metre.
+  PixelPoint origin;   ///< Where the point straight ahead of the eye appears.
+  double nearest_m{};  ///< Distances along `forward` between which everything lies.
+  double farthest_m{};
+
+  [[nodiscard]] double distance(Point3 p) const;
+  [[nodiscard]] PixelPoint pixel(Point3 p) const;
+  [[nodiscard]] double metres_per_pixel(Point3 p) const;
+  /// Moves a point along its line of sight to a distance: it stays at the same pixel.
+  [[nodiscard]] Point3 moved_to(Point3 p, double distance_m) const;
+  /// Distances before and behind everything in the scene, for what must hide it or be hidden by it.
+  [[nodiscard]] double front_m() const { return 0.5 * nearest_m; }
+  [[nodiscard]] double back_m() const { return 1.02 * farthest_m; }
+
+  /// The matrix, by rows, from the camera's coordinates (right, up, backwards) to the clip space of
+  /// a window that shows `rows` rows of a picture `width` pixels wide from row `top` on.
+  [[nodiscard]] std::array<double, 16> clip_matrix(int width, int top, int rows) const;
+};
+
+/// A part's surface as triangles.
+struct SceneMesh {
+  enum class Finish { lit, flat };  ///< Flat: the colour itself, seen from both sides, no outline.
+  std::string label;                ///< Of the part; empty: nobody asks for it.
+  Colour colour;                    ///< Opaque.
+  Finish finish{Finish::lit};
+  std::vector<Point3> points;
+  std::vector<Point3> normals;  ///< For the light.
+  std::vector<Point3> spread;   ///< Where the outline goes: outwards, also at sharp edges.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Counter-clockwise from outside.
+};
+
+struct SceneGeometry {
+  SceneView view;
+  std::vector<SceneMesh> meshes;
+};
+
+// A laid-out figure: plain primitives in pixels, in the order in which they are painted.
+//
+// Every writer (PNG by way of VTK, a vector format) draws the same list, and the layout is tested
+// on it without drawing anything. Each primitive says what it stands for, so that a test or the
+// check of the finished picture can ask for "series 2 of panel 0".
 
 enum class Role {
   grid,

@@ -1,5 +1,6 @@
 #pragma once
-// Colours, line styles and markers that charts, diagrams and scenes share.
+// Colours, line styles and markers that charts, diagrams and scenes share, and how well colours
+// are told from their ground.
 
 #include <cstdint>
 
@@ -28,5 +29,18 @@ inline constexpr Colour grey{120, 120, 120};
 
 enum class LineStyle { none, solid, dash, dot, dash_dot, dash_dot_dot };
 enum class Marker { none, circle, square, triangle, diamond, cross, plus };
+
+// How well colours are told from their ground, as the Web Content Accessibility Guidelines
+// measure it.
+
+inline constexpr double least_text_contrast = 4.5;  ///< WCAG 2.1, 1.4.3.
+inline constexpr double least_line_contrast = 3.0;  ///< WCAG 2.1, 1.4.11.
+
+/// (L1 + 0.05) / (L2 + 0.05) of the relative luminances, the lighter one first: 1 to 21. Both
+/// opaque.
+double contrast_ratio(Colour a, Colour b);
+
+/// The colour, darkened as far as letters in it need to be read on white paper.
+Colour readable_on_paper(Colour colour);
 
 }  // namespace tribolog::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/figure/dashes.h"
+#include "render/figure/marks.h"
 
 namespace tribolog::render {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/layout/axis_range.h"
+#include "render/layout/axis.h"
 #include "render/layout/date_ticks.h"
 
 namespace tribolog::render {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/figure/draw_list.h"
-#include "render/layout/axis_map.h"
+#include "render/layout/axis.h"
 #include "render/layout/figure_style.h"
 #include "render/layout/ticks.h"
 

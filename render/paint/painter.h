@@ -40,3 +40,9 @@ std::unique_ptr<Painter> make_painter(const Font& font,
                                       PainterThreads threads = PainterThreads::as_many_as_it_likes);
 
 }  // namespace tribolog::render
+
+// What the module tribolog_vtk gives to the program.
+
+/// The caller owns it. @throw tribolog::FigureError if no context can be made.
+extern "C" __attribute__((visibility("default"))) tribolog::render::Painter* tribolog_vtk_painter(
+    const tribolog::render::Font& font, tribolog::render::PainterThreads threads);

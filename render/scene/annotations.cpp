@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "render/figure/dashes.h"
-#include "render/figure/vector3.h"
+#include "render/figure/marks.h"
+#include "render/figure/scene.h"
 
 namespace tribolog::render {
 namespace {

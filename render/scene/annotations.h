@@ -2,7 +2,6 @@
 // Lines, arcs and dimensions of a scene, drawn over its solid parts.
 
 #include "render/figure/draw_list.h"
-#include "render/figure/scene_geometry.h"
 #include "render/layout/figure_style.h"
 
 namespace tribolog::render {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "render/figure/contrast_ratio.h"
-#include "render/layout/beside_point.h"
+#include "render/figure/drawing_style.h"
+#include "render/layout/label_placement.h"
 
 namespace tribolog::render {
 namespace {

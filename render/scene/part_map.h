@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/figure/scene_geometry.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 #include "render/layout/panel_frame.h"
 #include "render/scene/annotations.h"
 #include "render/scene/caption_placement.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 
 namespace tribolog::render {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/figure/scene_geometry.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render {
 

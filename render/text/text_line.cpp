@@ -2,12 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "render/text/accents.h"
-#include "render/text/markup.h"
 #include "render/text/utf8.h"
 
 namespace tribolog::render {
+
+namespace {
+
+void append(std::vector<MarkupRun>& runs, std::u32string_view text, Shift shift) {
+  if (text.empty()) return;
+  if (runs.empty() || runs.back().shift != shift) runs.push_back({{}, shift});
+  runs.back().text += text;
+}
+
+}  // namespace
+
+MarkupText parse_markup(std::string_view utf8) {
+  const DecodedText decoded = decode_utf8(utf8);
+  MarkupText out;
+  out.replaced = decoded.replaced;
+  std::u32string_view rest = decoded.text;
+  while (!rest.empty()) {
+    const bool opens = rest.size() > 2 && (rest[0] == U'_' || rest[0] == U'^') && rest[1] == U'{';
+    const std::size_t closing = opens ? rest.find(U'}', 2) : std::u32string_view::npos;
+    if (closing == std::u32string_view::npos) {
+      append(out.runs, rest.substr(0, 1), Shift::none);
+      rest.remove_prefix(1);
+      continue;
+    }
+    append(out.runs, rest.substr(2, closing - 2),
+           rest[0] == U'_' ? Shift::subscript : Shift::superscript);
+    rest.remove_prefix(closing + 1);
+  }
+  return out;
+}
+
 namespace {
 
 constexpr double script_size = 0.70;
@@ -171,6 +202,71 @@ PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool
     list.primitives.emplace_back(std::move(run));
   }
   return box_of_line(line, start, upright);
+}
+
+namespace {
+
+/// Words in the markup; a space inside `_{...}` or `^{...}` does not divide.
+std::vector<std::string> words_of(const std::string& markup) {
+  std::vector<std::string> words(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < markup.size(); ++i) {
+    const char c = markup[i];
+    if (c == '{' && i > 0 && (markup[i - 1] == '_' || markup[i - 1] == '^')) {
+      inside = markup.find('}', i) != std::string::npos;
+    }
+    if (c == '}') inside = false;
+    if (!inside && (c == ' ' || c == '\n' || c == '\t')) {
+      if (!words.back().empty()) words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+/// Whole characters that remain of the markup when its last one is dropped.
+std::string without_last(const std::string& markup) {
+  std::u32string text = decode_utf8(markup).text;
+  text.pop_back();
+  if (!text.empty() && text.back() == U'{') text.pop_back();
+  return encode_utf8(text);
+}
+
+}  // namespace
+
+std::vector<TextLine> wrap_lines(const Font& font, const std::string& markup,
+                                 const TextStyle& style, double width, std::size_t most_lines,
+                                 TextFaults& faults, bool& cut) {
+  TextFaults trial;
+  const auto fits = [&](const std::string& text) {
+    return shape_line(font, text, style, trial).width <= width;
+  };
+  if (fits(markup)) return {shape_line(font, markup, style, faults)};
+
+  std::vector<std::string> lines(1);
+  for (const std::string& word : words_of(markup)) {
+    std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || lines.size() == most_lines || fits(longer)) {
+      lines.back() = std::move(longer);
+    } else {
+      lines.push_back(word);
+    }
+  }
+  std::vector<TextLine> out;
+  constexpr std::size_t longest = 1000;  // bytes; nothing longer fits into a picture
+  for (std::string& line : lines) {
+    if (line.size() > longest) line.resize(longest);
+    std::string shown = line;
+    while (!line.empty() && !fits(shown)) {
+      line = without_last(line);
+      shown = line + "…";
+      cut = true;
+    }
+    out.push_back(shape_line(font, shown, style, faults));
+  }
+  return out;
 }
 
 }  // namespace tribolog::render

@@ -1,6 +1,7 @@
 #pragma once
 // One line of text with sub- and superscripts, measured and ready to be placed.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,21 @@
 #include "render/text/font.h"
 
 namespace tribolog::render {
+
+enum class Shift { none, subscript, superscript };
+
+struct MarkupRun {
+  std::u32string text;
+  Shift shift{Shift::none};
+};
+
+struct MarkupText {
+  std::vector<MarkupRun> runs;
+  std::size_t replaced{};  ///< See DecodedText.
+};
+
+/// Splits a text into runs. Braces that do not close are printed as they are.
+MarkupText parse_markup(std::string_view utf8);
 
 struct TextStyle {
   int size_px{26};

@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
+#include "base/encodings.h"
 #include "base/error.h"
 #include "render/text/utf8.h"
 #include "render/vector/document_face.h"
-#include "render/vector/short_number.h"
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 

@@ -1,11 +1,16 @@
 #pragma once
 // What a vector format can paint, and a draw list painted with it.
 
+#include <string>
 #include <vector>
 
 #include "render/figure/draw_list.h"
 
 namespace tribolog::render {
+
+/// With up to `digits` digits behind the point (0 to 6) and no more than it takes: "12.5", "-0.07",
+/// "3". The same in every locale. Not finite: "0".
+std::string short_number(double value, int digits = 2);
 
 struct StrokeLook {
   double width{1.0};

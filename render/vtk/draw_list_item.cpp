@@ -11,7 +11,7 @@
 #include <vtkTextRenderer.h>
 #include <vtkTransform2D.h>
 
-#include "render/figure/marker_shapes.h"
+#include "render/figure/marks.h"
 
 namespace tribolog::render {
 namespace {

@@ -10,7 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 
 namespace tribolog::render {
 namespace {

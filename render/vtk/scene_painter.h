@@ -7,7 +7,7 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
-#include "render/figure/scene_geometry.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render {
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/figure/dashes.h"
-#include "render/figure/marker_shapes.h"
+#include "render/figure/marks.h"
 
 namespace tribolog::render {
 namespace {

@@ -2,27 +2,74 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkFreeTypeTools.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 
 #include "base/error.h"
 #include "render/paint/painter.h"
-#include "render/paint/painter_module.h"
 #include "render/vtk/draw_list_item.h"
 #include "render/vtk/gl_context.h"
 #include "render/vtk/headless_window.h"
 #include "render/vtk/scene_painter.h"
-#include "render/vtk/vtk_messages.h"
 #include "render/vtk/vtk_threads.h"
 
 namespace tribolog::render {
+
+// Keeps what VTK has to say, instead of letting it print.
+
 namespace {
+
+class VtkMessages : public vtkOutputWindow {
+ public:
+  static VtkMessages* New();
+  vtkTypeMacro(VtkMessages, vtkOutputWindow)
+
+      void DisplayText(const char* text) override;
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+  void DisplayDebugText(const char*) override {}
+
+  /// First error since the last call, on one line; empty if there was none.
+  std::string take_error();
+
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
+
+ protected:
+  VtkMessages() = default;
+  ~VtkMessages() override = default;
+
+ private:
+  std::string first_error_;
+};
+
+vtkStandardNewMacro(VtkMessages);
+
+void VtkMessages::DisplayErrorText(const char* text) {
+  if (!first_error_.empty() || text == nullptr) return;
+  first_error_ = text;
+  std::replace_if(
+      first_error_.begin(), first_error_.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  first_error_ = first_error_.substr(0, 300);
+}
+
+// Nothing below an error changes a picture.
+void VtkMessages::DisplayText(const char*) {}
+void VtkMessages::DisplayWarningText(const char*) {}
+void VtkMessages::DisplayGenericWarningText(const char*) {}
+
+std::string VtkMessages::take_error() { return std::exchange(first_error_, {}); }
 
 constexpr int samples_per_pixel = 4;          // llvmpipe has no more
 constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
@@ -104,6 +151,7 @@ RendererInfo VtkPainter::info() const {
 }
 
 }  // namespace
+
 }  // namespace tribolog::render
 
 extern "C" tribolog::render::Painter* tribolog_vtk_painter(

@@ -1,7 +1,9 @@
 #include "render/workers/fork_server.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iterator>
@@ -9,14 +11,65 @@
 #include <system_error>
 
 #include <poll.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include "base/error.h"
-#include "render/workers/descriptor_passing.h"
 #include "render/workers/message_channel.h"
 
 namespace tribolog::render {
+
+// Handing an open file descriptor to the process at the other end of a local socket.
+
 namespace {
+
+/// One byte of text, without which a descriptor does not travel, and room for one descriptor.
+struct Envelope {
+  char text{'d'};
+  iovec content{&text, sizeof text};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+  msghdr header{};
+
+  Envelope() {
+    header.msg_iov = &content;
+    header.msg_iovlen = 1;
+    header.msg_control = control.data();
+    header.msg_controllen = control.size();
+  }
+  Envelope(const Envelope&) = delete;
+  Envelope& operator=(const Envelope&) = delete;
+};
+
+/// Sends a duplicate of the descriptor; the caller keeps its own. False if the other side is gone.
+bool send_descriptor(int socket, int descriptor) {
+  Envelope envelope;
+  cmsghdr* item = CMSG_FIRSTHDR(&envelope.header);
+  item->cmsg_level = SOL_SOCKET;
+  item->cmsg_type = SCM_RIGHTS;
+  item->cmsg_len = CMSG_LEN(sizeof descriptor);
+  std::memcpy(CMSG_DATA(item), &descriptor, sizeof descriptor);
+  ssize_t sent = 0;
+  do {
+    sent = sendmsg(socket, &envelope.header, MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  return sent == 1;
+}
+
+/// Blocks until one arrives. The caller owns it; it is closed on exec. -1 if the other side is gone
+/// or sent something else.
+int receive_descriptor(int socket) {
+  Envelope envelope;
+  ssize_t got = 0;
+  do {
+    got = recvmsg(socket, &envelope.header, MSG_CMSG_CLOEXEC);
+  } while (got < 0 && errno == EINTR);
+  const cmsghdr* item = got == 1 ? CMSG_FIRSTHDR(&envelope.header) : nullptr;
+  if (item == nullptr || item->cmsg_level != SOL_SOCKET || item->cmsg_type != SCM_RIGHTS) return -1;
+  int descriptor = -1;
+  std::memcpy(&descriptor, CMSG_DATA(item), sizeof descriptor);
+  return descriptor;
+}
 
 enum Command : std::uint32_t { start_worker_command, end_worker_command };
 

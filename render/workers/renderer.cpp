@@ -6,19 +6,87 @@
 #include <exception>
 #include <memory>
 #include <numeric>
+#include <string>
 
 #include <poll.h>
 
 #include "base/error.h"
 #include "render/text/font.h"
-#include "render/workers/drawing_server.h"
 #include "render/workers/drawing_worker.h"
 #include "render/workers/figure_message.h"
+#include "render/workers/fork_server.h"
 #include "render/workers/message_channel.h"
 #include "render/workers/worker_process.h"
 
 namespace tribolog::render {
+
+// Where drawing processes come from: one process that has started the graphics stack already.
+
 namespace {
+
+class DrawingServer {
+ public:
+  /// The graphics stack starts at once, beside what the caller does next.
+  explicit DrawingServer(Prepared prepared);
+
+  /// A process in which DrawingWorker::serve runs. If the server was lost, a new one is started
+  /// first. Destroy the workers before this.
+  /// @param most how long to wait for the graphics stack
+  /// @throw tribolog::FigureError if it takes longer, is lost while it starts, or if the system
+  /// gives no process.
+  std::unique_ptr<ForkServer::Worker> start_worker(std::chrono::milliseconds most);
+
+ private:
+  void start(bool warm);
+  void wait_until_ready(std::chrono::milliseconds most);
+
+  Prepared prepared_;
+  std::unique_ptr<ForkServer> server_;
+  std::string start_error_;  ///< Of a stack that does not start: it is not tried again.
+};
+
+DrawingServer::DrawingServer(Prepared prepared) : prepared_(prepared) {
+  try {
+    start(true);
+  } catch (const FigureError&) {
+    server_.reset();  // start_worker tries again, and then says why
+  }
+}
+
+void DrawingServer::start(bool warm) {
+  // Made in the new process, and never destroyed there: tearing a graphics stack down takes time.
+  auto worker = std::make_shared<DrawingWorker*>(nullptr);
+  server_ = std::make_unique<ForkServer>(
+      [=, prepared = prepared_] {
+        *worker = new DrawingWorker;
+        if (warm) (*worker)->warm_up(prepared);
+      },
+      [=](int socket) { (*worker)->serve(socket); });
+}
+
+void DrawingServer::wait_until_ready(std::chrono::milliseconds most) {
+  try {
+    if (server_->wait(most) == ForkServer::Readiness::has_threads) {
+      start(false);
+      server_->wait(most);
+    }
+  } catch (const FigureError& error) {
+    start_error_ = error.what();
+    throw;
+  }
+}
+
+std::unique_ptr<ForkServer::Worker> DrawingServer::start_worker(std::chrono::milliseconds most) {
+  if (!start_error_.empty()) throw FigureError(start_error_);
+  try {
+    if (!server_) start(true);
+    if (!server_->is_prepared()) wait_until_ready(most);
+    return server_->start_worker();
+  } catch (const FigureError&) {
+    server_.reset();
+    throw;
+  }
+}
 
 using Clock = std::chrono::steady_clock;
 

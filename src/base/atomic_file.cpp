@@ -15,10 +15,10 @@
 
 #include "base/early_end.h"
 #include "base/error.h"
+#include "base/file_descriptor.h"
 #include "base/output_target.h"
 #include "base/standard_output.h"
 #include "base/temporary_file.h"
-#include "base/write_all.h"
 
 namespace tribolog {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "base/hidden_characters.h"
 #include "base/utf8.h"
 
 namespace tribolog {
+
 namespace {
 
 bool is_obeyed(char32_t c) { return is_control_character(c) || is_hidden_character(c); }

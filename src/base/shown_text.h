@@ -1,11 +1,22 @@
 #pragma once
-// Whole texts with names from outside in them, made safe for where they go. See printable() for
-// the single name.
+// Numbers and names from outside as text that is safe where it goes. See printable() for the
+// single name.
 
+#include <charconv>
 #include <string>
 #include <string_view>
 
 namespace tribolog {
+
+/// Appends a finite number. No double needs more than 24 characters.
+inline void append_number(std::string& text, double value) {
+  char digits[32];
+  const auto written = std::to_chars(digits, digits + sizeof digits, value);
+  text.append(digits, written.ptr);
+}
+
+// Whole texts with names from outside in them, made safe for where they go. See printable() for
+// the single name.
 
 /// Text of any number of lines for a terminal: what a terminal obeys or hides, but for line ends,
 /// and bytes that are not UTF-8 become \x1b.

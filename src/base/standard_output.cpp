@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/write_all.h"
+#include "base/file_descriptor.h"
 
 namespace tribolog {
 namespace {

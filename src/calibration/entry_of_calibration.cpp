@@ -9,7 +9,7 @@
 #include "base/closest_match.h"
 #include "base/error.h"
 #include "ingest/text/clock_field.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog::archive {
 namespace {

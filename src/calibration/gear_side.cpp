@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "joint/acceptance_limit.h"
 
 namespace tribolog::archive {

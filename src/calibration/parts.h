@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/calibration.h"
+#include "calibration/json_values.h"
 #include "calibration/provenance.h"
-#include "calibration/values.h"
 
 namespace tribolog::json {
 

@@ -5,11 +5,11 @@
 
 #include "archive/store/archive_json.h"
 #include "base/early_end.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "calibration/entry_of_calibration.h"
 #include "calibration/provenance.h"
 #include "cli/archive_commands.h"
-#include "cli/archived_inputs.h"
+#include "cli/archiving.h"
 
 namespace tribolog::cli {
 namespace {

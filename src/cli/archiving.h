@@ -1,14 +1,28 @@
 #pragma once
-// `--archive` of identify and report: the numbers first, the report once it is on the disk.
+// `--archive`: the numbers first, the report once it is on the disk.
 
 #include <optional>
 #include <string>
 
 #include "archive/store/calibration_archive.h"
+#include "calibration/archived_calibration.h"
 #include "cli/console.h"
 #include "history/comparison.h"
 
+namespace tribolog::cli {
+
+/// Adds manifest and recordings, as far as they are in the directory.
+/// @throw InputError: one is not there, or not the one that the calibration was made from.
+void add_inputs(const std::string& directory, archive::NewCalibration& calibration);
+
+/// "archived: 0123456789 (cal.json)", or that it is there already.
+void tell_added(const archive::Added& added, const std::string& what, Console& console);
+
+}  // namespace tribolog::cli
+
 namespace tribolog {
+
+// `--archive` of identify and report: the numbers first, the report once it is on the disk.
 
 /// What the command line says about the archive.
 struct ArchivingOptions {

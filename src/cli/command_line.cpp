@@ -8,7 +8,6 @@
 
 #include "base/standard_output.h"
 #include "cli/archive_commands.h"
-#include "cli/command_options.h"
 #include "cli/commands.h"
 
 namespace tribolog {

@@ -4,10 +4,9 @@
 #include "cli/history_page.h"
 #include "cli/shared_options.h"
 #include "figures/comparison_figures.h"
-#include "history/comparison_json.h"
+#include "history/history_json.h"
 #include "history/recorded_curves.h"
 #include "report/comparison_page.h"
-#include "report/comparison_view.h"
 
 namespace tribolog::cli {
 namespace {

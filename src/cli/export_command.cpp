@@ -4,12 +4,9 @@
 #include "base/standard_output.h"
 #include "cli/archive_commands.h"
 #include "cli/shared_options.h"
-#include "export/calibration/csv_table.h"
 #include "export/calibration/json_document.h"
-#include "export/calibration/latex_table.h"
-#include "export/calibration/mjcf_joint.h"
-#include "export/calibration/modelica_friction.h"
-#include "export/calibration/urdf_joint.h"
+#include "export/calibration/result_tables.h"
+#include "export/calibration/simulator_models.h"
 
 namespace tribolog::cli {
 namespace {

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,11 +11,13 @@
 #include "cli/drawing.h"
 #include "cli/figure_files.h"
 #include "cli/identification.h"
+#include "cli/shared_options.h"
 #include "figures/figure_language.h"
 #include "figures/figure_set.h"
 #include "paper/scenes/scene_figures.h"
 
 namespace tribolog {
+
 namespace {
 
 /// Charts in vector formats alone need no graphics stack, and none is started for them.
@@ -58,6 +62,53 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
     }
   }
   return tell_failures(drawn.drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
+}
+
+namespace {
+
+const std::map<std::string, FigureFormat> figure_formats{
+    {"png", FigureFormat::png}, {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}};
+const std::map<std::string, FigureStyleChoice> figure_styles{{"report", FigureStyleChoice::report},
+                                                             {"paper", FigureStyleChoice::paper}};
+
+}  // namespace
+
+CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
+  CLI::App& command = *app.add_subcommand("figures", "draw the figures as PNG, SVG or PDF files");
+  command.add_option("DATASET", figures.dataset, "dataset manifest (TOML)")->required();
+  command.add_option("-o,--output", figures.directory, "directory to write to")->required();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--format",
+          [&figures](const std::vector<std::string>& names) {
+            figures.formats.clear();
+            for (const auto& [name, format] : figure_formats) {
+              if (std::find(names.begin(), names.end(), name) != names.end()) {
+                figures.formats.push_back(format);
+              }
+            }
+          },
+          "png (the default), svg, pdf: one or more, with commas between them")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(figure_formats))
+      ->type_name("FORMAT");
+  command
+      .add_option_function<std::string>(
+          "--style",
+          [&figures](const std::string& name) { figures.style = figure_styles.at(name); },
+          "report (the default): 160 mm wide; paper: 84 or 174 mm, for a journal's columns")
+      ->check(CLI::IsMember(figure_styles))
+      ->type_name("STYLE");
+  add_truth_runs(command, figures.truth_runs);
+  add_processes(command, figures.processes);
+  add_language(command, figures.language);
+  command.footer(
+      "\nThe figure of the known-truth check comes with --truth-runs 20, as in a report.\n"
+      "SVG and PDF keep text as text and carry the letters they use. Charts in them need no\n"
+      "graphics stack; the solid parts of the robot's drawings are a picture below the lines.\n"
+      "--style paper leaves the title to the caption; letters are 7 to 8 pt in print.");
+  return command;
 }
 
 }  // namespace tribolog

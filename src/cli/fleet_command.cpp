@@ -7,7 +7,7 @@
 #include "calibration/provenance.h"
 #include "cli/archive_commands.h"
 #include "cli/shared_options.h"
-#include "history/fleet_json.h"
+#include "history/history_json.h"
 #include "report/fleet_page.h"
 #include "wording/number_text.h"
 

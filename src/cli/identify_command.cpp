@@ -1,8 +1,11 @@
+#include <string>
+
 #include "base/atomic_file.h"
 #include "calibration/calibration_json.h"
 #include "cli/archiving.h"
 #include "cli/commands.h"
 #include "cli/identification.h"
+#include "cli/shared_options.h"
 
 namespace tribolog {
 
@@ -25,6 +28,92 @@ ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std:
   tell_outcome(calibration, console);
   console.say("calibration: " + printable(options.output, longest_path));
   return status_of(calibration, options.fail_on);
+}
+
+namespace {
+
+constexpr const char* manifest_help = R"(
+The manifest says, for example:
+
+  schema = "tribolog-dataset-1"
+  [robot]
+  name = "FANUC AM100iB"
+  description = "arm.toml"      # optional: draws the arm, see am100ib.toml
+  [joint]
+  name = "J3"
+  gear_ratio = 100
+  [effort]                      # never guessed: it must be stated
+  kind = "motor_current"        # or "motor_torque", "joint_torque"; "target_torque": a
+                                # controller's value; "none": the log has no torque, and what
+                                # its motion shows is checked
+  side = "motor"                # or "joint": where the torque acts
+  torque_constant_Nm_A = 0.35   # for motor_current
+  confirmed = true              # false: kind and side are a proposal; the report warns
+  [columns]
+  time   = { name = "t", unit = "s" }
+  angle  = { name = "q", unit = "deg" }
+  effort = { name = "i", unit = "A" }    # file = "tau.csv": where it stands in another file,
+                                         # row by row; time = its time's name there
+  [intervals]                   # optional: of the 95 % intervals by resampling
+  resamples = 1000              # 0: closed forms alone
+  seed = 1
+  [[recording]]
+  role = "rough_sweep"          # precise_sweep, oscillation, constant_speed, break_away
+  file = "sweep.csv"
+  [[limit]]                     # optional: what you accept; the report says whether it is kept
+  quantity = "coulomb_joint_Nm" # a wrong name gets the list of them
+  max = 15                      # max, min, half_width, half_width_percent
+  [log]                         # optional: what a text log cannot tell itself
+  decimal_comma = true
+  skip_bad_rows = true          # damaged rows: leave out and count them, up to 1 %
+  [[known_load]]                # optional: gravity of further axes, subtracted from the logs
+  amplitude_Nm = 1.825          # at the joint: amplitude cos(sum of the angles + phase)
+  angles = ["q1_rad", "q2_rad"] # columns of the log
+  [known_gravity]               # optional: the joint's own, as by its design, to compare with
+  amplitude_Nm = 38.465
+  q_peak_deg = 90
+
+Each role may occur any number of times, and each is optional: what is absent
+makes the stages that need it say so; the rest still runs. README.md, "Your own
+joint", describes every key.)";
+
+}  // namespace
+
+CLI::App& add_identify(CLI::App& app, IdentifyArguments& identify) {
+  CLI::App& command =
+      *app.add_subcommand("identify", "identify a joint: numbers with intervals, as JSON");
+  command.add_option("DATASET", identify.dataset, "dataset manifest (TOML)")->required();
+  command.add_option("-o,--output", identify.output, "calibration file (JSON) to write")
+      ->required();
+  add_truth_runs(command, identify.truth_runs);
+  add_fail_on(command, identify.fail_on);
+  add_intervals(command, identify.intervals);
+  add_archiving(command, identify.archiving);
+  command.footer(manifest_help);
+  return command;
+}
+
+CLI::App& add_report(CLI::App& app, ReportOptions& report) {
+  CLI::App& command = *app.add_subcommand("report", "identify, draw, and write one HTML report");
+  command.add_option("DATASET", report.dataset, "dataset manifest (TOML)")->required();
+  command.add_option("-o,--output", report.output, "report (HTML) to write")->required();
+  command.add_option("--calibration", report.calibration,
+                     "where to write the numbers (JSON); default: beside the report");
+  command.add_flag_callback(
+      "--no-figures", [&report] { report.figures = false; }, "numbers and tables only");
+  add_truth_runs(command, report.truth_runs);
+  add_fail_on(command, report.fail_on);
+  add_intervals(command, report.intervals);
+  add_archiving(command, report.archiving);
+  add_processes(command, report.processes);
+  add_language(command, report.language);
+  command.footer(
+      std::string("\nReport and numbers replace older ones together, once both are on the disk;\n"
+                  "where one cannot be written, both stay. With --archive the archive keeps the\n"
+                  "numbers before figures are drawn, whatever becomes of the files.\n"
+                  "-o - is standard output; --calibration then states where the numbers go.\n") +
+      manifest_help);
+  return command;
 }
 
 }  // namespace tribolog

@@ -1,12 +1,101 @@
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "base/closest_match.h"
 #include "cli/commands.h"
-#include "cli/inspection.h"
+#include "cli/console.h"
+#include "cli/shared_options.h"
+#include "inspect/survey/log_survey.h"
+#include "inspect/survey/manifest_proposal.h"
 #include "inspect/survey/survey_json.h"
 #include "inspect/survey/survey_text.h"
 
 namespace tribolog {
+
+// What inspect and init have in common.
+
+namespace {
+
+struct Proposed {
+  std::string text;  ///< Empty: none could be proposed.
+  std::string joint;
+  std::string refusal;  ///< Why not.
+};
+
+/// Surveys the logs in their order. One that is refused is told at once, and the others go on.
+/// @throw InputError of the only log, or of the first one if all are refused.
+std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& console) {
+  std::vector<LogSurvey> logs;
+  std::optional<InputError> first;
+  for (std::size_t k = 0; k < options.files.size(); ++k) {
+    console.progress("reading the logs", k, options.files.size());
+    try {
+      logs.push_back(survey_log(options.files[k], options.known.log_rules));
+    } catch (const InputError& error) {
+      if (!first) first = error;
+      logs.emplace_back();
+      logs.back().file = options.files[k];
+      logs.back().refusal = error.what();
+      if (options.files.size() > 1) console.warn(std::string("error: ") + error.what());
+    }
+  }
+  console.finish();
+  const bool all_refused = std::all_of(logs.begin(), logs.end(),
+                                       [](const LogSurvey& log) { return !log.refusal.empty(); });
+  if (first && all_refused) throw InputError(*first);
+  return logs;
+}
+
+/// 3 if a log was refused.
+ExitStatus status_of(const std::vector<LogSurvey>& logs) {
+  const bool one_refused = std::any_of(logs.begin(), logs.end(),
+                                       [](const LogSurvey& log) { return !log.refusal.empty(); });
+  return one_refused ? ExitStatus::input_refused : ExitStatus::done;
+}
+
+/// A manifest, or why there is none. @throw UsageError for a joint that no log has.
+Proposed try_to_propose(const std::vector<LogSurvey>& logs, const ProposalOptions& known) {
+  Proposed proposed;
+  try {
+    const ManifestProposal proposal = propose_manifest(logs, known);
+    proposed.text = proposal.text;
+    proposed.joint = proposal.joint;
+  } catch (const InputError& error) {
+    proposed.refusal = error.what();
+  }
+  return proposed;
+}
+
+/// A few lines: the joint, the roles found, and what to correct.
+void tell_proposal(const ManifestProposal& proposal, Console& console) {
+  std::map<Role, std::size_t> counts;
+  for (const ProposedRecording& recording : proposal.roles.recordings) ++counts[recording.role];
+  std::string roles;
+  for (const auto& [role, count] : counts) {
+    roles += fmt::format("{}{} {}", roles.empty() ? "" : ", ", count, to_string(role));
+  }
+  console.say(fmt::format("joint {}: {}",
+                          proposal.joint.empty() ? "without a name" : in_quotes(proposal.joint),
+                          proposal.roles.is_makeshift
+                              ? "no motion that a stage reads; each log is named as a rough_sweep "
+                                "for the time being"
+                              : roles));
+  if (!proposal.moves_too.empty()) {
+    console.say("others that move too: " + list_of_names(proposal.moves_too, 8));
+  }
+  if (!proposal.roles.without_role.empty()) {
+    console.say(fmt::format("{} log(s) hold nothing to use", proposal.roles.without_role.size()));
+  }
+}
+
+}  // namespace
 
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   if (!options.json.empty()) check_output_can_be_written(options.json, options.logs.files);
@@ -24,6 +113,85 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
     write_file_atomically(options.json, survey_json(logs, proposed.text));
   }
   return status_of(logs);
+}
+
+ExitStatus run_init(const InitOptions& options, Console& console) {
+  namespace fs = std::filesystem;
+  if (!options.force && is_file_output(options.output) && fs::exists(options.output)) {
+    throw OutputError(printable(options.output, 400) +
+                      ": exists, and is left as it is; --force replaces it");
+  }
+  check_output_can_be_written(options.output, options.logs.files);
+  console.make_way_for(options.output);
+  const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
+  ProposalOptions known = options.logs.known;
+  known.directory = fs::path(options.output).parent_path().string();
+  const ManifestProposal proposal = propose_manifest(logs, known);
+  write_file_atomically(options.output, proposal.text);
+  tell_proposal(proposal, console);
+  console.say("manifest: " + printable(options.output, 400));
+  return status_of(logs);
+}
+
+namespace {
+
+const std::map<std::string, Side> sides{{"motor", Side::motor}, {"joint", Side::joint}};
+
+void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
+  command.add_option("FILE", logs.files, "logs of any format")->required();
+  command.add_option("--joint", logs.known.joint,
+                     "the joint, by its name in the logs; default: the one "
+                     "that moves most");
+  command.add_option("--gear-ratio", logs.known.gear_ratio, "motor angle / joint angle")
+      ->check(number_between(1e-3, 1e6));
+  command
+      .add_option("--torque-constant", logs.known.torque_constant_Nm_A,
+                  "N·m per ampere, of a motor current")
+      ->check(number_between(1e-6, 1e6));
+  command
+      .add_option_function<std::string>(
+          "--effort-side",
+          [&logs](const std::string& word) { logs.known.effort_side = sides.at(word); },
+          "side of the gear on which the effort acts: motor, joint")
+      ->check(CLI::IsMember(sides))
+      ->type_name("SIDE");
+  command.add_option("--robot", logs.known.robot, "the robot's name");
+  TextLogRules& rules = logs.known.log_rules;
+  command.add_flag_callback(
+      "--decimal-comma", [&rules] { rules.decimal_mark = DecimalMark::comma; },
+      "text logs have decimal commas");
+  command
+      .add_option("--header-line", rules.header_line,
+                  "line of the columns' names, where others stand in front of it")
+      ->check(number_between(1, 1e9));
+  command.add_flag_callback(
+      "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
+      "names in text logs are in Latin-1, not UTF-8");
+}
+
+}  // namespace
+
+CLI::App& add_inspect(CLI::App& app, InspectOptions& inspect) {
+  CLI::App& command =
+      *app.add_subcommand("inspect", "what a log holds: columns, clock, motion, a manifest for it");
+  add_inspected_logs(command, inspect.logs);
+  command.add_option("--json", inspect.json, "file for all of it (JSON)");
+  command.footer(
+      "\nGuesses are marked as such. Speeds are slopes of the angle between marks of its travel;\n"
+      "the logged speed is not trusted. A log that is refused does not keep the others from\n"
+      "being shown; the exit status is 3 then.");
+  return command;
+}
+
+CLI::App& add_init(CLI::App& app, InitOptions& init) {
+  CLI::App& command = *app.add_subcommand("init", "write the manifest that inspect proposes");
+  add_inspected_logs(command, init.logs);
+  command.add_option("-o,--output", init.output, "manifest (TOML) to write")->required();
+  command.add_flag("--force", init.force, "replace a manifest that exists");
+  command.footer(
+      "\nGear ratio and torque constant are seldom in a log: state them here, or in the file.\n"
+      "Its comments say what was guessed.");
+  return command;
 }
 
 }  // namespace tribolog

@@ -1,4 +1,4 @@
-#include "cli/command_options.h"
+#include "cli/commands.h"
 #include "cli/shared_options.h"
 
 namespace tribolog {

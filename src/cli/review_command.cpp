@@ -5,8 +5,8 @@
 
 #include "archive/store/digest.h"
 #include "base/atomic_file.h"
-#include "base/file_contents.h"
-#include "base/sha256.h"
+#include "base/encodings.h"
+#include "base/input_file.h"
 #include "calibration/entry_of_calibration.h"
 #include "calibration/provenance.h"
 #include "cli/archive_commands.h"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "calibration/entry_of_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/calibration_text.h"

@@ -7,10 +7,9 @@
 #include "cli/history_page.h"
 #include "cli/shared_options.h"
 #include "figures/trend_figures.h"
+#include "history/history_json.h"
 #include "history/joint_trend.h"
-#include "history/trend_json.h"
 #include "report/trend_page.h"
-#include "report/trend_view.h"
 
 namespace tribolog::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "figures/history_axes.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "wording/number_text.h"
 
 namespace tribolog {

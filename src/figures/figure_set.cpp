@@ -3,20 +3,15 @@
 #include <optional>
 #include <utility>
 
-#include "figures/break_away_ramps.h"
-#include "figures/curve_model_figure.h"
-#include "figures/direction_lines_figure.h"
-#include "figures/friction_curves.h"
+#include "figures/bristle_figures.h"
+#include "figures/candidate_figures.h"
+#include "figures/cross_check_figures.h"
 #include "figures/hysteresis_loops.h"
-#include "figures/load_dependence_figure.h"
-#include "figures/lugre_loop.h"
-#include "figures/mass_comparison.h"
-#include "figures/quality_error.h"
+#include "figures/parameter_figures.h"
 #include "figures/selected_curve.h"
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 #include "figures/torque_choice.h"
-#include "figures/truth_check_figure.h"
 
 namespace tribolog {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "figures/loop_panels.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "wording/number_text.h"
 
 namespace tribolog::figures {

@@ -1,10 +1,109 @@
 #include "figures/loop_panels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "figures/plot_data.h"
+#include "figures/estimator_style.h"
+#include "figures/report_figure.h"
 
 namespace tribolog::figures {
+
+namespace {
+
+constexpr double first_strokes = 1.25;  // periods: up, down, and up to where E has been passed
+constexpr double most_cycles = 1e6;
+constexpr double cycles_over_time = 2.25;
+constexpr double near_share = 0.25;  // of the loop's width, beyond its ends
+
+}  // namespace
+
+double reading(const LoopPoint& point, LoopSignal signal) {
+  switch (signal) {
+    case LoopSignal::torque:
+      return point.torque_Nm;
+    case LoopSignal::deflection:
+      return point.z_rad;
+    case LoopSignal::deflection_rate:
+      return point.dz_rad_s;
+  }
+  return std::nan("");
+}
+
+std::vector<double> LoopView::until(double end_s, const std::vector<double>& signal) const {
+  const auto& t = trace->t_s;
+  const auto end = std::upper_bound(t.begin(), t.end(), end_s) - t.begin();
+  const auto length = std::min<std::ptrdiff_t>(end, static_cast<std::ptrdiff_t>(signal.size()));
+  return {signal.begin(), signal.begin() + length};
+}
+
+AxisScale LoopView::time() const { return {1.0, "s", trace->t_s.front()}; }
+
+std::optional<LoopView> loop_view(const Calibration& calibration) {
+  const HysteresisResult& loop = calibration.hysteresis;
+  if (!loop.found || loop.traces.empty()) return std::nullopt;
+  const LoopTrace& trace = loop.traces.front();
+  if (trace.t_s.empty() || trace.q_rad.empty() || trace.torque_Nm.empty()) return std::nullopt;
+
+  LoopView view;
+  view.trace = &trace;
+  view.modelled = !trace.z_rad.empty() && loop.bristle_source != "recorded";
+  if (loop.lugre && !loop.lugre->loops.empty() &&
+      loop.lugre->loops.front().torque_Nm.size() == trace.t_s.size()) {
+    view.model_torque_Nm = &loop.lugre->loops.front().torque_Nm;
+  }
+  view.centre_rad = loop.midline_q_rad;
+  const double start = trace.t_s.front();
+  view.first_strokes_end_s = view.shown_end_s = trace.t_s.back();
+  if (!loop.oscillations.empty()) {
+    const Oscillation& oscillation = loop.oscillations.front();
+    // Beyond belief counts as not known.
+    view.cycles = std::abs(oscillation.cycles) < most_cycles ? oscillation.cycles : 0.0;
+    view.centre_rad = oscillation.centre_rad;
+    if (oscillation.frequency_Hz > 0.0) {
+      const double period = 1.0 / oscillation.frequency_Hz;
+      view.first_strokes_end_s = start + first_strokes * period;
+      view.shown_end_s = start + cycles_over_time * period;
+    }
+  }
+  // The readings belong to the first strokes by definition.
+  for (const LoopPoint& point : loop.points) {
+    if (std::isfinite(point.t_s)) {
+      view.first_strokes_end_s = std::max(view.first_strokes_end_s, point.t_s);
+      view.shown_end_s = std::max(view.shown_end_s, point.t_s);
+    }
+  }
+  if (!std::isfinite(view.centre_rad)) view.centre_rad = 0.0;
+  Extent angles;
+  for (const double q : trace.q_rad) angles.add(q - view.centre_rad);
+  if (angles.empty) return std::nullopt;
+  view.angle = prefixed("rad", angles.largest());
+  view.angle.offset = view.centre_rad;
+  return view;
+}
+
+void add_loop_points(render::Panel& panel, const std::vector<LoopPoint>& points, LoopSignal signal,
+                     bool over_time, const LoopView& view, const AxisScale& y) {
+  for (const LoopPoint& point : points) {
+    const std::string name(1, point.name);
+    const SeriesStyle style = estimator_style(name);
+    add_visible(panel, render::PointLabel{
+                           over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
+                           y(reading(point, signal)), name, render::palette::black, style.marker});
+  }
+}
+
+bool add_gravity_peak(render::Panel& panel, const Calibration& calibration, const LoopView& view) {
+  if (!calibration.q_peak_rad || !std::isfinite(calibration.q_peak_rad->value)) return false;
+  const double peak = calibration.q_peak_rad->value;
+  const Extent angles = extent_of(view.trace->q_rad);
+  const double margin = near_share * angles.span();
+  if (peak < angles.low - margin || peak > angles.high + margin) return false;
+  panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, view.angle(peak),
+                                   "q_{peak}", peak_colour, render::LineStyle::dash_dot});
+  return true;
+}
+
 namespace {
 
 constexpr int two_panels_px = 1500;

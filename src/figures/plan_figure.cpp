@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "export/plan/plan_table.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/number_text.h"
 

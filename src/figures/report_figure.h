@@ -1,14 +1,18 @@
 #pragma once
-// A figure of the report: the picture's description and the words that go with it.
+// A figure of the report: the picture's description, the words that go with it, and its data
+// made ready.
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "render/figure/figure.h"
+#include "wording/axis_scale.h"
 
 namespace tribolog {
 
 /// `title`, `caption`, `how_to_read` and `alt` are plain UTF-8 text: no markup, no HTML.
-/// Texts inside `figure` use the markup of render/figure.h.
+/// Texts inside `figure` use the markup of render/figure/figure.h.
 struct ReportFigure {
   int number{};    ///< The paper's figure number; 0: not one of the paper's.
   std::string id;  ///< File-name and anchor safe: "fig-15-hysteresis".
@@ -21,3 +25,30 @@ struct ReportFigure {
 };
 
 }  // namespace tribolog
+
+namespace tribolog::figures {
+
+// Numbers of a recording or a result made ready for a panel: scaled, selected, never altered.
+
+/// All values as the axis shows them.
+std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale);
+
+/// A line with the shorter of the two lengths.
+render::Series line(const std::string& label, std::vector<double> x, std::vector<double> y,
+                    render::Colour colour, double width_px = 2.5,
+                    render::LineStyle style = render::LineStyle::solid);
+
+/// Adds the series if at least one of its points can be drawn.
+/// @return whether it was added.
+bool add_visible(render::Panel& panel, render::Series series);
+
+/// Adds the labelled point if it can be drawn.
+void add_visible(render::Panel& panel, render::PointLabel label);
+
+/// The colour mixed with white. Opaque: where a pale line crosses itself it grows no darker.
+render::Colour lightened(render::Colour colour, double share_of_white);
+
+/// The same colour, `alpha` of 255 opaque.
+render::Colour faded(render::Colour colour, int alpha);
+
+}  // namespace tribolog::figures

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/requirements.h"
 #include "figures/estimator_style.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
 
 namespace tribolog::figures {
+
 namespace {
 
 constexpr double bin_px = 14.0;  // a bin's marker, on which the reference's still leaves a ring
@@ -100,6 +103,128 @@ std::string candidate_words(const Calibration& calibration, const std::string& e
   if (mass == nullptr) return estimator_words(estimator);
   return fmt::format("{} ({})", estimator_words(estimator),
                      rounded(mass->mass_kg, AxisScale{1.0, "kg"}));
+}
+
+namespace {
+
+constexpr double marker_share = 0.012;  // half a marker, of the axis: shorter bars hide in it
+constexpr double under_px = 6.0;  // the reference lies under the fitted laws and shows beside them
+constexpr int line_points = 60;   // a straight law is bent on a logarithmic axis
+
+/// A curve folded: size over size of speed, one direction.
+render::Series folded(const ViscousCurvesResult& viscous, const std::vector<double>& friction_Nm,
+                      bool forward, const AxisScale& scale) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (std::size_t i = 0; i < std::min(viscous.runs.size(), friction_Nm.size()); ++i) {
+    const double speed = viscous.runs[i].speed_rad_s;
+    if ((speed > 0.0) != forward || speed == 0.0 || !std::isfinite(friction_Nm[i])) continue;
+    // Signed along the motion: friction of the wrong sign shows as negative.
+    x.push_back(std::abs(speed));
+    y.push_back(scale(friction_Nm[i] * (forward ? 1.0 : -1.0)));
+  }
+  return line("", std::move(x), std::move(y), {});
+}
+
+/// The two directions, strong for the recommended candidate.
+render::Colour colour_of(bool forward, bool recommended) {
+  if (recommended) return forward ? rising_colour : falling_colour;
+  return forward ? render::palette::sky_blue : render::palette::orange;
+}
+
+}  // namespace
+
+void add_folded_curve(render::Panel& panel, const Calibration& calibration,
+                      const std::string& estimator, const AxisScale& scale, bool recommended) {
+  const ViscousCurve* curve = calibration.viscous.find(estimator);
+  if (curve == nullptr) return;
+  const std::string who = candidate_words(calibration, estimator);
+  for (const bool forward : {true, false}) {
+    render::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
+    series.label = who + (forward ? ", forward" : ", backward");
+    series.colour = colour_of(forward, recommended);
+    series.style = render::LineStyle::none;
+    // Small on large: where the directions agree, both are seen.
+    if (recommended) {
+      series.marker = forward ? render::Marker::circle : render::Marker::diamond;
+      series.marker_size_px = forward ? 23.0 : 10.0;
+    } else {
+      series.marker = forward ? render::Marker::plus : render::Marker::cross;
+      series.marker_size_px = 12.0;
+    }
+    add_visible(panel, std::move(series));
+  }
+  if (!recommended) return;
+  Extent sizes;
+  for (const double friction : curve->friction_Nm) sizes.add(std::abs(friction));
+  const double span = sizes.span();
+  const CurveBand* band = calibration.intervals.band(estimator);
+  for (std::size_t i = 0; i < std::min(calibration.viscous.runs.size(), curve->friction_Nm.size());
+       ++i) {
+    const ConstantSpeedRun& run = calibration.viscous.runs[i];
+    const double size = curve->friction_Nm[i] * (run.speed_rad_s > 0.0 ? 1.0 : -1.0);
+    // The band carries gravity's error too; it is common to all runs.
+    const double half =
+        band == nullptr ? run.torque_half_width_Nm : (band->high_Nm[i] - band->low_Nm[i]) / 2;
+    if (!std::isfinite(size) || !(half > marker_share * span) || !std::isfinite(half)) continue;
+    panel.error_bars.push_back({std::abs(run.speed_rad_s), scale(size - half), scale(size + half),
+                                colour_of(run.speed_rad_s > 0.0, true)});
+  }
+}
+
+void add_folded_reference(render::Panel& panel, const Calibration& calibration,
+                          const Extent& speeds, const AxisScale& scale) {
+  const auto& analytic = calibration.manifest.reference;
+  render::Series series;
+  if (calibration.quality.reference == "analytic" && analytic && speeds.low > 0.0) {
+    for (int i = 0; i <= line_points; ++i) {
+      const double share = static_cast<double>(i) / line_points;
+      const double speed = speeds.low * std::pow(speeds.high / speeds.low, share);
+      series.x.push_back(speed);
+      series.y.push_back(scale(analytic->torque_Nm(speed)));
+    }
+  } else {
+    series = folded(calibration.viscous, calibration.quality.reference_Nm, true, scale);
+  }
+  apply(estimator_style("reference"), series);
+  series.width_px = under_px;
+  if (calibration.viscous.from_sweep) {
+    series.style = render::LineStyle::none;
+    series.marker = render::Marker::plus;
+    series.marker_size_px = 10.0;
+  }
+  series.label = reference_label(calibration);
+  add_visible(panel, std::move(series));
+}
+
+void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& friction,
+                     const AxisScale& scale) {
+  if (friction.waiboer) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < std::min(friction.fit_speed_rad_s.size(), friction.fit_Nm.size());
+         ++i) {
+      if (panel.x.logarithmic && !(friction.fit_speed_rad_s[i] >= present(panel.x.minimum)))
+        continue;
+      x.push_back(friction.fit_speed_rad_s[i]);
+      y.push_back(scale(friction.fit_Nm[i]));
+    }
+    add_visible(panel, line("Waiboer's law, fitted", std::move(x), std::move(y),
+                            render::palette::purple, 3.0, render::LineStyle::dash));
+  }
+  if (!friction.coulomb_viscous) return;
+  const CoulombViscousFit& law = *friction.coulomb_viscous;
+  if (!(law.slowest_rad_s >= 0.0) || !std::isfinite(law.fastest_rad_s)) return;
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i <= line_points; ++i) {
+    const double speed =
+        law.slowest_rad_s + (law.fastest_rad_s - law.slowest_rad_s) * i / line_points;
+    x.push_back(speed);
+    y.push_back(scale(law.coulomb_Nm.value + law.viscous_Nms_rad.value * speed));
+  }
+  add_visible(panel, line("Coulomb + viscous, fitted", std::move(x), std::move(y),
+                          render::palette::green, 3.0, render::LineStyle::dash_dot));
 }
 
 }  // namespace tribolog::figures

@@ -1,5 +1,5 @@
 #pragma once
-// Curves over the constant-speed runs: how candidates, reference and close-ups are drawn.
+// Curves over the constant-speed runs, as recorded or folded.
 
 #include <string>
 #include <vector>
@@ -28,5 +28,21 @@ std::string reference_label(const Calibration& calibration);
 
 /// "A (80.00 kg)"
 std::string candidate_words(const Calibration& calibration, const std::string& estimator);
+
+// Friction folded: size over size of motor speed, so that the two directions lie on each other.
+// Signed along the motion: friction that would drive the joint shows as negative.
+
+/// Both directions of an estimator's curve as markers; the recommended one with the 95 % bars of
+/// its runs that are longer than a marker. Nothing if there is no such curve.
+void add_folded_curve(render::Panel& panel, const Calibration& calibration,
+                      const std::string& estimator, const AxisScale& scale, bool recommended);
+
+/// The reference over these speeds (sizes).
+void add_folded_reference(render::Panel& panel, const Calibration& calibration,
+                          const Extent& speeds, const AxisScale& scale);
+
+/// The laws of stage 8, where they were fitted. A logarithmic x axis must have its minimum set.
+void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& friction,
+                     const AxisScale& scale);
 
 }  // namespace tribolog::figures

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "figures/folded_curves.h"
 #include "figures/run_curves.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "figures/estimator_style.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/reading_label.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "figures/estimator_style.h"
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "figures/sweep_traces.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"

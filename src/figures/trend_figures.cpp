@@ -6,13 +6,202 @@
 
 #include <fmt/format.h>
 
+#include "base/requirements.h"
 #include "figures/history_axes.h"
-#include "figures/plot_data.h"
-#include "figures/trend_panels.h"
-#include "statistics/student_t.h"
+#include "figures/report_figure.h"
+#include "history/joint_trend.h"
+#include "render/figure/figure.h"
+#include "statistics/distributions.h"
+#include "wording/axis_scale.h"
 #include "wording/number_text.h"
 
+namespace tribolog::figures {
+
+// Its two panels, over one axis of dates.
+
+namespace {
+
+namespace colour = render::palette;
+using history::FoundChange;
+using history::HistoryPoint;
+using history::LeftOut;
+using history::QuantityTrend;
+
+constexpr std::size_t many_points = 40;
+
+render::Series marks(const std::string& label, render::Colour c, render::Marker marker,
+                     std::size_t all) {
+  render::Series series;
+  series.label = label;
+  series.colour = c;
+  series.style = render::LineStyle::none;
+  series.marker = marker;
+  series.marker_size_px = all > many_points ? 8.0 : 13.0;
+  return series;
+}
+
+void add(render::Series& series, double x, double y) {
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
+/// Days, so that no first or last point lies on the frame.
+double margin_of(const QuantityTrend& trend) {
+  const double span =
+      day_of(trend.points.back().measured_at) - day_of(trend.points.front().measured_at);
+  return std::max(0.03 * span, 1.5);
+}
+
+void set_time_axis(const QuantityTrend& trend, render::Panel& panel) {
+  panel.x.title = "measured on (UTC)";
+  panel.x.dates = true;
+  panel.x.minimum = day_of(trend.points.front().measured_at) - margin_of(trend);
+  panel.x.maximum = day_of(trend.points.back().measured_at) + margin_of(trend);
+}
+
+void add_reference(const QuantityTrend& trend, const AxisScale& scale, render::Panel& panel) {
+  if (!trend.reference) return;
+  constexpr double wide = 2;
+  const double level = trend.reference->level;
+  const double scatter = wide * trend.reference->scatter();
+  render::Band band;
+  band.label = "reference ± 2 standard deviations of a calibration";
+  band.x = {present(panel.x.minimum), present(panel.x.maximum)};
+  band.low = {scale(level - scatter), scale(level - scatter)};
+  band.high = {scale(level + scatter), scale(level + scatter)};
+  band.colour = {colour::green.red, colour::green.green, colour::green.blue, 45};
+  panel.bands.push_back(std::move(band));
+  panel.series.push_back(line("", {present(panel.x.minimum), present(panel.x.maximum)},
+                              {scale(level), scale(level)}, colour::green, 2.5,
+                              render::LineStyle::dash));
+}
+
+/// Vertical lines at the dates of the changes.
+void mark_changes(const QuantityTrend& trend, bool with_text, render::Panel& panel) {
+  const auto add_line = [&](const std::string& date, const std::string& text, render::Colour c) {
+    render::ReferenceLine line;
+    line.at = day_of(date);
+    if (with_text) line.text = text + " " + date_of(date);
+    line.colour = c;
+    panel.reference_lines.push_back(std::move(line));
+  };
+  for (const FoundChange& change : trend.changes) {
+    if (change.is_slow) {
+      add_line(change.alarm, "visible from", colour::vermilion);
+      continue;
+    }
+    add_line(change.from, "visible from", colour::vermilion);
+    if (change.alarm != change.from) add_line(change.alarm, "alarm", colour::grey);
+    if (!change.back.empty()) add_line(change.back, "back from", colour::green);
+  }
+}
+
+/// Along the line of a slow drift.
+void add_drift(const QuantityTrend& trend, const AxisScale& scale, render::Panel& panel) {
+  for (const FoundChange& change : trend.changes) {
+    if (!change.is_slow) continue;
+    panel.series.push_back(
+        line("drift", {day_of(change.from), day_of(trend.points.back().measured_at)},
+             {scale(change.drift_start), scale(change.drift_start + change.size.value)},
+             colour::vermilion, 2.5, render::LineStyle::solid));
+  }
+}
+
+/// For the texts of the marked dates.
+void leave_room_above(render::Panel& panel) {
+  constexpr double share = 0.16;
+  Extent extent;
+  for (const render::ErrorBar& bar : panel.error_bars) extent.add({bar.low, bar.high});
+  for (const render::Series& s : panel.series) extent.add(s.y);
+  panel.y.maximum = extent.high + share * extent.span();
+}
+
+/// Whether temperature's effect is more than what chance makes of none; only then are values shown
+/// as brought to one temperature.
+bool is_visibly_corrected(const QuantityTrend& trend) {
+  constexpr double clear = 2;
+  return trend.temperature == history::TemperatureUse::corrected && trend.reference &&
+         std::abs(trend.reference->slope_per_K) >
+             clear * std::sqrt(trend.reference->slope_variance);
+}
+
+/// Values with intervals, the reference, what was left out, the dates of changes.
+/// @param trend with at least one point.
+render::Panel trend_panel(const QuantityTrend& trend, const AxisScale& scale) {
+  render::Panel panel;
+  panel.y.title = axis_title(trend.words, scale, trend.unit);
+  set_time_axis(trend, panel);
+  add_reference(trend, scale, panel);
+  const bool is_corrected = is_visibly_corrected(trend);
+  const std::size_t all = trend.points.size();
+  const char* const at = is_corrected ? " (at one temperature)" : "";
+  render::Series learned = marks(std::string("the first, only learned from") + at, colour::sky_blue,
+                                 render::Marker::square, all);
+  render::Series judged = marks(std::string("calibration, 95 % interval") + at, colour::blue,
+                                render::Marker::circle, all);
+  render::Series as_measured = marks("as measured", colour::orange, render::Marker::plus, all);
+  render::Series left = marks("left out", colour::grey, render::Marker::cross, all);
+  for (const HistoryPoint& p : trend.points) {
+    const double day = day_of(p.measured_at);
+    if (p.left_out != LeftOut::none) {
+      add(left, day, scale(p.estimate.value));
+      continue;
+    }
+    const double value = is_corrected ? p.corrected.value_or(p.estimate.value) : p.estimate.value;
+    const double by = value - p.estimate.value;
+    render::ErrorBar bar{day, scale(p.estimate.low + by), scale(p.estimate.high + by)};
+    bar.colour = p.chart.is_judged ? colour::blue : colour::sky_blue;
+    panel.error_bars.push_back(bar);
+    add(p.chart.is_judged ? judged : learned, day, scale(value));
+    if (is_corrected) add(as_measured, day, scale(p.estimate.value));
+  }
+  for (render::Series* s : {&left, &learned, &judged, &as_measured}) {
+    add_visible(panel, std::move(*s));
+  }
+  add_drift(trend, scale, panel);
+  mark_changes(trend, true, panel);
+  if (!trend.changes.empty()) leave_room_above(panel);
+  return panel;
+}
+
+/// Both sums of the chart and their limit.
+render::Panel sum_panel(const QuantityTrend& trend) {
+  render::Panel panel;
+  panel.y.title = "CUSUM [standard deviations]";
+  set_time_axis(trend, panel);
+  render::Series above = line("C^{+}, risen", {}, {}, colour::blue, 3.0);
+  render::Series below =
+      line("−C^{−}, fallen", {}, {}, colour::orange, 3.0, render::LineStyle::dash);
+  for (render::Series* s : {&above, &below}) {
+    s->marker = render::Marker::circle;
+    s->marker_size_px = trend.points.size() > many_points ? 5.0 : 8.0;
+  }
+  for (const HistoryPoint& p : trend.points) {
+    if (p.left_out != LeftOut::none || !p.chart.is_judged) continue;
+    const double day = day_of(p.measured_at);
+    add(above, day, p.chart.above);
+    add(below, day, -p.chart.below);
+  }
+  add_visible(panel, std::move(above));
+  add_visible(panel, std::move(below));
+  for (const double side : {1.0, -1.0}) {
+    render::ReferenceLine line;
+    line.direction = render::ReferenceLine::Direction::horizontal;
+    line.at = side * trend.limit;
+    line.text = fmt::format("limit {}{:.1f}", side > 0 ? "" : "−", trend.limit);
+    line.colour = colour::vermilion;
+    panel.reference_lines.push_back(std::move(line));
+  }
+  mark_changes(trend, false, panel);
+  return panel;
+}
+
+}  // namespace
+
+}  // namespace tribolog::figures
+
 namespace tribolog {
+
 namespace {
 
 using figures::AxisScale;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 ParameterSlots DahlFriction::Parameters::by_name() {

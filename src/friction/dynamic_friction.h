@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "friction/friction_model.h"
+#include "friction/named_parameters.h"
 #include "friction/speed_step.h"
 
 namespace tribolog {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 

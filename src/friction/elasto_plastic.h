@@ -8,7 +8,7 @@
 // to where it was. From zba to g(w) a rises to 1 along a sine; at 1 this is LuGre.
 
 #include "friction/dynamic_friction.h"
-#include "friction/stribeck_curve.h"
+#include "friction/stribeck.h"
 
 namespace tribolog {
 

@@ -10,7 +10,7 @@
 
 #include "friction/dynamic_friction.h"
 #include "friction/maxwell_slip.h"
-#include "friction/stribeck_curve.h"
+#include "friction/stribeck.h"
 
 namespace tribolog {
 

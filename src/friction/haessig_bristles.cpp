@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 

@@ -50,4 +50,15 @@ NamedParameters named(Parameters parameters) {
 /// @throw std::invalid_argument for a key or a kind of value that the slots do not have.
 void set_values(const ParameterSlots& slots, const NamedParameters& values);
 
+// What every friction model has, with memory or without: a name and named parameters.
+
+class FrictionModel {
+ public:
+  virtual ~FrictionModel() = default;
+  /// As files say it: "gms".
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// As files state them, in the header's order.
+  [[nodiscard]] virtual NamedParameters named_parameters() const = 0;
+};
+
 }  // namespace tribolog

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "friction/dynamic_friction.h"
-#include "friction/friction_model.h"
+#include "friction/named_parameters.h"
 
 namespace tribolog {
 

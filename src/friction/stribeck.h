@@ -1,15 +1,39 @@
 #pragma once
+// The part of friction that falls from break-away to Coulomb torque as speed grows.
+
+#include "friction/named_parameters.h"
+#include "friction/static_friction.h"
+
+namespace tribolog {
+
+/// s(w) = Tc + (Ts - Tc) exp(-(|w|/ws)^d): what eq. (1) and (5) and every model after LuGre share.
+class StribeckCurve {
+ public:
+  struct Parameters {
+    double coulomb_Nm{};               ///< Tc > 0
+    double static_Nm{};                ///< Ts >= Tc, break-away torque
+    double stribeck_speed_rad_s{1.0};  ///< ws > 0
+    double power{2.0};                 ///< d > 0
+    ParameterSlots by_name();
+  };
+
+  /// @throw std::invalid_argument quoting the value and the rule.
+  explicit StribeckCurve(const Parameters& parameters);
+
+  [[nodiscard]] const Parameters& parameters() const { return p_; }
+  /// s(|w|) [N·m], between Tc and Ts.
+  [[nodiscard]] double operator()(double speed_rad_s) const;
+
+ private:
+  Parameters p_;
+};
+
 // Static friction with Coulomb torque, Stribeck effect and viscous part, eq. (1); discontinuous.
 //
 //   Tf = (Tc + (Ts - Tc) exp(-(w/ws)^2) + Tw |w|) sgn(w),   w != 0
 //   |Tf| <= Ts,                                             w  = 0
 //
 // In print sgn(w) stands on a line of its own; it multiplies the whole first line (errata).
-
-#include "friction/static_friction.h"
-#include "friction/stribeck_curve.h"
-
-namespace tribolog {
 
 class StribeckFriction final : public StaticFriction {
  public:

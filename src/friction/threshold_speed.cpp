@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 

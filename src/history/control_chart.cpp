@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/present.h"
-#include "statistics/normal_score.h"
+#include "base/requirements.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::history {
 namespace {

@@ -16,7 +16,7 @@
 // Sequential Analysis, 1985) ARL = (exp(2 k b) - 2 k b - 1) / (4 k^2), b = h + 1.166, this is a
 // false alarm in about 35 000 calibrations of the joint, all its quantities together. That the
 // scatter is estimated, from few calibrations, and that its estimates hang together, costs a part
-// of it: simulated are, with those of slow_drift.h, 0.4 % of the joints within their first 20
+// of it: simulated are, with those of reference_line.h, 0.4 % of the joints within their first 20
 // calibrations and 2 % within 100. A fleet of thousands of joints can still be followed up; a lower
 // h would find more and drown it.
 //

@@ -1,13 +1,17 @@
 #pragma once
-// Internal to the history: what its JSON files have in common.
+// Comparisons, trends and fleets as JSON for scripts.
 
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "base/shown_text.h"
+#include "history/comparison.h"
+#include "history/fleet.h"
+#include "history/joint_trend.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::history {
@@ -34,4 +38,24 @@ inline std::string text_of(const OrderedJson& json) {
          "\n";
 }
 
+// A comparison as JSON for scripts.
+
+/// Schema "tribolog-archive-diff-1": SI, motor side. The same comparison gives the same bytes.
+std::string comparison_json(const Comparison& comparison);
+
+// Trends as JSON for scripts.
+
+/// Schema "tribolog-archive-trend-1": SI, motor side. The same trends give the same bytes.
+std::string trend_json(const std::vector<JointTrend>& trends);
+
 }  // namespace tribolog::history
+
+namespace tribolog::archive {
+
+// The fleet sheet for scripts.
+
+/// {"schema": "tribolog-fleet-1", "limit", "robots": [{"joints": [{"quantities": [...]}]}]}: the
+/// latest result of each quantity (SI, motor side) with both distances; the furthest robot first.
+std::string fleet_json(const Fleet& fleet);
+
+}  // namespace tribolog::archive

@@ -9,8 +9,8 @@
 #include "calibration/entry_of_calibration.h"
 #include "history/quantity_series.h"
 #include "history/quantity_traits.h"
-#include "history/slow_drift.h"
-#include "statistics/student_t.h"
+#include "history/reference_line.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::history {
 namespace {

@@ -60,7 +60,7 @@ std::string to_string(TrendState state);  ///< In words.
 
 /// A change that was found, in the quantity's unit.
 struct FoundChange {
-  bool is_slow{};     ///< A steady drift over all calibrations (slow_drift.h); else a shift.
+  bool is_slow{};     ///< A steady drift over all calibrations (reference_line.h); else a shift.
   int direction{};    ///< 1: risen.
   std::string from;   ///< Date from which it is visible; of a drift the first calibration's.
   std::string alarm;  ///< Date on which enough calibrations showed it.

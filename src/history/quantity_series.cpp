@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "history/quantity_traits.h"
-#include "history/same_conditions.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::history {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "calibration/archived_calibration.h"
+
 namespace tribolog::history {
 
 struct QuantityTraits {
@@ -19,5 +21,11 @@ struct QuantityTraits {
 
 /// @param name as in the archive: "coulomb_torque". One that is not known depends on everything.
 QuantityTraits traits_of(const std::string& name);
+
+// What of two calibrations' conditions is the same.
+
+bool has_same_gear(const archive::Facts& a, const archive::Facts& b);
+/// Name, mass and distance; one that is stated and one that is not are two.
+bool has_same_payload(const archive::Facts& a, const archive::Facts& b);
 
 }  // namespace tribolog::history

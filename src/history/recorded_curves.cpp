@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calibration/calibration_member.h"
+#include "calibration/json_values.h"
 
 namespace tribolog::history {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 // A dataset: the manifest's facts about one joint, and its recordings.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,13 +10,31 @@
 
 #include "friction/static_friction.h"
 #include "joint/acceptance_limit.h"
-#include "joint/column_conversion.h"
 #include "joint/drive.h"
-#include "joint/known_load.h"
-#include "joint/logged_effort.h"
+#include "joint/gravity_load.h"
 #include "joint/recording.h"
 
 namespace tribolog {
+
+/// Fewest resamples from which the ends of a 95 % interval can be read.
+inline constexpr std::size_t fewest_resamples = 100;
+inline constexpr std::size_t most_resamples = 1000000;
+
+/// 0 (no bootstrap), or from the fewest to the most.
+bool resamples_are_allowed(std::uint64_t resamples);
+/// "0 (closed forms alone), or 100 to 1000000"
+std::string allowed_resamples_in_words();
+
+// What a logger is known to write into the column that a manifest takes for the effort.
+
+struct LoggedEffort {
+  std::string logger;              ///< "UR RTDE"
+  std::string column;              ///< "target_moment_0"
+  std::optional<EffortKind> kind;  ///< Absent: the logger writes one or the other.
+  std::optional<Side> side;
+  bool is_target{};       ///< A set point or a model's value: no measurement.
+  bool is_behind_gear{};  ///< Of a sensor that most of the gear's friction does not pass.
+};
 
 struct RobotDescription;
 
@@ -73,5 +92,17 @@ struct Dataset {
 
   [[nodiscard]] std::vector<const Recording*> with_role(Role role) const;
 };
+
+// The conversions of all logs of a dataset, each told once.
+
+/// A conversion with the logs whose columns it was applied to.
+struct SharedConversion {
+  ColumnConversion conversion;
+  std::vector<std::string> files;  ///< In the manifest's order, each once.
+  bool is_of_all{};                ///< Every log that was read has it.
+};
+
+/// By signal, and where logs differ in the order in which they come.
+std::vector<SharedConversion> shared_conversions(const std::vector<InputFile>& inputs);
 
 }  // namespace tribolog

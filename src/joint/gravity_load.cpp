@@ -1,13 +1,15 @@
 #include "joint/gravity_load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
+
 GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad, double gravity_m_s2)
     : mass_kg_(mass_kg),
       distance_m_(distance_m),
@@ -31,6 +33,23 @@ double GravityLoad::torque_Nm(double q_rad) const {
 double surrogate_mass_kg(double torque_Nm, double gear_ratio, double surrogate_distance_m,
                          double gravity_m_s2, double cos_from_peak) {
   return gear_ratio * torque_Nm / (gravity_m_s2 * surrogate_distance_m * cos_from_peak);
+}
+
+bool KnownLoad::loads(Role role) const {
+  return roles.empty() || std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+double KnownLoad::torque_Nm(double angle_sum_rad) const {
+  return amplitude_Nm * std::cos(angle_sum_rad + phase_rad);
+}
+
+StatedGravity::StatedGravity(double amplitude_Nm, double q_peak_rad)
+    : amplitude_Nm_(amplitude_Nm), q_peak_rad_(q_peak_rad) {
+  require_positive(amplitude_Nm, "amplitude of the known gravity", "N·m");
+  if (!std::isfinite(q_peak_rad)) {
+    throw std::invalid_argument(
+        fmt::format("angle of the known gravity peak {} is not finite", q_peak_rad));
+  }
 }
 
 }  // namespace tribolog

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/parallel_for.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "plan/simulated_plan.h"
-#include "simulate/simulated_dataset.h"
-#include "statistics/median.h"
+#include "simulate/simulate_joint.h"
+#include "statistics/order_statistics.h"
 #include "study/statistics.h"
 #include "study/study.h"
 

@@ -13,7 +13,7 @@
 namespace tribolog {
 
 struct ExpectedInterval {
-  std::string name;  ///< Of the reading (study/readings.h), or "break_away".
+  std::string name;  ///< Of the reading (truth/readings.h), or "break_away".
   ReadingKind quantity{ReadingKind::gravity};
   std::string words;  ///< "gravity torque, mid-line"
   double truth{};     ///< Of the assumed joint.

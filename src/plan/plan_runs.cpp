@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "simulate/motion.h"
 
 namespace tribolog::planning {
+
 namespace {
 
 constexpr double usual_speeds = 20;
@@ -123,6 +125,167 @@ void add_runs(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pla
       "{:.3g}°/s), the fastest by the {}",
       count, bottom, top, bottom / n * degrees_per_rad, top / n * degrees_per_rad,
       fastest.limited_by);
+  plan.parts.push_back(std::move(part));
+}
+
+// Break-away ramps: the joint stands at the gravity peak, the torque rises until it slides.
+
+namespace {
+
+constexpr double seconds_to_break_away = 4;
+constexpr double usual_change = 1.6;  // of the break-away torque
+constexpr double least_change = 1.2;
+constexpr double return_s = 2;
+constexpr double usual_repeats = 5;
+constexpr double fewest_repeats = 3;
+constexpr double most_repeats = 10;
+/// Travel at which a ramp is over, as a multiple of the deflection at break-away.
+constexpr double travel_over_breakaway = 100;
+/// The travel to break-away must show in so many steps of the encoder
+/// (method/hysteresis/break_away.h).
+constexpr double fewest_steps = 20;
+
+}  // namespace
+
+void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
+  using std::numbers::pi;
+  const AssumedJoint& j = plan.joint;
+  const double n = j.facts.gear_ratio;
+  PlannedPart part = part_about_the_peak(Role::break_away, range, plan);
+  part.gives = "break-away torque without any model";
+  const double spare = usable_torque * j.facts.torque_limit_Nm - j.gravity_Nm;
+  const double change = std::min(usual_change * j.static_Nm, spare);
+  const double steps = j.breakaway_deflection_rad() * j.noise.encoder_counts_per_turn / (2 * pi);
+  // Thrown off by all of the change it must not pass the speed limit within its travel.
+  const double speed_limit = j.facts.speed_limit_rad_s * n;
+  const double by_speed = speed_limit * speed_limit * j.inertia_kgm2 / (2 * change) / n;
+  const double travel = std::min(
+      {travel_over_breakaway * j.breakaway_deflection_rad() / n, by_speed, range.span_rad() / 2});
+  if (part.state == PartState::planned && change < least_change * j.static_Nm) {
+    part.state = PartState::impossible;
+    part.why = fmt::format(
+        "holding gravity of {:.4g} N·m, the torque limit of {:.4g} N·m leaves {:.3g} N·m; {:.3g} "
+        "N·m are needed to pass the break-away torque of {:.3g} N·m",
+        j.gravity_Nm, j.facts.torque_limit_Nm, spare, least_change * j.static_Nm, j.static_Nm);
+    part.help = "a lighter load";
+  } else if (part.state == PartState::planned && steps < fewest_steps) {
+    part.state = PartState::impossible;
+    part.why = fmt::format(
+        "the {:.2g} rad of the motor up to break-away are {:.2g} steps of the encoder, {:.0f} are "
+        "needed",
+        j.breakaway_deflection_rad(), steps, fewest_steps);
+    part.help = "a finer encoder";
+  }
+  if (part.state == PartState::planned) {
+    const PlannedRamp up{1, j.static_Nm / seconds_to_break_away, change, travel};
+    const double ramp_s = change / up.rate_Nm_s;
+    const double q = range.with_room(j.q_peak_rad, travel);
+    const auto repeats = static_cast<int>(std::clamp(
+        std::round(usual_repeats * std::sqrt(plan.effort)), fewest_repeats, most_repeats));
+    const double begins_s = timeline.now_s();
+    timeline.go_to(q);
+    for (int k = 0; k < 2 * repeats; ++k) {
+      PlannedRamp ramp = up;
+      ramp.direction = k % 2 == 0 ? 1 : -1;
+      timeline.record(fmt::format("break-away {} of {}, torque {}", k + 1, 2 * repeats,
+                                  k % 2 == 0 ? "rising" : "falling"),
+                      Role::break_away, hold(q, rest_s + ramp_s + return_s), rest_s,
+                      rest_s + ramp_s, ramp);
+    }
+    part.recordings = static_cast<std::size_t>(2 * repeats);
+    part.duration_s = timeline.now_s() - begins_s;
+    part.motion = fmt::format(
+        "at {}, {} ramps up and {} down at {:.3g} N·m/s, by up to {:.3g} N·m at the motor from "
+        "what holds the arm; a ramp ends when the joint has slid {:.2g}°",
+        degrees_text(q), repeats, repeats, up.rate_Nm_s, change, travel * degrees_per_rad);
+  }
+  plan.parts.push_back(std::move(part));
+}
+
+// The two sweeps.
+
+namespace {
+
+constexpr double rough_stroke_s = 70;
+constexpr double precise_stroke_s = 20;
+constexpr double precise_reach_rad = 1 * rad_per_degree;  // as in the paper
+constexpr double least_precise_reach_rad = 0.25 * rad_per_degree;
+constexpr double least_range_rad = 20 * rad_per_degree;
+constexpr double good_range_rad = 60 * rad_per_degree;
+constexpr double fastest_sweep_share = 0.25;  // of the speed limit
+
+double sweep_speed(const ExperimentPlan& plan, double way_rad, double stroke_s) {
+  return std::min(way_rad / (stroke_s * plan.effort),
+                  fastest_sweep_share * plan.joint.facts.speed_limit_rad_s);
+}
+
+void add_sweep(const std::string& name, double from_rad, double to_rad, double speed_rad_s,
+               const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan,
+               PlannedPart& part) {
+  const double begins_s = timeline.now_s();
+  timeline.go_to(from_rad);
+  const auto motion =
+      travel(from_rad, to_rad, speed_rad_s, range.acceleration_rad_s2, true, rest_s);
+  timeline.record(name, part.role, motion, 0, motion->duration_s());
+  part.recordings = 1;
+  part.duration_s = timeline.now_s() - begins_s;
+  part.motion =
+      fmt::format("from {} to {} and back at {:.3g}°/s, {:.3g} rad/s at the motor",
+                  degrees_text(from_rad), degrees_text(to_rad), speed_rad_s * degrees_per_rad,
+                  speed_rad_s * plan.joint.facts.gear_ratio);
+}
+
+}  // namespace
+
+void add_rough_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
+  PlannedPart part;
+  part.role = Role::rough_sweep;
+  part.gives =
+      "gravity torque, angle of the gravity peak, friction of the slow joint, torque ripple";
+  const double span = range.span_rad();
+  if (span < least_range_rad) {
+    part.state = PartState::impossible;
+    part.why = fmt::format(
+        "over the {} that can be used a cosine cannot be told from a constant; {} are needed",
+        degrees_text(span, 1), degrees_text(least_range_rad, 0));
+    part.help = "wider angle limits";
+  } else {
+    if (span < good_range_rad) {
+      part.state = PartState::limited;
+      part.why = fmt::format(
+          "{} is a short range: gravity is told from friction the less surely; {} and more are "
+          "good",
+          degrees_text(span, 1), degrees_text(good_range_rad, 0));
+      part.help = "wider angle limits";
+    } else if (plan.joint.peak_is_known && !range.holds_peak) {
+      part.state = PartState::limited;
+      part.why = fmt::format("the sweep does not cross the gravity peak at {}",
+                             degrees_text(plan.joint.q_peak_rad));
+      part.help = "an angle range that holds the peak";
+    }
+    add_sweep("rough sweep", range.low_rad, range.high_rad, sweep_speed(plan, span, rough_stroke_s),
+              range, timeline, plan, part);
+  }
+  plan.parts.push_back(std::move(part));
+}
+
+void add_precise_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
+  PlannedPart part = part_about_the_peak(Role::precise_sweep, range, plan);
+  part.gives = "angle of the gravity peak, closer";
+  if (part.state == PartState::planned) {
+    const double peak = plan.joint.q_peak_rad;
+    const double reach = std::min({precise_reach_rad, peak - range.low_rad, range.high_rad - peak});
+    if (reach < least_precise_reach_rad) {
+      part.state = PartState::impossible;
+      part.why = fmt::format(
+          "the gravity peak at {} is {} from the end of the range; {} are needed",
+          degrees_text(peak), degrees_text(reach), degrees_text(least_precise_reach_rad));
+      part.help = "wider angle limits";
+    } else {
+      add_sweep("precise sweep", peak - reach, peak + reach,
+                sweep_speed(plan, 2 * reach, precise_stroke_s), range, timeline, plan, part);
+    }
+  }
   plan.parts.push_back(std::move(part));
 }
 

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
-#include "simulate/motor_side.h"
+#include "simulate/motion.h"
 
 namespace tribolog {
 namespace {

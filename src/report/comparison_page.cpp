@@ -1,14 +1,180 @@
 #include "report/comparison_page.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include "history/comparison_json.h"
-#include "report/comparison_view.h"
+#include "base/requirements.h"
+#include "history/history_json.h"
+#include "history/quantity_traits.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
+#include "wording/number_text.h"
+#include "wording/rounding.h"
+#include "wording/units.h"
+
+namespace tribolog::report {
+
+namespace {
+
+using history::ChangeWord;
+using history::ComparedQuantity;
+using history::Comparison;
+
+Scale scale_of(const ComparedQuantity& q) {
+  const Estimate& e = q.first ? *q.first : present(q.second);
+  return quantity_scale(q.unit, e.value);
+}
+
+/// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit stands with the quantity.
+std::string text_of(const RoundedEstimate& rounded) {
+  if (!rounded.half_width.empty() || rounded.low.empty()) return rounded.plus_minus();
+  return rounded.estimate + " (" + rounded.range() + ")";
+}
+
+std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
+  return e ? text_of(round_by_interval(*e, scale)) : or_dash("");
+}
+
+/// With a plus where it grew by a digit that is printed.
+std::string signed_text(const std::optional<Estimate>& change, const Scale& scale) {
+  if (!change) return or_dash("");
+  RoundedEstimate rounded = round_by_interval(*change, scale);
+  rounded.estimate = with_plus_sign(rounded.estimate);
+  return text_of(rounded);
+}
+
+/// "Coulomb torque [mN·m]"
+std::string quantity_text(const ComparedQuantity& q, const Scale& scale) {
+  return scale.unit.empty() ? q.words : q.words + " [" + scale.unit + "]";
+}
+
+std::string time_text(const archive::Facts& f) {
+  return f.measured_at + (f.time_is_stated ? "" : " (identified)");
+}
+
+std::string number_text(const std::optional<double>& value, const char* unit) {
+  return value ? with_unit(as_stated(*value), unit) : or_dash("");
+}
+
+/// What is said of quantities, with the names of those it is said of.
+class SharedTexts {
+ public:
+  void add(const std::string& text, const std::string& of) {
+    for (auto& [known, names] : texts_) {
+      if (known != text) continue;
+      names.push_back(of);
+      return;
+    }
+    texts_.push_back({text, {of}});
+  }
+  void append_to(std::vector<std::string>& notes, const std::string& word) const {
+    for (const auto& [text, names] : texts_) {
+      notes.push_back(as_sentence(fmt::format("{}{}: {}", figures::listed(names), word, text)));
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> texts_;
+};
+
+}  // namespace
+
+std::string comparison_sentence(const Comparison& c) {
+  const std::size_t changed = c.count(ChangeWord::changed);
+  const std::size_t comparable = changed + c.count(ChangeWord::no_change_seen);
+  const std::size_t others = c.count(ChangeWord::not_comparable);
+  std::string sentence = "Nothing is comparable";
+  if (changed > 0) {
+    sentence = fmt::format("{} of {} comparable {} changed", changed, comparable,
+                           comparable == 1 ? "quantity" : "quantities");
+  } else if (comparable > 0) {
+    sentence = fmt::format("No change seen in {} comparable {}", comparable,
+                           comparable == 1 ? "quantity" : "quantities");
+  }
+  if (others > 0 && comparable > 0) {
+    sentence += fmt::format("; {} {} not comparable", others, others == 1 ? "is" : "are");
+  }
+  return sentence + ".";
+}
+
+Table compared_quantities_table(const Comparison& c) {
+  Table table;
+  table.id = "table-changes";
+  table.is_stacked = true;
+  table.caption = "Each quantity and its change";
+  table.columns = {{"Quantity", "", false, true}, {"First", "", true},      {"Second", "", true},
+                   {"Change", "", true},          {"In percent", "", true}, {"Word", "", false}};
+  for (const ComparedQuantity& q : c.quantities) {
+    const Scale scale = scale_of(q);
+    std::optional<Estimate> change;
+    std::optional<Estimate> percent;
+    if (q.change) {
+      change = q.change->absolute;
+      percent = q.change->percent;
+    }
+    table.rows.push_back(
+        {{quantity_text(q, scale), estimate_text(q.first, scale), estimate_text(q.second, scale),
+          signed_text(change, scale), signed_text(percent, {1, "%"}), to_string(q.word)},
+         q.word == ChangeWord::changed});
+  }
+  table.note = fmt::format(
+      "At the motor, with 95 % intervals; that of a change is of both, which are independent. "
+      "“changed” needs a chance of at most {:.3g} % over all quantities together (Holm), so that "
+      "many quantities do not make a change by chance.",
+      100 * history::changed_chance);
+  return table;
+}
+
+Table compared_conditions_table(const Comparison& c) {
+  const archive::Facts& a = c.first.facts;
+  const archive::Facts& b = c.second.facts;
+  Table table;
+  table.id = "table-conditions";
+  table.is_stacked = true;
+  table.caption = "How they were measured";
+  table.columns = {
+      {"Condition", "", false}, {"First", "", false, true}, {"Second", "", false, true}};
+  const auto add = [&](const char* name, const std::string& first, const std::string& second) {
+    table.rows.push_back({{name, or_dash(first), or_dash(second)}, false});
+  };
+  add("Calibration", c.first.id.substr(0, archive::shown_digits),
+      c.second.id.substr(0, archive::shown_digits));
+  add("Robot", a.of.robot, b.of.robot);
+  add("Serial number", a.of.serial, b.of.serial);
+  add("Joint", a.of.joint, b.of.joint);
+  add("Measured", time_text(a), time_text(b));
+  add("Operator", a.operator_name, b.operator_name);
+  add("Temperature", number_text(a.temperature_C, "°C"), number_text(b.temperature_C, "°C"));
+  add("Payload", a.payload, b.payload);
+  add("Payload's mass", number_text(a.payload_kg, "kg"), number_text(b.payload_kg, "kg"));
+  add("Gear ratio", as_stated(a.gear_ratio), as_stated(b.gear_ratio));
+  add("Sampling rate", number_text(a.sampling_Hz, "Hz"), number_text(b.sampling_Hz, "Hz"));
+  add("Verdict", to_string(a.verdict), to_string(b.verdict));
+  add("Made by tribolog", a.tool_version, b.tool_version);
+  return table;
+}
+
+std::vector<std::string> comparison_notes(const Comparison& c) {
+  SharedTexts why_not;
+  SharedTexts cautions;
+  for (const ComparedQuantity& q : c.quantities) {
+    for (const std::string& text : q.why_not) why_not.add(text, q.words);
+    if (q.word == ChangeWord::not_comparable) continue;
+    for (const std::string& text : q.cautions) cautions.add(text, q.words);
+  }
+  std::vector<std::string> notes;
+  for (const std::string& remark : c.remarks) notes.push_back(as_sentence(remark));
+  why_not.append_to(notes, ", not comparable");
+  cautions.append_to(notes, ", with caution");
+  return notes;
+}
+
+}  // namespace tribolog::report
 
 namespace tribolog {
+
 namespace {
 
 using namespace report;

@@ -1,5 +1,5 @@
 #pragma once
-// Two calibrations side by side as one HTML file that needs nothing else.
+// Two calibrations side by side, in words for the console and as one HTML file.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,29 @@
 #include "figures/report_figure.h"
 #include "history/comparison.h"
 #include "render/workers/renderer.h"
+#include "report/report_view.h"
 #include "wording/language.h"
 
+namespace tribolog::report {
+
+/// "1 of 8 comparable quantities changed; 2 are not comparable."
+std::string comparison_sentence(const history::Comparison& comparison);
+
+/// A row for each quantity: first, second, change, in percent, word.
+Table compared_quantities_table(const history::Comparison& comparison);
+
+/// Temperature, payload and so on of both.
+Table compared_conditions_table(const history::Comparison& comparison);
+
+/// "Coulomb torque is not comparable: ...", cautions, remarks; each a sentence. What is said of
+/// several quantities stands once.
+std::vector<std::string> comparison_notes(const history::Comparison& comparison);
+
+}  // namespace tribolog::report
+
 namespace tribolog {
+
+// Two calibrations side by side as one HTML file that needs nothing else.
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 /// @param curves_missing why there are no figures, or not all; empty: all are there.

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 
-#include "joint/shared_conversions.h"
+#include "joint/dataset.h"
 #include "report/view_parts.h"
 #include "wording/units.h"
 
 namespace tribolog::report {
+
 namespace {
 
 constexpr int digits_of_time = 3;
@@ -202,6 +204,10 @@ std::string load_formula(const KnownLoad& load) {
 
 std::vector<Table> conversion_tables(const Calibration& c) {
   return {conversions_table(c), speeds_table(c.speed_sources)};
+}
+
+std::string log_name(const std::string& recording) {
+  return std::filesystem::path(recording).filename().string();
 }
 
 }  // namespace tribolog::report

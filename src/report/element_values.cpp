@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
+#include "base/encodings.h"
 #include "report/view_parts.h"
 #include "wording/visible_text.h"
 

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "base/requirements.h"
 #include "report/view_parts.h"
 #include "wording/units.h"
 
 namespace tribolog::report {
+
 namespace {
 
 struct Words {
@@ -115,6 +117,152 @@ void add_interval_tables(const Calibration& c, Section& section) {
                         : count(intervals.resamples) + ", seed " + std::to_string(intervals.seed)});
   section.tables.push_back(intervals_table(intervals));
   if (!intervals.choices.empty()) section.tables.push_back(choices_table(intervals.choices));
+}
+
+// Gravity and mass by every way, the ripple, and where to oscillate next.
+
+namespace {
+
+/// A percentage with its sign: "+0.12".
+std::string signed_percent(double percent) {
+  constexpr int decimals = 3;
+  return with_plus_sign(fixed(percent, decimals));
+}
+
+Table masses_table(const CrossChecksResult& r) {
+  Table table;
+  table.id = "table-cross-checks";
+  table.caption = "Surrogate mass by every way, against the recommended one";
+  table.columns = {{"Way", "", false, true},
+                   {"Surrogate mass", "kg", true},
+                   {"95 % interval, closed form", "kg", true},
+                   {"95 % interval, bootstrap", "kg", true},
+                   {"Difference", "%", true},
+                   {"95 % of the difference", "± %", true},
+                   {"In intervals", "", true},
+                   {"Outcome", "", false}};
+  for (std::size_t k = 0; k < r.checks.size(); ++k) {
+    const CrossCheck& c = r.checks[k];
+    const RoundedEstimate closed = round_by_interval(c.mass_kg, plain_scale("kg"));
+    const std::string resampled =
+        c.resampled_kg ? round_by_interval(*c.resampled_kg, plain_scale("kg")).range() : "";
+    Row row{{std::to_string(k + 1) + ". " + method_in_words(c.method), closed.estimate,
+             or_dash(closed.range()), or_dash(resampled)},
+            c.is_recommended};
+    if (c.is_recommended) {
+      row.cells.insert(row.cells.end(), {"–", "–", "–", "recommended"});
+    } else {
+      row.cells.insert(
+          row.cells.end(),
+          {signed_percent(c.difference_percent), significant(c.difference_half_width_percent, 2),
+           fixed(c.difference_in_intervals, 2), c.disagrees ? "disagrees" : "agrees"});
+    }
+    table.rows.push_back(row);
+  }
+  table.note =
+      "Estimates from the same recordings share their errors: each difference is judged by an "
+      "interval of its own, from resampling both together. Up to 1 interval, or up to 0.1 %, two "
+      "ways agree.";
+  return table;
+}
+
+Table classical_table(const ClassicalRegression& c) {
+  Table table;
+  table.id = "table-classical";
+  table.caption = "The classical regression over everything that moves";
+  table.columns = estimate_columns();
+  const double g = c.gravity_Nm.value;
+  table.rows = {
+      estimate_row("Gravity torque G/n, at the motor", c.gravity_Nm, torque_scale(g)),
+      estimate_row("The same", c.textbook_gravity_Nm, torque_scale(g)),
+      estimate_row("Gravity peak", c.q_peak_rad, degree_scale()),
+      estimate_row("Coulomb torque, at the motor", c.coulomb_Nm, torque_scale(c.coulomb_Nm.value)),
+      estimate_row("Viscous coefficient, at the motor", c.viscous_Nms_rad,
+                   viscous_scale(c.viscous_Nms_rad.value)),
+      estimate_row("Inertia, reflected to the motor", c.inertia_kgm2, plain_scale("kg·m²")),
+      number_row("Scatter left by the fit", c.residual_Nm, torque_scale(c.residual_Nm),
+                 "rows as averaged"),
+      number_row("What the torque's noise would leave", c.row_noise_Nm,
+                 torque_scale(c.row_noise_Nm), "third differences")};
+  const double times = c.row_noise_Nm > 0 ? c.residual_Nm / c.row_noise_Nm : 0.0;
+  if (times > 2) {
+    table.note = "It leaves " + significant(times, 2) +
+                 " times the scatter of the noise: friction is no straight line of speed, and the "
+                 "rest goes into the parameters. The interval for independent errors does not see "
+                 "that; the one of blocks does in part.";
+  }
+  return table;
+}
+
+Table ripple_table(const Ripple& ripple) {
+  Table table;
+  table.id = "table-ripple";
+  table.caption = "Torque ripple that the rough sweep shows";
+  table.columns = {{"Periods a motor turn", "", true}, {"Amplitude", "mN·m", true}};
+  for (const RippleLine& line : ripple.lines) {
+    table.rows.push_back(
+        {{fixed(line.periods_per_turn, 3), significant(1000 * line.amplitude_Nm, 3)}, false});
+  }
+  table.note = "At any motor angle it lies within ±" +
+               with_unit(significant(1000 * ripple.half_width_Nm(), 2), "mN·m") +
+               " (95 %). At a single position the loop's interval cannot be narrower.";
+  return table;
+}
+
+Table plan_table(const PositionPlan& plan, const Calibration& c) {
+  Table table;
+  table.id = "table-positions";
+  table.caption = "Where to oscillate next";
+  table.columns = {{"Position", "", true},
+                   {"Joint angle", "°", true},
+                   {"From the first, at the motor", "°", true}};
+  const double first = c.hysteresis.oscillations.front().centre_rad;
+  const double to_degrees = degree_scale().factor;
+  for (std::size_t k = 0; k < plan.further_rad.size(); ++k) {
+    table.rows.push_back(
+        {{std::to_string(k + 2), fixed(plan.further_rad[k] * to_degrees, 4),
+          fixed((plan.further_rad[k] - first) * c.manifest.drive.gear_ratio() * to_degrees, 1)},
+         false});
+  }
+  const double g = present(c.hysteresis.midline_Nm).value;
+  const auto percent = [&](double half_width_Nm) {
+    return "±" + significant(100 * half_width_Nm / g, 2) + " %";
+  };
+  table.note = "The same oscillation at each, spread evenly over " +
+               fixed(plan.spread_motor_rad * to_degrees, 0) +
+               "° of the motor. The mid-line's gravity torque is known to " +
+               percent(plan.half_width_now_Nm) + " now, of which ripple alone demands " +
+               percent(plan.ripple_half_width_Nm) + "; with all eight expect " +
+               percent(plan.expected_half_width_Nm) + ".";
+  return table;
+}
+
+}  // namespace
+
+Section cross_checks_section(const Calibration& c) {
+  Section section;
+  section.id = "cross-checks";
+  section.title = "Cross-checks and intervals";
+  section.explanation = "explain_cross_checks.tpl";
+  section.outcome = c.cross_checks.checks.size() < 2 ? Outcome::absent
+                    : c.cross_checks.doubtful        ? Outcome::partial
+                                                     : Outcome::good;
+  section.status = c.cross_checks.checks.size() < 2 ? "nothing to compare"
+                   : c.cross_checks.doubtful        ? "disagreement"
+                                                    : "agreement";
+  if (c.cross_checks.checks.size() < 2) {
+    section.reason =
+        "Fewer than two ways gave a gravity torque, so there is nothing to hold against each "
+        "other.";
+  }
+  section.tables.push_back(masses_table(c.cross_checks));
+  section.tables.push_back(ripple_table(c.rough.ripple));
+  if (c.position_plan) section.tables.push_back(plan_table(*c.position_plan, c));
+  if (c.cross_checks.classical) {
+    section.tables.push_back(classical_table(*c.cross_checks.classical));
+  }
+  add_interval_tables(c, section);
+  return section;
 }
 
 }  // namespace tribolog::report

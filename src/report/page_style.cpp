@@ -1,15 +1,80 @@
 #include "report/page_style.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
-#include "base/sha256.h"
-#include "report/page_texts.h"
+#include "base/encodings.h"
+#include "report/embedded_files.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
+
+namespace {
+
+/// Each stands on the ones before it.
+constexpr std::array viewer_parts{"state.js",    "elements.js",   "ranges.js",   "plot.js",
+                                  "loops.js",    "candidates.js", "readings.js", "input.js",
+                                  "controls.js", "start.js"};
+
+std::string without_indentation(std::string_view script) {
+  std::string out;
+  while (!script.empty()) {
+    const std::size_t end = script.find('\n');
+    std::string_view line = script.substr(0, end);
+    script = end == std::string_view::npos ? std::string_view() : script.substr(end + 1);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty() && !line.starts_with("//")) out.append(line).append("\n");
+  }
+  return out;
+}
+
+}  // namespace
+
+const std::string& own_style(PageKind kind) {
+  static const std::string plain(embedded_file("report.css"));
+  static const std::string with_viewer = plain + std::string(embedded_file("viewer.css"));
+  static const std::string fleet = plain + std::string(embedded_file("fleet.css"));
+  switch (kind) {
+    case PageKind::with_viewer:
+      return with_viewer;
+    case PageKind::fleet:
+      return fleet;
+    case PageKind::plain:
+      break;
+  }
+  return plain;
+}
+
+const std::string& own_script() {
+  static const std::string script = [] {
+    // A block: its names are none of the page's.
+    std::string all = "\"use strict\";\nif (document.getElementById(\"tribolog-loops\")) {\n";
+    for (const char* const part : viewer_parts) all += without_indentation(embedded_file(part));
+    return all + "}\n";
+  }();
+  return script;
+}
+
+std::vector<std::string> script_messages() {
+  constexpr std::string_view call = "t(\"";
+  const std::string_view script = own_script();
+  std::set<std::string> messages;
+  for (std::size_t at = script.find(call); at != std::string_view::npos;
+       at = script.find(call, at + call.size())) {
+    const char before = at == 0 ? ' ' : script[at - 1];
+    if (std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '.') continue;
+    const std::string_view text = script.substr(at + call.size());
+    messages.emplace(text.substr(0, text.find('"')));
+  }
+  return {messages.begin(), messages.end()};
+}
 
 namespace {
 

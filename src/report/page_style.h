@@ -1,11 +1,27 @@
 #pragma once
-// Internal to the report: what the head of every page has.
+// Style and script as they stand in a page, and what the head of every page has.
+
+#include <string>
+#include <vector>
 
 #include "calibration/provenance.h"
-#include "report/page_texts.h"
 #include "report/template_engine.h"
 
 namespace tribolog::report {
+
+/// What a page has beyond tables and figures.
+enum class PageKind { plain, with_viewer, fleet };
+
+/// The style sheet, with the page's own behind it.
+const std::string& own_style(PageKind kind);
+
+/// The script of the loop viewer without its indentation and its lines of comment.
+const std::string& own_script();
+
+/// What the script says by itself: the texts of its calls t("...").
+std::vector<std::string> script_messages();
+
+// Internal to the report: what the head of every page has.
 
 /// fill_style(), and TOOL, CREATED and COMMAND_LINE from the provenance.
 void fill_head(const Provenance& provenance, TemplateValues& values,

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "export/plan/plan_json.h"
+#include "export/plan/plan_files.h"
 #include "export/plan/plan_table.h"
 #include "joint/degrees.h"
 #include "report/element_values.h"

@@ -1,13 +1,191 @@
 #include "report/report_values.h"
 
 #include <algorithm>
+#include <vector>
 
-#include "report/closing_values.h"
 #include "report/element_values.h"
-#include "report/verdict_values.h"
+#include "report/report_view.h"
+#include "report/template_engine.h"
 #include "report/view_parts.h"
 
 namespace tribolog::report {
+
+// The values of quantities.tpl and data_checks.tpl.
+
+namespace {
+
+/// Nothing where there are none.
+void fill_quantities(const ReportView& view, TemplateValues& values);
+void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values);
+
+/// Beside the word and the colour.
+const char* icon_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::good:
+      return "✓";
+    case Outcome::partial:
+      return "!";
+    case Outcome::bad:
+      return "✗";
+    case Outcome::absent:
+      break;
+  }
+  return "–";
+}
+
+void fill_state(Outcome outcome, TemplateValues& values) {
+  values.set("OUTCOME", class_of(outcome));
+  values.set("ICON", icon_of(outcome));
+}
+
+/// The weightiest in sight, the others behind a click.
+void fill_reasons(const std::vector<std::string>& reasons, TemplateValues& values) {
+  if (reasons.empty()) return;
+  values.add_section("REASON").set("TEXT", reasons.front());
+  if (reasons.size() == 1) return;
+  TemplateValues& further = values.add_section("FURTHER");
+  const std::size_t count = reasons.size() - 1;
+  further.set("COUNT", std::to_string(count) + (count == 1 ? " more reason" : " more reasons"));
+  for (std::size_t k = 1; k < reasons.size(); ++k) {
+    further.add_section("REASON").set("TEXT", reasons[k]);
+  }
+}
+
+/// Columns that nothing stands in are not shown.
+struct ShownColumns {
+  bool limits{};
+  bool changes{};
+  [[nodiscard]] int count() const { return 4 + (limits ? 1 : 0) + (changes ? 1 : 0); }
+};
+
+void fill_row(const QuantityRow& row, ShownColumns shown, TemplateValues& out) {
+  out.set("WORDS", row.words);
+  out.set("VERDICT", row.verdict_word);
+  fill_state(row.outcome, out);
+  out.set("ESTIMATE", or_dash(row.estimate));
+  out.set("INTERVAL", or_dash(row.interval));
+  if (row.estimate.empty()) out.add_section("NO_ESTIMATE");
+  if (row.interval.empty()) out.add_section("NO_INTERVAL");
+  if (shown.limits) {
+    TemplateValues& cell = out.add_section("LIMITS");
+    for (const LimitCell& limit : row.limits) {
+      TemplateValues& line = cell.add_section("LIMIT");
+      line.set("RULE", limit.rule);
+      line.set("WORD", limit.word);
+      fill_state(limit.outcome, line);
+    }
+    if (row.limits.empty()) cell.add_section("NONE");
+  }
+  if (shown.changes) {
+    TemplateValues& cell = out.add_section("CHANGE");
+    cell.set("AMOUNT", or_dash(row.change));
+    cell.set_optional("WORD", row.change_word);
+    cell.set_optional("RANGE", row.change_range);
+    cell.set("KIND", row.is_changed ? "changed" : row.change_word.empty() ? "none" : "unchanged");
+  }
+  if (row.reasons.empty() && row.experiment.empty()) return;
+  TemplateValues& why = out.add_section("WHY");
+  why.set("COLUMNS", std::to_string(shown.count()));
+  fill_reasons(row.reasons, why);
+  why.set_optional("EXPERIMENT", row.experiment);
+}
+
+void fill_quantities(const ReportView& view, TemplateValues& values) {
+  const std::vector<QuantityRow>& rows = view.quantities;
+  if (rows.empty()) return;
+  values.add_section("HAS_QUANTITIES");
+  TemplateValues& table = values.add_include("QUANTITIES", "quantities.tpl");
+  const bool has_limits = std::any_of(rows.begin(), rows.end(),
+                                      [](const QuantityRow& row) { return !row.limits.empty(); });
+  const ShownColumns shown{has_limits, !view.last_day.empty()};
+  table.add_section(shown.limits ? "LIMITS_HEAD" : "NO_LIMITS");
+  TemplateValues& since = table.add_section(shown.changes ? "CHANGES_HEAD" : "NO_CHANGES");
+  if (shown.changes) {
+    since.set("DAY", view.last_day);
+    TemplateValues& note = table.add_section("CHANGES_NOTE");
+    note.set("DAY", view.last_day);
+    note.set("ID", view.last_id);
+  }
+  for (const QuantityRow& row : rows) fill_row(row, shown, table.add_section("QUANTITY"));
+}
+
+void fill_data_checks(const std::vector<DataCheckRow>& rows, TemplateValues& values) {
+  if (rows.empty()) return;
+  values.add_section("HAS_DATA_CHECKS");
+  TemplateValues& table = values.add_include("DATA_CHECKS", "data_checks.tpl");
+  for (const DataCheckRow& row : rows) {
+    TemplateValues& out = table.add_section("CHECK");
+    out.set("CHECK_ID", row.id);
+    out.set("TITLE", row.title);
+    out.set_optional("MEASURE", row.measure);
+    out.set("STATE", row.state_word);
+    fill_state(row.outcome, out);
+    out.set("MEASURED", or_dash(row.measured));
+    out.set("LIMIT", or_dash(row.limit));
+    out.set("FOUND", or_dash(row.found));
+    out.set_optional("CONSEQUENCE", row.consequence);
+    out.set_optional("EXPERIMENT", row.experiment);
+    out.set_optional("RECORDING", row.recording);
+  }
+}
+
+TemplateValues& errata_section(const ErrataNumbers& e, TemplateValues& values) {
+  TemplateValues& out = values.add_include("ERRATA", "errata.tpl");
+  out.set("TORQUE_A", e.torque_A);
+  out.set("MASS_A_PRINTED", e.mass_A_printed);
+  out.set("MASS_A_500_MM", e.mass_A_with_500_mm);
+  out.set("MASS_A_500_M", e.mass_A_with_500_m);
+  out.set("MASS_A_N_BELOW", e.mass_A_with_n_below);
+  out.set("MASS_A_ARM_N_BELOW", e.mass_A_arm_torque_with_n_below);
+  out.set("LARGEST_DEVIATION", e.largest_deviation);
+  out.set("ALLOWED_DEVIATION", e.allowed_deviation);
+  out.set("COS_Q_C", e.cos_q_c);
+  out.set("MASS_A_COS_Q_C", e.mass_A_with_cos_q_c);
+  out.set("RAD_OF_22", e.rad_of_22);
+  out.set("RAD_OF_PRECISE", e.rad_of_precise);
+  out.set("CUT_OF_22", e.cut_of_22);
+  out.set("CUT_OF_PRECISE", e.cut_of_precise);
+  out.set("DEFLECTION_PRINTED", e.table_1_deflection_printed);
+  out.set("DEFLECTION_MEANT", e.table_1_deflection_meant);
+  out.set("DAMPING_MEANT", e.table_1_damping);
+  out.set("BACKWARDS_SPEED", e.backwards_speed);
+  out.set("EQUATION_1_MEANT", e.equation_1_meant);
+  out.set("EQUATION_1_PRINTED", e.equation_1_printed);
+  out.set("EQUATION_2_JUMP", e.equation_2_jump);
+  out.set("EQUATION_2_HALF", e.equation_2_half);
+  out.set("EQUATION_6_PRINTED", e.equation_6_printed);
+  out.set("EQUATION_10_GRAVITY", e.equation_10_gravity);
+  out.set("EQUATION_10_ERROR", e.equation_10_error);
+  out.set("PAIR_MASSES", e.pair_masses);
+  out.set("PAIR_SPREAD", e.pair_spread);
+  out.set("SINGLE_SPREAD", e.single_spread);
+  return out;
+}
+
+}  // namespace
+
+void fill_errata(const ErrataNumbers& errata, const Table& paper_table, TemplateValues& values) {
+  fill_table(paper_table, "TABLE", errata_section(errata, values));
+}
+
+void fill_errata(const ErrataNumbers& errata, const std::string& place_of_paper_table,
+                 TemplateValues& values) {
+  errata_section(errata, values).add_section("TABLE_ABOVE").set("PLACE", place_of_paper_table);
+}
+
+void fill_provenance(const std::string& command_line, const std::string& created_utc,
+                     const std::vector<std::string>& notes, const std::vector<Table>& tables,
+                     TemplateValues& values) {
+  TemplateValues& out = values.add_include("PROVENANCE", "provenance.tpl");
+  out.set("COMMAND_LINE", command_line);
+  out.set("CREATED", created_utc);
+  if (!notes.empty()) {
+    TemplateValues& list = out.add_section("INPUT_NOTES");
+    for (const std::string& note : notes) list.add_section("INPUT_NOTE").set("TEXT", or_dash(note));
+  }
+  for (const Table& table : tables) fill_table(table, "TABLE", out);
+}
+
 namespace {
 
 void fill_section(const Section& section, bool has_viewer, TemplateValues& values) {

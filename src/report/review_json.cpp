@@ -1,11 +1,22 @@
 #include "report/review_json.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "base/shown_text.h"
 #include "figures/estimator_style.h"
-#include "report/page_texts.h"
+#include "figures/report_figure.h"
+#include "figures/run_curves.h"
+#include "report/estimator_words.h"
+#include "report/page_style.h"
 #include "report/review_parts.h"
+#include "report/view_parts.h"
+#include "wording/shaft.h"
+#include "wording/units.h"
+#include "wording/visible_text.h"
 
 namespace tribolog::report {
 
@@ -73,3 +84,139 @@ std::string review_json(const Calibration& c, Language language) {
 }
 
 }  // namespace tribolog::report
+
+namespace tribolog::report::review {
+
+namespace {
+
+const char* name_of(render::LineStyle line) {
+  switch (line) {
+    case render::LineStyle::none:
+      return "none";
+    case render::LineStyle::dash:
+      return "dash";
+    case render::LineStyle::dot:
+      return "dot";
+    case render::LineStyle::dash_dot:
+      return "dash_dot";
+    case render::LineStyle::dash_dot_dot:
+      return "dash_dot_dot";
+    case render::LineStyle::solid:
+      break;
+  }
+  return "solid";
+}
+
+}  // namespace
+
+Json shown_text(const std::string& text) { return json::text_or_null(visible_text(text)); }
+
+Json quantity(const std::string& words, const std::string& symbol, const std::string& unit) {
+  return {{"words", words}, {"symbol", symbol}, {"unit", unit}};
+}
+
+Json column(const std::vector<double>& si, const figures::AxisScale& scale) {
+  return json::short_numbers(figures::shown(si, scale));
+}
+
+Json entry(double si, const figures::AxisScale& scale) { return column({si}, scale).front(); }
+
+Json style(render::Colour colour, render::LineStyle line) {
+  return {{"colour", fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue)},
+          {"line", name_of(line)}};
+}
+
+// Candidate masses with their friction curves and quality errors.
+
+namespace {
+
+using figures::AxisScale;
+
+AxisScale friction_scale(const Calibration& c) {
+  figures::Extent all;
+  for (const ViscousCurve& curve : c.viscous.curves) all.add(curve.friction_Nm);
+  return figures::prefixed("N·m", all.largest());
+}
+
+const AxisScale as_it_is{1.0, ""};
+
+/// 95 % half width of the reference in % of the driving torque, where it has one.
+Json reference_band(const Calibration& c) {
+  const QualityErrorsResult& q = c.quality;
+  if (!(q.reference_rms_percent > 0.0) || q.errors.empty()) return nullptr;
+  std::vector<double> percent;
+  for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
+    const bool has_one = i < q.reference_half_width_Nm.size() &&
+                         i < q.errors.front().percent.size() &&
+                         std::isfinite(q.errors.front().percent[i]);
+    percent.push_back(
+        has_one ? std::abs(100.0 * q.reference_half_width_Nm[i] / c.viscous.runs[i].torque_Nm)
+                : std::nan(""));
+  }
+  return column(percent, as_it_is);
+}
+
+}  // namespace
+
+void add_run_quantities(const Calibration& c, Json& quantities) {
+  quantities["w"] =
+      quantity(figures::shaft(c.manifest) + " speed", figures::speed_symbol(c.manifest), "rad/s");
+  quantities["f"] = quantity("friction torque", "Tf", friction_scale(c).unit);
+  quantities["e"] = quantity("error 100 (Tf − reference) / T", "", "%");
+}
+
+Json runs(const Calibration& c) {
+  std::vector<double> speed;
+  Json torque = Json::array();
+  Json names = Json::array();
+  for (const ConstantSpeedRun& run : c.viscous.runs) {
+    speed.push_back(run.speed_rad_s);
+    const Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
+                        run.torque_Nm + run.torque_half_width_Nm, ""};
+    torque.push_back(with_unit(round_by_interval(mean, plain_scale("N·m")).plus_minus(), "N·m"));
+    if (!c.viscous.from_sweep) names.push_back(shown_text(log_name(run.recording)));
+  }
+  const bool has_reference =
+      !c.quality.reference.empty() && c.quality.reference_Nm.size() == speed.size();
+  Json out;
+  out["from_sweep"] = c.viscous.from_sweep;
+  out["reference"] =
+      has_reference ? shown_text(figures::reference_words(c.quality.reference)) : Json(nullptr);
+  out["w"] = column(speed, as_it_is);
+  out["torque_texts"] = std::move(torque);
+  out["names"] = std::move(names);
+  out["f"] = has_reference ? column(c.quality.reference_Nm, friction_scale(c)) : Json(nullptr);
+  out["band"] = reference_band(c);
+  out["style"] = style(figures::estimator_style("reference").colour, render::LineStyle::solid);
+  return out;
+}
+
+Json candidates(const Calibration& c, const AxisScale& torque) {
+  Json list = Json::array();
+  const AxisScale friction = friction_scale(c);
+  for (const SurrogateMass& mass : c.masses.masses) {
+    const figures::SeriesStyle look = figures::estimator_style(mass.estimator);
+    const RoundedEstimate kg = round_by_interval(mass.mass_kg, plain_scale("kg"));
+    Json one;
+    one["name"] = shown_text(mass.estimator);
+    one["words"] = shown_text(figures::estimator_words(mass.estimator));
+    one["what"] = point_meaning(mass.estimator);
+    one["mass"] = with_unit(kg.plus_minus(), "kg");
+    one["T"] = entry(mass.torque_Nm.value, torque);
+    one["torque"] =
+        with_unit(round_by_interval(mass.torque_Nm, plain_scale("N·m")).plus_minus(), "N·m");
+    one["recommended"] = mass.estimator == c.selection.recommended;
+    one["papers"] = mass.estimator == c.selection.paper_rule;
+    one["style"] = style(look.colour, look.line);
+    const ViscousCurve* curve = c.viscous.find(mass.estimator);
+    one["f"] = curve != nullptr ? column(curve->friction_Nm, friction) : Json(nullptr);
+    const QualityError* error = c.quality.find(mass.estimator);
+    one["e"] = error != nullptr ? column(error->percent, as_it_is) : Json(nullptr);
+    constexpr int digits = 3;  // as in the table of stage 6
+    one["rms"] = error != nullptr ? Json(significant(error->rms_percent, digits)) : Json(nullptr);
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace tribolog::report::review

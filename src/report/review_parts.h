@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "calibration/calibration.h"
-#include "calibration/values.h"
+#include "calibration/json_values.h"
 #include "render/figure/drawing_style.h"
 #include "wording/axis_scale.h"
 

@@ -6,7 +6,7 @@
 #include <ctemplate/template_modifiers.h>
 
 #include "base/utf8.h"
-#include "report/page_texts.h"
+#include "report/page_style.h"
 
 namespace tribolog::report {
 namespace {

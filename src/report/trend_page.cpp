@@ -1,16 +1,238 @@
 #include "report/trend_page.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "history/trend_json.h"
+#include "history/history_json.h"
+#include "history/quantity_traits.h"
+#include "history/reference_line.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
-#include "report/trend_view.h"
 #include "report/view_parts.h"
+#include "statistics/distributions.h"
+#include "wording/number_text.h"
+#include "wording/rounding.h"
+#include "wording/units.h"
+
+namespace tribolog::report {
+
+namespace {
+
+using history::FoundChange;
+using history::JointTrend;
+using history::LeftOut;
+using history::QuantityTrend;
+using history::TemperatureUse;
+using history::TrendState;
+
+constexpr LeftOut all_left_out[] = {LeftOut::before_baseline, LeftOut::not_usable,
+                                    LeftOut::other_gear, LeftOut::other_payload,
+                                    LeftOut::no_temperature};
+
+std::string day(const std::string& utc) { return utc.substr(0, std::string("2026-01-31").size()); }
+
+std::string size_of(const FoundChange& c, const std::string& unit) {
+  if (c.percent) {
+    const double half = std::abs(c.size.half_width() * *c.percent / c.size.value);
+    return in_words(symmetric_estimate(std::abs(*c.percent), half, ""), {1, "%"});
+  }
+  return in_words(symmetric_estimate(std::abs(c.size.value), c.size.half_width(), ""),
+                  quantity_scale(unit, c.size.value));
+}
+
+std::string change_sentence(const QuantityTrend& q, const FoundChange& c) {
+  if (c.is_slow) {
+    return as_sentence(fmt::format("{} has slowly {} by {} since {}, visible from {}", q.words,
+                                   c.direction > 0 ? "risen" : "fallen", size_of(c, q.unit),
+                                   day(c.from), day(c.alarm)));
+  }
+  const bool is_over = !c.back.empty();
+  std::string words = fmt::format("{} {} {} by {}, visible from {} (alarm on {})", q.words,
+                                  is_over ? "had" : "has", c.direction > 0 ? "risen" : "fallen",
+                                  size_of(c, q.unit), day(c.from), day(c.alarm));
+  if (is_over) words += ", and is back from " + day(c.back);
+  return as_sentence(words);
+}
+
+std::string level_text(const QuantityTrend& q) {
+  if (!q.reference) return or_dash("");
+  const double half_width = normal_975 * std::sqrt(q.reference->level_variance);
+  return in_words(symmetric_estimate(q.reference->level, half_width, ""),
+                  quantity_scale(q.unit, q.reference->level));
+}
+
+/// Of a single calibration about the reference.
+std::string scatter_text(const QuantityTrend& q) {
+  if (!q.reference) return or_dash("");
+  const double scatter = q.reference->scatter();
+  const double level = std::abs(q.reference->level);
+  if (!history::traits_of(q.name).is_angle && level > scatter) {
+    return significant(100 * scatter / level, 2) + " %";
+  }
+  const Scale scale = quantity_scale(q.unit, scatter);
+  return with_unit(significant(scatter * scale.factor, 2), scale.unit);
+}
+
+std::string temperature_text(const QuantityTrend& q) {
+  if (q.temperature != TemperatureUse::corrected || !q.reference) return or_dash("");
+  const double to_percent = 100 / std::abs(q.reference->level);
+  return in_words(
+      symmetric_estimate(q.reference->slope_per_K * to_percent,
+                         normal_975 * std::sqrt(q.reference->slope_variance) * to_percent, ""),
+      {1, "%/K"});
+}
+
+std::string state_text(const QuantityTrend& q) {
+  std::string text = to_string(q.state);
+  if (!q.changes.empty()) text += " from " + day(q.changes.back().from);
+  if (!q.changes.empty() && q.changes.back().is_slow) {
+    return "slow drift, visible from " + day(q.changes.back().alarm);
+  }
+  if (q.state == TrendState::recovered) {
+    text = fmt::format("changed from {}, back from {}", day(q.changes.back().from),
+                       day(q.changes.back().back));
+  }
+  return text;
+}
+
+void add_left_out(const QuantityTrend& q, std::vector<std::string>& notes) {
+  std::vector<std::string> parts;
+  for (const LeftOut why : all_left_out) {
+    if (const std::size_t n = q.count(why); n > 0) {
+      parts.push_back(fmt::format("{} ({})", n, to_string(why)));
+    }
+  }
+  if (q.without_estimate > 0) {
+    parts.push_back(fmt::format("{} (without an estimate)", q.without_estimate));
+  }
+  if (parts.empty()) return;
+  notes.push_back(
+      as_sentence(fmt::format("{}: left out of {}: {}", q.words,
+                              q.points.size() + q.without_estimate, figures::listed(parts))));
+}
+
+void add_too_few(const JointTrend& t, std::vector<std::string>& notes) {
+  std::vector<std::string> names;
+  for (const QuantityTrend& q : t.quantities) {
+    if (q.state == TrendState::too_few) {
+      names.push_back(fmt::format("{} ({})", q.words, q.count(LeftOut::none)));
+    }
+  }
+  if (names.empty()) return;
+  const std::size_t learned = t.baseline.is_by_date() ? history::fewest_learned : t.baseline.count;
+  notes.push_back(as_sentence(fmt::format(
+      "too few calibrations can be used of {}: the first {} or more only tell what to expect, and "
+      "a change shows in those that follow",
+      figures::listed(names), learned)));
+}
+
+/// Quantities whose intervals hold an error that all calibrations share.
+void add_shared_errors(const JointTrend& t, std::vector<std::string>& notes) {
+  constexpr double clearly = 0.5;  // of the variance
+  std::vector<std::string> names;
+  for (const QuantityTrend& q : t.quantities) {
+    if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
+      names.push_back(q.words);
+    }
+  }
+  if (names.empty()) return;
+  notes.push_back(as_sentence(figures::listed(names) +
+                              ": calibrations scatter by less than their intervals state, which "
+                              "then hold an error that all of them share; a change is told from "
+                              "the scatter"));
+}
+
+}  // namespace
+
+std::string joint_words(const JointTrend& t) {
+  return fmt::format("{}{}{}, joint {}: {} from {} to {}", or_dash(t.of.robot),
+                     t.of.serial.empty() ? "" : " ", t.of.serial, or_dash(t.of.joint),
+                     figures::counted(t.calibrations, "calibration"), day(t.first_at),
+                     day(t.last_at));
+}
+
+std::vector<std::string> change_sentences(const JointTrend& t) {
+  std::vector<std::string> standing;
+  std::vector<std::string> over;
+  for (const QuantityTrend& q : t.quantities) {
+    for (const FoundChange& c : q.changes) {
+      (c.back.empty() ? standing : over).push_back(change_sentence(q, c));
+    }
+  }
+  standing.insert(standing.end(), over.begin(), over.end());
+  return standing;
+}
+
+Table trend_table(const JointTrend& t, const std::string& id) {
+  Table table;
+  table.id = id;
+  table.is_stacked = true;
+  table.caption = "Each quantity over time";
+  table.columns = {{"Quantity", "", false, true},  {"Used", "", true},
+                   {"Reference", "", true},        {"Scatter", "", true},
+                   {"With temperature", "", true}, {"State", "", false, true}};
+  for (const QuantityTrend& q : t.quantities) {
+    table.rows.push_back(
+        {{q.words,
+          fmt::format("{} of {}", q.count(LeftOut::none), q.points.size() + q.without_estimate),
+          level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
+         q.state == TrendState::warning});
+  }
+  table.note =
+      "At the motor. The reference is the mean of all calibrations outside of a change, with its "
+      "95 % interval; the scatter is the standard deviation of a single calibration about it.";
+  return table;
+}
+
+std::vector<std::string> trend_notes(const JointTrend& t) {
+  std::vector<std::string> notes;
+  for (const std::string& caution : t.cautions) notes.push_back(as_sentence(caution));
+  for (const TemperatureUse use :
+       {TemperatureUse::corrected, TemperatureUse::too_even, TemperatureUse::not_recorded}) {
+    std::vector<std::string> names;
+    for (const QuantityTrend& q : t.quantities) {
+      if (q.temperature == use) names.push_back(q.words);
+    }
+    if (names.empty()) continue;
+    notes.push_back(as_sentence(figures::listed(names) + ": " + to_string(use)));
+  }
+  add_shared_errors(t, notes);
+  for (const QuantityTrend& q : t.quantities) add_left_out(q, notes);
+  add_too_few(t, notes);
+  return notes;
+}
+
+std::string chart_words(const JointTrend& t) {
+  const std::string baseline =
+      t.baseline.is_by_date()
+          ? fmt::format("The calibrations{}{} (at least {})",
+                        t.baseline.from.empty() ? "" : " from " + t.baseline.from,
+                        t.baseline.to.empty() ? "" : " up to " + t.baseline.to,
+                        history::fewest_learned)
+          : fmt::format("The first {} calibrations", t.baseline.count);
+  return fmt::format(
+      "A self-starting two-sided CUSUM (Page 1954, Hawkins 1987) for each quantity. {} are only "
+      "learned from; each later one is held against all before it that lie in no change. Its "
+      "difference, in standard deviations of its interval and of the scatter between calibrations "
+      "(moving ranges) together, less {:.3g}, is added up, and the alarm is at {:.1f}: a false one "
+      "comes about once in {} calibrations of the joint or more rarely, for all of its {} watched "
+      "quantities together. The date from which a change is visible is that of the calibration, "
+      "of those since the sum last left zero, from which on a shift is most likely (Hinkley 1970). "
+      "A straight line over time through all calibrations tells a steady drift, which a chart that "
+      "learns on the way follows: from a chance of {:.2g} % on, at any one time and for all "
+      "quantities together, that there is none. A "
+      "change that was there before the first calibration is not seen, and one odd calibration "
+      "alone raises no alarm.",
+      baseline, history::cusum_allowance, history::cusum_limit(t.watched),
+      history::calibrations_per_false_alarm, t.watched, 100 * history::drift_false_alarms);
+}
+
+}  // namespace tribolog::report
 
 namespace tribolog {
+
 namespace {
 
 using namespace report;

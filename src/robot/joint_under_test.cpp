@@ -10,6 +10,7 @@
 #include "joint/degrees.h"
 
 namespace tribolog {
+
 namespace {
 
 constexpr double largest_tilt_rad = 1e-6;   // of an axis that is horizontal but for rounding

@@ -1,7 +1,8 @@
 #pragma once
-// The joint that is identified, and where gravity and the line of its link point.
+// The joint that is identified on its robot, and where gravity and the line of its link point.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "joint/gravity_load.h"
@@ -52,6 +53,23 @@ class JointUnderTest {
   Eigen::Vector3d place_m_;
   Eigen::Vector3d axis_;
   double line_above_level_rad_{};
+};
+
+// What is known of a robot for the drawings of a report.
+
+/// Joint angles from the lowest to the highest.
+struct AngleRange {
+  double lowest_rad{};
+  double highest_rad{};
+};
+
+struct RobotDescription {
+  JointUnderTest under_test;
+  std::vector<double> portrait_rad;  ///< Angle of every joint in the picture of the whole robot.
+  bool approximate{true};            ///< Whether the dimensions are; captions then say so.
+  std::optional<AngleRange> range;   ///< Motion during the test, where stated: not empty.
+  std::optional<GravityLoad> load;   ///< m, r and q_peak of the driven links, where stated.
+  double surrogate_distance_m{0.5};  ///< r_REPL > 0, to draw a load that is stated.
 };
 
 }  // namespace tribolog

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "simulate/forced_motion.h"
 
 namespace tribolog {

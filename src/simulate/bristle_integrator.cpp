@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "friction/exponential_step.h"
 #include "simulate/careful_step.h"
-#include "simulate/reversal.h"
+#include "simulate/motion.h"
 
 // The loop over a block's steps is compiled for AVX2 too and chosen at run time. Without fused
 // multiply-add both give the same bits.

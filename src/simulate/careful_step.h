@@ -7,7 +7,6 @@
 #include "friction/dual.h"
 #include "friction/exponential_step.h"
 #include "simulate/motion.h"
-#include "simulate/reversal.h"
 
 namespace tribolog {
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/program_module.h"
-#include "simulate/cvode_integrator.h"
 
 namespace tribolog {
 

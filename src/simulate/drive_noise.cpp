@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "simulate/cvode_solver.h"
 
 namespace tribolog {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
-#include "simulate/reversal.h"
+#include "base/requirements.h"
+#include "simulate/motion.h"
 
 namespace tribolog {
 namespace {

@@ -1,8 +1,10 @@
 #pragma once
-// Prescribed motion of the motor shaft over time.
+// Prescribed motion of the motor shaft over time, and where it turns round.
 
 #include <span>
 #include <vector>
+
+#include "friction/speed_step.h"
 
 namespace tribolog {
 
@@ -69,6 +71,40 @@ class TravelMotion final : public Motion {
   Plan plan_;
   double ramp_s_;
   double cruise_s_;
+};
+
+// Where a prescribed motion turns round.
+
+/// Is one of the three speeds forward and another one backward?
+inline bool reverses(double w0, double wm, double w1) {
+  return (w0 > 0 || wm > 0 || w1 > 0) && (w0 < 0 || wm < 0 || w1 < 0);
+}
+
+inline bool reverses(const SpeedStep& step) {
+  return reverses(step.start_rad_s, step.middle_rad_s, step.end_rad_s);
+}
+
+/// Time [s] in [a, b] at which the speed changes sign, by bisection to the last bit; the speed is
+/// asked for only where its sign is in doubt.
+/// @param negative_first whether the motion is backward before. It is the caller's to say: where
+/// the reversal is at `a` itself, the speed there may have either sign by rounding.
+double reversal_time(const Motion& motion, double a_s, double b_s, bool negative_first);
+
+// A motion of the joint as its motor sees it.
+
+/// Refers to the joint's motion, which must outlive it.
+class MotorSide final : public Motion {
+ public:
+  MotorSide(const Motion& joint, double gear_ratio) : joint_(joint), n_(gear_ratio) {}
+  [[nodiscard]] double angle(double t_s) const override { return n_ * joint_.angle(t_s); }
+  [[nodiscard]] double speed(double t_s) const override { return n_ * joint_.speed(t_s); }
+  [[nodiscard]] double acceleration(double t_s) const override {
+    return n_ * joint_.acceleration(t_s);
+  }
+
+ private:
+  const Motion& joint_;
+  double n_;
 };
 
 }  // namespace tribolog

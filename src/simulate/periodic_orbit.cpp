@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 namespace {

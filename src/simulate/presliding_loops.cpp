@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "simulate/periodic_orbit.h"
 
 namespace tribolog {

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "base/parameter_rules.h"
+#include "base/requirements.h"
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
 #include "simulate/drive_noise.h"
 #include "simulate/friction_response.h"
-#include "simulate/motor_side.h"
+#include "simulate/motion.h"
 
 namespace tribolog {
+
 namespace {
 
 Recording empty_recording(std::string name, Role role, std::size_t samples) {
@@ -211,6 +213,25 @@ std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise
 
 std::vector<Recording> simulate_joint(const Scenario& scenario) {
   return with_noise(simulate_ideal_joint(scenario), scenario.noise, scenario.gear_ratio);
+}
+
+Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recordings) {
+  Dataset dataset;
+  Manifest& manifest = dataset.manifest;
+  manifest.robot = scenario.robot;
+  manifest.serial = scenario.serial;
+  manifest.joint = scenario.joint;
+  manifest.note = "simulated: " + scenario.name;
+  manifest.drive = Drive(scenario.gear_ratio, EffortKind::motor_torque, Side::motor);
+  manifest.surrogate_distance_m = scenario.surrogate_distance_m;
+  manifest.gravity_m_s2 = scenario.load.gravity_m_s2();
+  manifest.reference = scenario.known_curve();
+  dataset.recordings = std::move(recordings);
+  return dataset;
+}
+
+Dataset simulated_dataset(const Scenario& scenario) {
+  return simulated_dataset(scenario, simulate_joint(scenario));
 }
 
 }  // namespace tribolog

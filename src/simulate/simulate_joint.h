@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "joint/dataset.h"
 #include "joint/recording.h"
 #include "simulate/motion.h"
 #include "simulate/scenario.h"
@@ -42,5 +43,15 @@ std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise
 /// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or
 /// where there is no friction model.
 std::vector<Recording> simulate_joint(const Scenario& scenario);
+
+// A scenario to a dataset, without files in between.
+
+/// The recordings of simulate_joint() with the facts that a manifest would state: motor torque at
+/// the motor, and the friction that was simulated as the known curve. Inputs are empty.
+/// @throw std::invalid_argument as simulate_joint().
+Dataset simulated_dataset(const Scenario& scenario);
+
+/// The same for recordings of it that were made already.
+Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recordings);
 
 }  // namespace tribolog

@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 namespace tribolog {
+
 namespace {
 
 /// What Eigen's solver expects of a problem.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

@@ -11,9 +11,8 @@
 #include "base/parallel_for.h"
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "simulate/simulate_joint.h"
-#include "simulate/simulated_dataset.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog {

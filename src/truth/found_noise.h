@@ -11,16 +11,16 @@
 namespace tribolog {
 
 /// Standard deviation of the white part of a torque [N·m], from third differences of neighbouring
-/// samples (stages/white_noise.h). The smaller one of their mean square and their median: jumps of
-/// friction at a reversal weigh on the first, steps of the torque on the second. 0 with fewer than
-/// four samples.
+/// samples (statistics/white_noise.h). The smaller one of their mean square and their median: jumps
+/// of friction at a reversal weigh on the first, steps of the torque on the second. 0 with fewer
+/// than four samples.
 double white_torque_Nm(const std::vector<double>& torque_Nm);
 
 /// Torque ripple periodic in the motor's angle, from what the rough sweep's fit leaves: the
-/// strongest lines of a search as fine as its samples allow (stages/ripple_spectrum.h), up to four,
-/// so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm. Periods of
-/// which the sweep holds fewer than three are none: they cannot be told from gravity. Empty where
-/// no line carries a tenth of the ripple's variance. Phases are as found.
+/// strongest lines of a search as fine as its samples allow (method/gravity/ripple_spectrum.h), up
+/// to four, so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm.
+/// Periods of which the sweep holds fewer than three are none: they cannot be told from gravity.
+/// Empty where no line carries a tenth of the ripple's variance. Phases are as found.
 std::vector<Noise::Ripple> ripple_of(const CogSweepResult& rough, double gear_ratio);
 
 }  // namespace tribolog

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
-#include "method/hysteresis/lugre_input.h"
+#include "method/hysteresis/lugre_problem.h"
 #include "method/motion/encoder_resolution.h"
 #include "method/motion/moving_part.h"
 #include "method/motion/plateaus.h"

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/parallel_for.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 #include "statistics/random_stream.h"
 #include "truth/identified_joint.h"
 

@@ -1,5 +1,5 @@
-// The loop viewer, in the parts that page_texts.cpp puts together, in that order, into one block.
-// It shows what stands in #tribolog-loops (src/report/review/review_json.h) and computes no result:
+// The loop viewer, in the parts that page_style.cpp puts together, in that order, into one block.
+// It shows what stands in #tribolog-loops (src/report/review_json.h) and computes no result:
 // every number shown is one of the embedded ones, or their unit's multiple. Without this script the
 // report lacks nothing but the viewer.
 //

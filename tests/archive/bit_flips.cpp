@@ -15,7 +15,7 @@
 #include "archive/store/archive_json.h"
 #include "archive/store/archive_location.h"
 #include "base/error.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "base/temporary_directory.h"
 
 namespace tribolog::archive {

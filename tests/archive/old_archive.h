@@ -4,7 +4,7 @@
 #include <string>
 
 #include "archive/sql/sqlite_connection.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 
 namespace tribolog::test {
 

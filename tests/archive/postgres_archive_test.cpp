@@ -8,9 +8,9 @@
 #include "archive/old_archive.h"
 #include "archive/postgres_place.h"
 #include "archive/sample_calibration.h"
-#include "archive/sql/postgres_connection.h"
+#include "archive/sql/open_postgres.h"
+#include "archive/store/archive_location.h"
 #include "archive/store/schema.h"
-#include "archive/store/upgrade.h"
 #include "base/error.h"
 #include "base/temporary_directory.h"
 

@@ -2,8 +2,8 @@
 
 #include "archive/archive_place.h"
 #include "archive/sample_calibration.h"
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/sha256.h"
+#include "base/encodings.h"
 #include "calibration/archived_calibration.h"
 
 namespace tribolog::test {

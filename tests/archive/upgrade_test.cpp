@@ -1,5 +1,3 @@
-#include "archive/store/upgrade.h"
-
 #include <gtest/gtest.h>
 
 #include "archive/old_archive.h"

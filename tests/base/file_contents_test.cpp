@@ -1,5 +1,3 @@
-#include "base/file_contents.h"
-
 #include <filesystem>
 #include <fstream>
 
@@ -7,8 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/byte_source.h"
 #include "base/error.h"
+#include "base/input_file.h"
 #include "base/temporary_directory.h"
 
 namespace tribolog {

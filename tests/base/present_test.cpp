@@ -1,10 +1,10 @@
-#include "base/present.h"
-
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "base/requirements.h"
 
 namespace tribolog {
 namespace {

@@ -1,6 +1,6 @@
-#include "base/sha256.h"
-
 #include <gtest/gtest.h>
+
+#include "base/encodings.h"
 
 namespace tribolog {
 namespace {

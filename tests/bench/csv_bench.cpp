@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "base/byte_source.h"
+#include "base/input_file.h"
 #include "ingest/text/csv_reader.h"
 
 using namespace tribolog;

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "figures/figure_set.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "render/workers/renderer.h"
 #include "support/paper_joint.h"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "support/paper_joint.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"

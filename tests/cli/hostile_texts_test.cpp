@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
-#include "base/hidden_characters.h"
 #include "base/utf8.h"
 #include "cli/small_dataset.h"
 

@@ -1,7 +1,6 @@
-#include "export/dataset/dataset_toml.h"
-
 #include <gtest/gtest.h>
 
+#include "export/dataset/simulation_files.h"
 #include "friction/catalogue.h"
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "export/calibration/mjcf_joint.h"
-#include "export/calibration/urdf_joint.h"
+#include "export/calibration/simulator_models.h"
 #include "export/export_sample.h"
 
 #ifdef TRIBOLOG_URDFDOM

@@ -8,9 +8,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
-#include "export/calibration/mjcf_joint.h"
-#include "export/calibration/modelica_friction.h"
-#include "export/calibration/urdf_joint.h"
+#include "export/calibration/simulator_models.h"
 #include "export/export_sample.h"
 
 namespace tribolog::archive {

@@ -3,9 +3,8 @@
 
 #include "base/temporary_directory.h"
 #include "calibration/gear_side.h"
-#include "export/calibration/csv_table.h"
 #include "export/calibration/json_document.h"
-#include "export/calibration/latex_table.h"
+#include "export/calibration/result_tables.h"
 #include "export/export_sample.h"
 #include "support/run_program.h"
 

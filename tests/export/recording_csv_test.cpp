@@ -1,5 +1,3 @@
-#include "export/dataset/recording_csv.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "export/dataset/simulation_files.h"
 #include "ingest/text/csv_reader.h"
 
 #if __has_include(<rapidcheck/gtest.h>)

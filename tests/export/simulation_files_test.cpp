@@ -6,7 +6,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/scenario_file.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 #include "simulate/simulate_joint.h"
 
 namespace tribolog {

@@ -1,8 +1,7 @@
-#include "export/dataset/truth_json.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "export/dataset/simulation_files.h"
 #include "friction/catalogue.h"
 #include "ingest/manifest/scenario_file.h"
 

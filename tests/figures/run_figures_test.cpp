@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "figures/friction_curves.h"
+#include "figures/candidate_figures.h"
 #include "figures/hand_made_calibration.h"
-#include "figures/quality_error.h"
 #include "figures/selected_curve.h"
 #include "friction/waiboer.h"
 

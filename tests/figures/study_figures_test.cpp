@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "figures/truth_check_figure.h"
+#include "figures/cross_check_figures.h"
 #include "wording/reading_label.h"
 
 namespace tribolog {

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/byte_source.h"
 #include "base/error.h"
+#include "base/input_file.h"
 #include "fuzz/check_tables.h"
 #include "fuzz/outcomes.h"
 #include "ingest/text/csv_reader.h"

@@ -1,10 +1,9 @@
-#include "history/change.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "history/comparison.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::history {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "history/comparison_json.h"
+#include "history/history_json.h"
 #include "history/simulated_history.h"
 
 namespace tribolog::history {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "statistics/normal_score.h"
+#include "statistics/distributions.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::history {

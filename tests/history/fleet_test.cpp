@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "history/fleet_json.h"
+#include "history/history_json.h"
 #include "history/sample_fleet.h"
 
 namespace tribolog::archive {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "history/history_json.h"
 #include "history/simulated_history.h"
-#include "history/trend_json.h"
 
 namespace tribolog::history {
 namespace {

@@ -1,11 +1,10 @@
-#include "history/slow_drift.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "history/reference_line.h"
+#include "statistics/distributions.h"
 #include "statistics/random_stream.h"
-#include "statistics/student_t.h"
 
 namespace tribolog::history {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "method/checks/data_checks.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/calibration_json.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {

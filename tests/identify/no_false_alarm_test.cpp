@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "ingest/manifest/scenario_file.h"
 #include "method/checks/data_checks.h"
-#include "simulate/simulated_dataset.h"
+#include "simulate/simulate_joint.h"
 #include "support/check_findings.h"
 #include "support/paper_joint.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "friction/catalogue.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {

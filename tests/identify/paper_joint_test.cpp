@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 
 namespace tribolog {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "support/paper_joint.h"
 
 namespace tribolog {

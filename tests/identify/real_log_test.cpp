@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "ingest/dataset/dataset_file.h"
 #include "joint/degrees.h"
 #include "support/check_findings.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "ingest/dataset/dataset_file.h"
 #include "support/real_logs.h"
 

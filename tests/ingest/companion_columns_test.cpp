@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/sha256.h"
+#include "base/encodings.h"
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 

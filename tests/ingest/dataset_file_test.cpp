@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/sha256.h"
 #include "base/temporary_directory.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 
 namespace tribolog {
 namespace {

@@ -1,8 +1,7 @@
-#include "ingest/dataset/kept_logs.h"
-
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
+#include "ingest/dataset/log_reader.h"
 
 namespace tribolog {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/sha256.h"
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 #include "support/cdr_writer.h"

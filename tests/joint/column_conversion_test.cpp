@@ -1,8 +1,7 @@
-#include "joint/column_conversion.h"
-
 #include <gtest/gtest.h>
 
-#include "joint/shared_conversions.h"
+#include "joint/dataset.h"
+#include "joint/drive.h"
 
 namespace tribolog {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/parallel_for.h"
 #include "statistics/block_draw.h"
-#include "statistics/quantiles.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog::bootstrap {
 namespace {

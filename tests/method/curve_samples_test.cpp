@@ -1,6 +1,6 @@
-#include "method/viscous/curve_samples.h"
-
 #include <gtest/gtest.h>
+
+#include "method/viscous/curve_model.h"
 
 namespace tribolog {
 namespace {

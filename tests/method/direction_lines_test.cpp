@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "method/viscous/direction_asymmetry.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog {

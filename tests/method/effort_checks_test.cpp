@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "method/checks/check_list.h"
-#include "method/checks/static_torque.h"
+#include "method/checks/scale_causes.h"
 
 namespace tribolog {
 namespace {

@@ -1,8 +1,8 @@
 // The level of loops that creep is no break-away torque.
 
-#include "method/hysteresis/level_against_ramps.h"
-
 #include <gtest/gtest.h>
+
+#include "method/hysteresis/break_away.h"
 
 namespace tribolog {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "statistics/linearised_fit.h"
+#include "statistics/levenberg_marquardt.h"
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 

@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "paper/charts/joint_scale.h"
-#include "paper/charts/linear_zone_figure.h"
 #include "paper/charts/presliding_figure.h"
-#include "paper/charts/static_friction_figure.h"
+#include "paper/charts/static_law_figures.h"
 #include "paper/figure_checks.h"
 
 namespace tribolog::paper {

@@ -1,8 +1,8 @@
-#include "paper/drawings/sketch_lines.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "paper/drawings/bristle_sketch.h"
 
 namespace tribolog::paper {
 namespace {

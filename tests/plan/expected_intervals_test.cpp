@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel_for.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "ingest/manifest/scenario_file.h"
 #include "plan/paper_facts.h"
 #include "plan/simulated_plan.h"
-#include "simulate/simulated_dataset.h"
+#include "simulate/simulate_joint.h"
 
 namespace tribolog::test {
 namespace {

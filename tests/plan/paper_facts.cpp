@@ -1,6 +1,6 @@
 #include "plan/paper_facts.h"
 
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "ingest/manifest/joint_file.h"
 
 namespace tribolog::test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "export/plan/plan_json.h"
+#include "export/plan/plan_files.h"
 #include "export/plan/plan_table.h"
 #include "plan/paper_facts.h"
 

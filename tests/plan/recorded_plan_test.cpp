@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "export/dataset/recording_csv.h"
-#include "export/plan/plan_dataset_toml.h"
-#include "identify/pipeline.h"
+#include "export/dataset/simulation_files.h"
+#include "export/plan/plan_files.h"
+#include "identify/identify.h"
 #include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "plan/paper_facts.h"
@@ -92,7 +92,7 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
     }
     ASSERT_TRUE(c.break_away.mean_Nm);
     EXPECT_EQ(c.break_away.censored, 0U);
-    // The moment of break-away lies 0.7 % below the static torque (stages/break_away.h).
+    // The moment of break-away lies 0.7 % below the static torque (method/hysteresis/break_away.h).
     EXPECT_NEAR(c.break_away.mean_Nm->value, 0.993 * 0.88437633,
                 1.5 * c.break_away.mean_Nm->half_width());
     EXPECT_NE(c.judgement.verdict, Verdict::not_identifiable) << c.judgement.sentence;

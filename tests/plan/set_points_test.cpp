@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "export/plan/set_points_csv.h"
+#include "export/plan/plan_files.h"
 #include "ingest/text/csv_reader.h"
 #include "plan/paper_facts.h"
 

@@ -1,10 +1,9 @@
-#include "render/figure/dashes.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "render/figure/marks.h"
 #include "render/vtk/strip_builder.h"
 
 namespace tribolog::render {

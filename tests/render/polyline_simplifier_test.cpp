@@ -1,12 +1,10 @@
-#include "render/layout/polyline_simplifier.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include <gtest/gtest.h>
 
-#include "render/layout/clip.h"
+#include "render/layout/polyline.h"
 
 namespace tribolog::render {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "render/composition/figure_layout.h"
 #include "render/example_figures.h"
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 #include "render/scene/part_map.h"
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "render/text/accents.h"
-#include "render/text/markup.h"
 #include "render/text/text_line.h"
 #include "render/text/utf8.h"
 

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/layout/tick_text.h"
-
 namespace tribolog::render {
 namespace {
 

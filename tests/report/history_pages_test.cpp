@@ -6,12 +6,10 @@
 #include "figures/trend_figures.h"
 #include "history/simulated_history.h"
 #include "report/comparison_page.h"
-#include "report/comparison_view.h"
 #include "report/document_checks.h"
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 #include "report/trend_page.h"
-#include "report/trend_view.h"
 
 namespace tribolog::test {
 namespace {

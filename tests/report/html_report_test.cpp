@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/calibration_json.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 

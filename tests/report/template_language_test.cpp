@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "report/embedded_files.h"
-#include "report/page_texts.h"
+#include "report/page_style.h"
 #include "wording/language.h"
 
 namespace tribolog::report {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/base64.h"
+#include "base/encodings.h"
 #include "report/embedded_files.h"
 #include "report/template_engine.h"
 #include "report/template_modifiers.h"

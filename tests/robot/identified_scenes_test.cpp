@@ -10,7 +10,7 @@
 #include "figures/hand_made_calibration.h"
 #include "ingest/manifest/robot_file.h"
 #include "paper/scenes/scene_figures.h"
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 #include "render/workers/renderer.h"
 
 namespace tribolog {

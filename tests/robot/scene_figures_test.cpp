@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ingest/manifest/robot_file.h"
-#include "render/figure/vector3.h"
+#include "render/figure/scene.h"
 #include "render/workers/renderer.h"
 
 namespace tribolog {

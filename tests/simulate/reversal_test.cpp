@@ -1,8 +1,8 @@
-#include "simulate/reversal.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "simulate/motion.h"
 
 namespace tribolog {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "method/motion/speed_source.h"
+#include "method/motion/plateaus.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog {

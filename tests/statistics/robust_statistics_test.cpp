@@ -1,9 +1,8 @@
-#include "statistics/robust_statistics.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "statistics/order_statistics.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::archive {

@@ -1,10 +1,10 @@
-#include "statistics/student_t.h"
-
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

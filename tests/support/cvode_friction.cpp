@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "simulate/reversal.h"
+#include "simulate/motion.h"
 
 namespace tribolog::test {
 namespace {

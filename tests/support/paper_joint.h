@@ -7,7 +7,7 @@
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
 #include "simulate/scenario.h"
-#include "simulate/simulated_dataset.h"
+#include "simulate/simulate_joint.h"
 
 namespace tribolog::test {
 

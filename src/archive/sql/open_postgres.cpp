@@ -1,8 +1,8 @@
+#include "archive/sql/open_postgres.h"
+
 #include <memory>
 #include <string>
 
-#include "archive/sql/postgres_connection.h"
-#include "archive/sql/postgres_module.h"
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/program_module.h"

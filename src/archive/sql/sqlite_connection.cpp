@@ -11,7 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "archive/sql/kept_text.h"
+#include "archive/sql/sql_connection.h"
 #include "base/early_end.h"
 #include "base/error.h"
 #include "base/file_descriptor.h"

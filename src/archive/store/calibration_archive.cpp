@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include "archive/sql/sqlite_connection.h"
-#include "archive/store/compressed.h"
 #include "archive/store/digest.h"
 #include "archive/store/entry_rows.h"
-#include "archive/store/kept_texts.h"
 #include "archive/store/schema.h"
 #include "archive/store/schema_check.h"
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

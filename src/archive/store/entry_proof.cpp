@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "archive/store/compressed.h"
 #include "archive/store/digest.h"
 #include "archive/store/entry_rows.h"
 #include "archive/store/schema.h"
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/sha256.h"
 
 namespace tribolog::archive {
 namespace {

@@ -2,10 +2,16 @@
 
 #include <array>
 #include <optional>
+#include <stdexcept>
 
-#include "base/sha256.h"
+#include <zstd.h>
+
+#include "archive/sql/sql_connection.h"
+#include "base/encodings.h"
+#include "base/error.h"
 
 namespace tribolog::archive {
+
 namespace {
 
 Verdict verdict_of(const std::string& word) {
@@ -176,6 +182,74 @@ std::vector<StoredDocument> fingerprints_of(const std::vector<Document>& documen
   std::vector<StoredDocument> fingerprints;
   for (const Document& document : documents) fingerprints.push_back(fingerprint_of(document));
   return fingerprints;
+}
+
+namespace {
+
+void refuse_unkept(const std::string& text) {
+  if (!sql::is_kept_text(text)) {
+    throw UsageError("an archive keeps texts in UTF-8, without the character NUL: '" +
+                     printable(text) + "' is none");
+  }
+}
+
+}  // namespace
+
+void refuse_unkept_texts(const std::vector<sql::Value>& values) {
+  for (const sql::Value& value : values) {
+    if (const auto* text = std::get_if<std::string>(&value.content())) refuse_unkept(*text);
+  }
+}
+
+void refuse_unkept_texts(const NewCalibration& calibration) {
+  Entry entry;
+  entry.facts = calibration.facts;
+  refuse_unkept_texts(values_of(entry));
+  for (const Quantity& q : calibration.quantities) {
+    for (const std::string* text : {&q.name, &q.words, &q.unit}) refuse_unkept(*text);
+  }
+  for (const Input& input : calibration.inputs) {
+    for (const std::string* text : {&input.name, &input.role}) refuse_unkept(*text);
+  }
+  for (const Document& document : calibration.documents) refuse_unkept(document.name);
+}
+
+namespace {
+
+/// Dense where that costs little; a report is mostly pictures, which no effort makes much smaller.
+int level_for(std::size_t bytes) {
+  constexpr std::size_t few_bytes = std::size_t{1} << 19;
+  return bytes <= few_bytes ? 19 : 9;
+}
+
+[[noreturn]] void refuse(const std::string& name) {
+  throw ArchiveError(printable(name, longest_path) +
+                     ": a document in the archive is damaged; restore a backup");
+}
+
+}  // namespace
+
+std::string compressed(std::string_view bytes) {
+  std::string out(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t written =
+      ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level_for(bytes.size()));
+  if (ZSTD_isError(written) != 0) {
+    throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
+  }
+  out.resize(written);
+  return out;
+}
+
+std::string uncompressed(const std::string& stored, std::uint64_t bytes, const std::string& name) {
+  // The length comes from the archive and may be damaged: only what the frame states is made room
+  // for, and no more than a frame of this size can hold.
+  constexpr std::uint64_t smallest_block = 4;
+  if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != bytes) refuse(name);
+  if (bytes / ZSTD_BLOCKSIZE_MAX > stored.size() / smallest_block) refuse(name);
+  std::string out(bytes, '\0');
+  const std::size_t read = ZSTD_decompress(out.data(), out.size(), stored.data(), stored.size());
+  if (ZSTD_isError(read) != 0 || read != bytes) refuse(name);
+  return out;
 }
 
 }  // namespace tribolog::archive

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "archive/sql/sql_value.h"
+#include "archive/sql/sql_connection.h"
 #include "archive/store/calibration_archive.h"
 #include "calibration/archived_calibration.h"
 
@@ -42,5 +43,19 @@ sql::Row row_of(const StoredDocument& document, std::int64_t calibration);
 /// What is kept beside a document's bytes. Their length in the archive is not known yet.
 StoredDocument fingerprint_of(const Document& document);
 std::vector<StoredDocument> fingerprints_of(const std::vector<Document>& documents);
+
+// Which texts an archive takes.
+
+/// @throw UsageError for a text that is not sql::is_kept_text().
+void refuse_unkept_texts(const std::vector<sql::Value>& values);
+void refuse_unkept_texts(const NewCalibration& calibration);
+
+// Documents as they are stored: zstd frames.
+
+std::string compressed(std::string_view bytes);
+
+/// @param bytes how many they were.
+/// @throw ArchiveError: damaged, or another length. @param name of the archive, for the message.
+std::string uncompressed(const std::string& stored, std::uint64_t bytes, const std::string& name);
 
 }  // namespace tribolog::archive

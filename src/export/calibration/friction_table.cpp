@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/present.h"
-#include "calibration/calibration_member.h"
+#include "base/requirements.h"
+#include "calibration/json_values.h"
 
 namespace tribolog::archive {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/shown_text.h"
 #include "calibration/gear_side.h"
-#include "export/calibration/comment_lines.h"
+#include "export/calibration/archived_joint.h"
 #include "export/calibration/friction_table.h"
 
 namespace tribolog::archive {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "joint/degrees.h"
 
 namespace tribolog {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
 

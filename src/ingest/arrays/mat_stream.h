@@ -1,5 +1,5 @@
 #pragma once
-// The bytes of a MAT file, and of one variable in it.
+// The bytes of a MAT file, and whether a variable holds what its header claims.
 
 #include <cstddef>
 #include <cstdint>
@@ -52,5 +52,13 @@ class MatStream {
   std::string ready_;
   std::size_t used_{0};  ///< Of `ready_`.
 };
+
+// Whether a variable of a MAT 5 file holds what its header claims.
+
+/// Walks a variable and all within it, from its own tag on. The library makes room for what the
+/// headers claim, and gives zeros for what is not there.
+/// @return "", or what is wrong with it: fewer values than its sides claim, a part longer than what
+///         holds it, no array, nested too deeply.
+std::string check_mat_matrix(MatStream& stream, bool big_endian);
 
 }  // namespace tribolog

@@ -1,15 +1,52 @@
 #pragma once
-// The header of a NumPy array: format versions 1 to 3.
+// The header of a NumPy array: format versions 1 to 3, and the type of the elements that it
+// states.
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ingest/arrays/npy_type.h"
+#include "ingest/arrays/python_text.h"
 
 namespace tribolog {
+
+/// A dimension of an array: so many values, each so many bytes behind the one before.
+struct NpyDimension {
+  std::uint64_t size{};
+  std::uint64_t stride{};
+};
+
+/// Numbers of one simple type in each element. Of nested records the innermost fields.
+struct NpyField {
+  std::string name;        ///< "q", nested "motor.q"; empty where the element is a plain number.
+  std::string type;        ///< "<f8" as it stands.
+  std::uint64_t offset{};  ///< In the element's bytes.
+  std::vector<NpyDimension> within{};  ///< Of a field that is an array itself, last one fastest.
+};
+
+struct NpyType {
+  std::vector<NpyField> fields;
+  bool is_record{};
+  std::uint64_t bytes{};  ///< Of one element; of no meaning where a field's size is not known.
+};
+
+/// Bytes of a simple type such as "<f8", "|S12", "<U3" or "<M8[ns]"; nullopt of those whose values
+/// do not lie in the array, as objects, and of what is not known.
+std::optional<std::uint64_t> bytes_of_type(const std::string& type);
+
+/// Takes what stands behind 'descr': a simple type's text, or NumPy's list of fields, each with its
+/// name (or title and name), its type and, of an array, its shape. Fields without a name of type V
+/// are padding and left out.
+/// @return nullopt where the text is no such type, or one nested or large beyond all use.
+std::optional<NpyType> take_npy_type(PythonText& text);
+
+/// Takes "(3, 4)", "(3,)" or "()". @return false where there is no such text.
+bool take_npy_shape(PythonText& text, std::vector<std::uint64_t>& shape);
+
+// The header of a NumPy array: format versions 1 to 3.
 
 struct NpyHeader {
   NpyType type;

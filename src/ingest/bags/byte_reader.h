@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/byte_source.h"
+#include "base/input_file.h"
 
 namespace tribolog {
 

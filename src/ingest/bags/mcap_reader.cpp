@@ -1,18 +1,161 @@
 #include "ingest/bags/mcap_reader.h"
 
+#include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "ingest/bags/byte_reader.h"
 #include "ingest/bags/mcap_chunk.h"
-#include "ingest/bags/mcap_messages.h"
 #include "ingest/bags/mcap_records.h"
+#include "ingest/bags/topic_tables.h"
 
 namespace tribolog {
+
+// From records to tables: which channel a message belongs to, and what its topic holds.
+
 namespace {
+
+/// Where a record starts.
+struct McapPlace {
+  std::uint64_t byte{};                ///< Of the file, or of the unpacked chunk.
+  std::optional<std::uint64_t> chunk;  ///< Where that stands in the file.
+  [[nodiscard]] std::string text() const;
+};
+
+class McapMessages {
+ public:
+  explicit McapMessages(const std::string& file) : tables_(file) {}
+
+  /// Schema, channel or message.
+  [[nodiscard]] static bool takes(std::uint8_t opcode);
+  /// One of these.
+  /// A message that does not agree with its type makes its table one that is refused.
+  /// @throw InputError: the record is damaged.
+  void take(std::uint8_t opcode, std::string_view content, const McapPlace& place);
+  /// All of them in an unpacked chunk, up to the last that is complete.
+  /// @param byte where the chunk stands in the file. @param is_cut its end may be missing.
+  void take_chunk(std::string_view records, std::uint64_t byte, bool is_cut);
+
+  void note(const std::string& text) { tables_.note(text); }
+  [[nodiscard]] const std::string& file() const { return tables_.file(); }
+  /// @throw InputError as TopicTables::finish.
+  std::vector<LogTable> finish() &&;
+
+ private:
+  struct Channel {
+    McapChannel described;
+    bool is_opened{false};  ///< Which happens at its first message.
+    TopicTable* table{};    ///< Then none: it is not read.
+  };
+
+  void take_message(const McapMessage& message, const McapPlace& place);
+  TopicTable* open(const McapChannel& channel);
+
+  TopicTables tables_;
+  std::map<std::uint16_t, McapSchema> schemas_;
+  std::map<std::uint16_t, Channel> channels_;
+  std::size_t without_channel_{0};
+};
+
+std::string McapPlace::text() const {
+  if (chunk) return fmt::format("byte {} of the chunk at byte {}", byte, *chunk);
+  return fmt::format("byte {}", byte);
+}
+
+bool McapMessages::takes(std::uint8_t opcode) {
+  switch (static_cast<McapOpcode>(opcode)) {
+    case McapOpcode::schema:
+    case McapOpcode::channel:
+    case McapOpcode::message:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void McapMessages::take(std::uint8_t opcode, std::string_view content, const McapPlace& place) {
+  try {
+    switch (static_cast<McapOpcode>(opcode)) {
+      case McapOpcode::schema: {
+        McapSchema schema = mcap_schema(content);
+        schemas_[schema.id] = std::move(schema);
+        return;
+      }
+      case McapOpcode::channel: {
+        McapChannel channel = mcap_channel(content);
+        channels_[channel.id] = {std::move(channel), false, nullptr};
+        return;
+      }
+      case McapOpcode::message:
+        return take_message(mcap_message(content), place);
+      default:
+        return;
+    }
+  } catch (const McapRecordError& error) {
+    throw InputError(
+        {file(), 0, 0},
+        {mcap_record_name(opcode) + " at " + place.text() + " is damaged", error.what(), "", ""});
+  }
+}
+
+void McapMessages::take_chunk(std::string_view records, std::uint64_t byte, bool is_cut) {
+  std::size_t at = 0;
+  while (records.size() - at >= mcap_record_start_bytes) {
+    const auto [opcode, bytes] = mcap_record_start(records.substr(at, mcap_record_start_bytes));
+    const std::size_t start = at + mcap_record_start_bytes;
+    if (opcode == 0 || bytes > records.size() - start) break;
+    if (takes(opcode)) {
+      take(opcode, records.substr(start, bytes), {at, byte});
+    }
+    at = start + bytes;
+  }
+  if (at < records.size() && !is_cut) {
+    note(
+        fmt::format("chunk (0x06) at byte {} is damaged: no record stands at its byte {}; the "
+                    "rest of the chunk is left out",
+                    byte, at));
+  }
+}
+
+void McapMessages::take_message(const McapMessage& message, const McapPlace& place) {
+  const auto found = channels_.find(message.channel);
+  if (found == channels_.end()) {
+    ++without_channel_;
+    return;
+  }
+  Channel& channel = found->second;
+  if (!std::exchange(channel.is_opened, true)) channel.table = open(channel.described);
+  if (channel.table == nullptr) return;
+  try {
+    channel.table->take(message.data, message.log_time_ns);
+  } catch (const CdrError& error) {
+    channel.table->refuse(fmt::format("{} ({})", error.what(), place.text()));
+  }
+}
+
+TopicTable* McapMessages::open(const McapChannel& channel) {
+  const auto schema = schemas_.find(channel.schema);
+  if (schema == schemas_.end()) {
+    return tables_.table_for({channel.topic, "", channel.encoding, "", ""});
+  }
+  const McapSchema& type = schema->second;
+  return tables_.table_for({channel.topic, type.name, channel.encoding, type.encoding, type.data});
+}
+
+std::vector<LogTable> McapMessages::finish() && {
+  if (without_channel_ > 0) {
+    note(fmt::format("messages left out because no channel record stands before them: {}",
+                     without_channel_));
+  }
+  return std::move(tables_).finish();
+}
 
 constexpr auto opcode_of = [](McapOpcode opcode) { return static_cast<std::uint8_t>(opcode); };
 

@@ -1,10 +1,10 @@
 #pragma once
-// What a message of ROS 2 consists of, from its definition in the .msg language, as recorders put
-// it into a log: the type's own text, then the types that it uses, each after a line of `=` and a
-// line `MSG: package/Type`.
+// Definitions of the message types that logs of joints hold, for logs that do not define them
+// themselves (rosbag2 before ROS 2 Iron).
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +13,13 @@
 #include "ingest/bags/cdr_reader.h"
 
 namespace tribolog {
+
+/// @param name "sensor_msgs/JointState". @return the fields in the .msg language.
+std::optional<std::string_view> known_message_type(std::string_view name);
+
+// What a message of ROS 2 consists of, from its definition in the .msg language, as recorders put
+// it into a log: the type's own text, then the types that it uses, each after a line of `=` and a
+// line `MSG: package/Type`.
 
 struct MessageField {
   enum class Kind : std::uint8_t { number, string, message };
@@ -45,7 +52,7 @@ class SchemaError : public std::runtime_error {
 std::string short_type_name(std::string_view type);
 
 /// @param type the message's own type. Types that the text uses but does not define are taken from
-///        those that every system has (known_message_types.h).
+///        those that every system has.
 /// @throw SchemaError: a line that is no field, an unknown type, wstring (its size on the wire is
 ///        not the same everywhere), a type that contains itself.
 MessageSchema parse_ros2msg(std::string_view type, std::string_view text);

@@ -2,7 +2,7 @@
 // Tables from a rosbag2 log in SQLite (`.db3`), as ROS 2 writes it.
 //
 // Types are taken from the log where it defines them (ROS 2 Iron and later), else by their names
-// (known_message_types.h). Nothing is written, not even a lock. Messages that stand in a
+// (ros2msg_schema.h). Nothing is written, not even a lock. Messages that stand in a
 // write-ahead log beside the file (`.db3-wal`) are not read; a note says so.
 
 #include <string>

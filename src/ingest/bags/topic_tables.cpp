@@ -1,14 +1,102 @@
 #include "ingest/bags/topic_tables.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "ingest/bags/known_message_types.h"
+#include "ingest/bags/ros2msg_schema.h"
 
 namespace tribolog {
+
+namespace {
+
+/// Two's complement: the difference is right wherever it fits, whatever the sign of the times.
+template <class Integer>
+LogColumn seconds_since_first(const char* name, const std::vector<Integer>& times_ns) {
+  constexpr double ns_per_s = 1e9;
+  LogColumn column{{std::string(name) + " [s]", name, "s"}, {}, 0};
+  column.values.reserve(times_ns.size());
+  const auto first = static_cast<std::uint64_t>(times_ns.front());
+  for (const Integer time_ns : times_ns) {
+    const auto since = static_cast<std::int64_t>(static_cast<std::uint64_t>(time_ns) - first);
+    column.values.push_back(static_cast<double>(since) / ns_per_s);
+  }
+  return column;
+}
+
+std::size_t times_going_back(const std::vector<std::uint64_t>& times_ns) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < times_ns.size(); ++i) count += times_ns[i] < times_ns[i - 1] ? 1 : 0;
+  return count;
+}
+
+/// A joint's or field's name may be the same as another's path.
+void make_names_differ(std::vector<LogColumn>& columns) {
+  std::set<std::string> taken;
+  for (LogColumn& column : columns) {
+    while (!taken.insert(column.header.name).second) {
+      column.header.name = "message." + column.header.name;
+      column.header.full = column.header.name;
+    }
+  }
+}
+
+std::vector<std::string> notes_of(const MessageColumns& columns, const std::string& topic) {
+  std::vector<std::string> notes;
+  for (const std::string& path : columns.long_arrays()) {
+    notes.push_back(fmt::format("{}: {} has more than 64 elements and was not read", topic, path));
+  }
+  if (columns.has_too_many_columns()) {
+    notes.push_back(topic + ": there are more numbers in a message than columns are kept");
+  }
+  if (columns.too_long() > 0) {
+    notes.push_back(fmt::format("{}: {} of {} messages are longer than their type says", topic,
+                                columns.too_long(), columns.rows()));
+  }
+  return notes;
+}
+
+}  // namespace
+
+void TopicTable::take(std::string_view message, std::uint64_t log_time_ns) {
+  if (!refusal_.empty()) return;
+  try {
+    CdrReader reader(message);
+    if (const auto stamp_ns = columns_.take_row(reader)) stamps_ns_.push_back(*stamp_ns);
+  } catch (const CdrError& error) {
+    throw CdrError(fmt::format("message {} of {} {}", log_times_ns_.size() + 1, printable(topic_),
+                               error.what()));
+  }
+  log_times_ns_.push_back(log_time_ns);
+}
+
+std::optional<LogTable> TopicTable::finish(const std::string& file) && {
+  LogTable table;
+  table.file = file;
+  table.group = topic_;
+  table.rows = columns_.rows();
+  table.notes = notes_of(columns_, printable(topic_));
+  table.refusal = refusal_;
+  std::vector<LogColumn> numbers = std::move(columns_).finish();
+  if (numbers.empty() && refusal_.empty()) return std::nullopt;
+  if (!stamps_ns_.empty()) table.columns.push_back(seconds_since_first("time", stamps_ns_));
+  if (!log_times_ns_.empty()) {
+    table.columns.push_back(seconds_since_first("log_time", log_times_ns_));
+  }
+  for (LogColumn& column : numbers) table.columns.push_back(std::move(column));
+  make_names_differ(table.columns);
+  for (const LogColumn& column : table.columns) table.header.push_back(column.header.full);
+  if (const std::size_t back = times_going_back(log_times_ns_); back > 0) {
+    table.notes.push_back(
+        fmt::format("{}: rows stand in the file's order; log_time goes back at {} of {}",
+                    printable(topic_), back, table.rows));
+  }
+  return table;
+}
+
 namespace {
 
 /// @throw SchemaError: why the topic cannot be read.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ingest/manifest/manifest_columns.h"
-#include "joint/column_conversion.h"
+#include "joint/drive.h"
 
 namespace tribolog {
 

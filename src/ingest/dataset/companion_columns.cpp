@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -12,11 +13,22 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "base/present.h"
-#include "ingest/dataset/clock_steps.h"
+#include "base/requirements.h"
 #include "ingest/dataset/column_conversions.h"
 
 namespace tribolog {
+
+double median_clock_step(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+  }
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
 namespace {
 
 constexpr double largest_time_difference = 0.5;  // of a step: beyond, another row is nearer

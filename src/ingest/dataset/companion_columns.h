@@ -1,6 +1,5 @@
 #pragma once
-// Columns that stand in a file beside the recording's: some loggers write the angles into one file
-// and the torques into another. The rows of such files are those of the recording's, one by one.
+// The steps of a clock as it was logged.
 
 #include <vector>
 
@@ -8,6 +7,13 @@
 #include "ingest/manifest/manifest_file.h"
 
 namespace tribolog {
+
+/// Median of the rising steps, in the unit of the times; 0 where none rises. Gaps (NaN) and steps
+/// back or of no length say nothing.
+double median_clock_step(const std::vector<double>& times);
+
+// Columns that stand in a file beside the recording's: some loggers write the angles into one file
+// and the torques into another. The rows of such files are those of the recording's, one by one.
 
 /// The entry with the columns of its own file alone.
 RecordingEntry without_companions(const RecordingEntry& entry);

@@ -3,27 +3,60 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
+#include "base/encodings.h"
 #include "base/error.h"
-#include "base/file_contents.h"
-#include "base/present.h"
-#include "base/sha256.h"
+#include "base/input_file.h"
+#include "base/requirements.h"
 #include "ingest/dataset/column_conversions.h"
 #include "ingest/dataset/companion_columns.h"
-#include "ingest/dataset/kept_logs.h"
+#include "ingest/dataset/log_reader.h"
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/dataset/row_choice.h"
-#include "ingest/dataset/unused_columns.h"
-#include "ingest/layout/known_effort.h"
+#include "ingest/layout/known_loggers.h"
+#include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "joint/degrees.h"
 
 namespace tribolog {
+
+// Columns of the logs that no recording uses: nothing is left out in silence.
+
 namespace {
+
+class UnusedColumns {
+ public:
+  void add(const LogTable& table);
+  /// One for all logs; empty if every column is used.
+  [[nodiscard]] std::string note() const;
+
+ private:
+  std::vector<std::string> names_;  ///< Of all columns, in the order in which they came.
+  std::set<std::string> known_;
+  std::set<std::string> used_;
+};
+
+void UnusedColumns::add(const LogTable& table) {
+  for (const std::string& name : table.header) {
+    if (!name.empty() && known_.insert(name).second) names_.push_back(name);
+  }
+  for (const LogColumn& column : table.columns) used_.insert(column.header.full);
+}
+
+std::string UnusedColumns::note() const {
+  std::vector<std::string> unused;
+  for (const std::string& name : names_) {
+    if (used_.count(name) == 0) unused.push_back(name);
+  }
+  return unused.empty() ? "" : "columns of the logs that are not used: " + list_of_names(unused);
+}
 
 constexpr double noticeable_rad = 1e-3;  // of an angle beyond a limit that is given in degrees
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "base/present.h"
+#include "base/requirements.h"
 #include "ingest/log/units.h"
 
 namespace tribolog {

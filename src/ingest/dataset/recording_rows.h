@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/byte_source.h"
+#include "base/input_file.h"
 #include "ingest/dataset/row_choice.h"
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"

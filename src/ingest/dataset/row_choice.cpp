@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "base/present.h"
+#include "base/requirements.h"
 
 namespace tribolog {
 namespace {

@@ -1,5 +1,3 @@
-#include "ingest/arrays/hdf5_walk.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
-#include "ingest/hdf5_matlab/hdf5_objects.h"
 
 namespace tribolog {
+
 namespace {
 
 constexpr int deepest_group = 32;
@@ -244,3 +243,8 @@ FileArrays hdf5_arrays(const std::string& path) {
 }
 
 }  // namespace tribolog
+
+void tribolog_array_libraries(tribolog::ArrayLibraries& libraries) {
+  libraries = {tribolog::hdf5_arrays, tribolog::hdf5_leads_to_other_files,
+               tribolog::read_mat_variables};
+}

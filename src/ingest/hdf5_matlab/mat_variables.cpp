@@ -1,5 +1,3 @@
-#include "ingest/arrays/mat_variables.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,8 +7,9 @@
 #include <fmt/format.h>
 #include <matio.h>
 
+#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/isolated_reading.h"
-#include "ingest/hdf5_matlab/hdf5_objects.h"
+#include "ingest/hdf5_matlab/hdf5_chunks.h"
 
 namespace tribolog {
 namespace {

@@ -1,11 +1,13 @@
 #pragma once
-// Loggers that are known by the names of their columns.
+// Loggers that are known by the names of their columns, and what they write into them.
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ingest/log/units.h"
+#include "joint/dataset.h"
 #include "joint/drive.h"
 
 namespace tribolog {
@@ -29,5 +31,13 @@ struct KnownLogger {
 
 /// The more particular ones first.
 std::span<const KnownLogger> known_loggers();
+
+// What a known logger writes into one column, told by the names that a manifest states.
+
+/// @param angle_column name of the joint's angle: it tells loggers apart that share a name, and has
+///        to be of the same joint.
+/// @return nothing where no logger that is known has both columns.
+std::optional<LoggedEffort> known_effort(const std::string& angle_column,
+                                         const std::string& effort_column);
 
 }  // namespace tribolog

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "ingest/layout/known_loggers.h"
-#include "ingest/layout/name_pattern.h"
 #include "ingest/layout/name_words.h"
 
 namespace tribolog {

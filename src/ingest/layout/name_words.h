@@ -1,6 +1,5 @@
 #pragma once
-// The meaning of a column by the words of its name, in any order: "i_motor_A", "elbow_position",
-// "J2 Torque [Nm]", "motorCurrent", "Strom (mA)".
+// The meaning of a column by its name.
 
 #include <optional>
 #include <string>
@@ -10,6 +9,14 @@
 #include "ingest/layout/log_layout.h"
 
 namespace tribolog {
+
+/// @param pattern with one "{}" for the joint, or none. Case does not count.
+/// @return what stands for the joint (empty for a pattern without one), or nothing where the name
+/// does not fit.
+std::optional<std::string> joint_in_name(std::string_view name, std::string_view pattern);
+
+// The meaning of a column by the words of its name, in any order: "i_motor_A", "elbow_position",
+// "J2 Torque [Nm]", "motorCurrent", "Strom (mA)".
 
 /// "actualJointPos_2" is actual, joint, pos, 2: cut at signs, at capitals and between letters and
 /// digits; in small letters.

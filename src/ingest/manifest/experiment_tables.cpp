@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ingest/manifest/key_guard.h"
+#include "ingest/manifest/key_ranges.h"
 #include "joint/degrees.h"
 #include "simulate/motion.h"
 

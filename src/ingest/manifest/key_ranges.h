@@ -1,12 +1,28 @@
 #pragma once
-// Which numbers a key may have, by the unit at its name's end: the range of all joints that there
-// are, with room, and far inside the range in which numbers can be multiplied without loss. What
-// lies outside is a slip of the unit or of the decimal point.
+// What a key of a file may be, and what is said where it is not.
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "ingest/manifest/toml_table.h"
+
 namespace tribolog {
+
+/// Runs `build` and returns its result.
+/// @throw InputError at the key, with the constructor's words, if it throws std::invalid_argument.
+template <class Build>
+auto guarded(const TomlTable& table, const std::string& key, const Build& build) {
+  try {
+    return build();
+  } catch (const std::invalid_argument& error) {
+    table.refuse(key, {error.what(), "", "", ""});
+  }
+}
+
+// Which numbers a key may have, by the unit at its name's end: the range of all joints that there
+// are, with room, and far inside the range in which numbers can be multiplied without loss. What
+// lies outside is a slip of the unit or of the decimal point.
 
 /// Magnitudes; 0 is allowed beside them where the key takes it at all.
 struct KeyRange {

@@ -12,6 +12,12 @@
 
 namespace tribolog {
 
+/// @throw InputError if the table's `kind` is a voltage or a duty cycle.
+void refuse_voltage_kind(const TomlTable& effort);
+
+/// @throw InputError if the column's `unit` is one of voltage or duty cycle.
+void refuse_voltage_unit(const TomlTable& column);
+
 struct ColumnEntry {
   std::string name;
   std::string unit;

@@ -5,19 +5,17 @@
 #include <fmt/format.h>
 
 #include "base/closest_match.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "ingest/log/log_format.h"
 #include "ingest/manifest/friction_tables.h"
-#include "ingest/manifest/key_guard.h"
-#include "ingest/manifest/known_load_tables.h"
-#include "ingest/manifest/limit_tables.h"
+#include "ingest/manifest/key_ranges.h"
+#include "ingest/manifest/manifest_columns.h"
+#include "ingest/manifest/manifest_tables.h"
 #include "ingest/manifest/robot_file.h"
-#include "ingest/manifest/text_log_table.h"
-#include "ingest/manifest/voltage.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
-#include "joint/allowed_resamples.h"
+#include "joint/dataset.h"
 
 namespace tribolog {
 namespace {

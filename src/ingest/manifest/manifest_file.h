@@ -34,7 +34,7 @@
 //                 law ("waiboer", "stribeck", "threshold_speed"), or of a dynamic model, of which
 //                 the torque at constant speed is meant
 //   [[limit]]     quantity, and of max, min, half_width, half_width_percent one or more: what the
-//                 user accepts (limit_tables.h; optional)
+//                 user accepts (manifest_tables.h; optional)
 //   [[recording]] role = "rough_sweep" | "precise_sweep" | "oscillation" | "constant_speed" |
 //                 "break_away", file (relative to the manifest); from_s, to_s (of a clock that
 //                 counts from 1970: since its first reading), columns, note (optional)
@@ -46,7 +46,7 @@
 #include <vector>
 
 #include "ingest/manifest/manifest_columns.h"
-#include "ingest/text/text_log_rules.h"
+#include "ingest/text/csv_dialect.h"
 #include "joint/dataset.h"
 
 namespace tribolog {

@@ -10,9 +10,9 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "ingest/manifest/experiment_tables.h"
-#include "ingest/manifest/key_guard.h"
+#include "ingest/manifest/key_ranges.h"
 #include "joint/degrees.h"
 
 namespace tribolog {

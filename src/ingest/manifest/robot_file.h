@@ -26,7 +26,7 @@
 #include <string_view>
 
 #include "ingest/manifest/toml_table.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 
 namespace tribolog {
 

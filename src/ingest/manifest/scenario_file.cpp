@@ -8,10 +8,10 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "ingest/manifest/experiment_tables.h"
 #include "ingest/manifest/friction_tables.h"
-#include "ingest/manifest/key_guard.h"
+#include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/robot_file.h"
 #include "simulate/simulate_joint.h"
 

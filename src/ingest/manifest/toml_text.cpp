@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/hidden_characters.h"
-#include "base/shortest_number.h"
+#include "base/shown_text.h"
 #include "base/utf8.h"
 
 namespace tribolog {

@@ -1,15 +1,53 @@
 #pragma once
 // How a log separates its columns, and what its header says.
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/error.h"
 #include "ingest/log/log_table.h"
-#include "ingest/text/csv_fields.h"
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 
 namespace tribolog {
+
+enum class Delimiter : char { comma = ',', semicolon = ';', tab = '\t', spaces = ' ' };
+
+struct Field {
+  std::string text;      ///< Without quotes and without blanks around it.
+  std::size_t column{};  ///< Of its first byte in the line; counts from 1.
+};
+
+inline constexpr std::size_t longest_field_bytes = 64 * 1024;
+inline constexpr std::size_t most_columns = 65'536;
+
+/// Splits a row. Quoted fields may hold delimiters and "" for a quote. With spaces as delimiter any
+/// number of blanks counts as one.
+/// @throw InputError at the opening quote of a field that does not end in its line, at a field
+///        longer than 64 KiB, or for more than 65536 columns.
+std::vector<Field> split_row(std::string_view row, Delimiter delimiter, const Location& line);
+
+// How a text log is to be read where it cannot tell itself: what the manifest's [log] says.
+
+/// Of the columns' names; numbers are ASCII in both.
+enum class TextEncoding { utf8, latin1 };
+
+struct TextLogRules {
+  DecimalMark decimal_mark{DecimalMark::point};
+  std::optional<Delimiter> delimiter;  ///< Absent: found out.
+  TextEncoding encoding{TextEncoding::utf8};
+  /// Line of the columns' names, or of the first row where there are none; counts from 1. What
+  /// stands in front of it is not read. Absent: the first line that is no comment.
+  std::optional<long> header_line;
+  /// Rows that cannot be used are left out and counted, up to `most_bad_rows` of all.
+  bool skip_bad_rows{};
+};
+
+/// Share of the rows. A log with more is damaged, or not what the manifest says.
+inline constexpr double most_bad_rows = 0.01;
 
 /// "commas", "semicolons", "tabs", "spaces"
 std::string to_string(Delimiter delimiter);

@@ -14,11 +14,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/byte_source.h"
 #include "base/error.h"
+#include "base/input_file.h"
 #include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
-#include "ingest/text/text_log_rules.h"
 
 namespace tribolog {
 

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "ingest/text/clock_field.h"
 #include "ingest/text/number_field.h"
-#include "ingest/text/plain_stretches.h"
+#include "ingest/text/plain_rows.h"
 #include "ingest/text/row_refusals.h"
 
 namespace tribolog {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "method/motion/encoder_resolution.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
 namespace tribolog {

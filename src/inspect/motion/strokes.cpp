@@ -5,9 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "inspect/motion/quiet_window.h"
-#include "inspect/motion/turning_points.h"
-#include "inspect/motion/way.h"
+#include "inspect/motion/angle_trace.h"
 
 namespace tribolog {
 namespace {

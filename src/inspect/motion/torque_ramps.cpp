@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "inspect/motion/angle_trace.h"
 #include "inspect/motion/noise_floor.h"
-#include "inspect/motion/turning_points.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/present.h"
-#include "ingest/dataset/clock_steps.h"
+#include "base/requirements.h"
+#include "ingest/dataset/companion_columns.h"
 #include "ingest/log/units.h"
 
 namespace tribolog {

@@ -1,11 +1,17 @@
 #include "inspect/survey/joint_choice.h"
 
 #include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
 
 #include "base/closest_match.h"
 #include "base/error.h"
+#include "base/requirements.h"
+#include "ingest/layout/name_words.h"
 
 namespace tribolog {
+
 namespace {
 
 constexpr double moves_share = 0.01;
@@ -98,6 +104,120 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
     if (!is_known && range(f) > moves_share * widest) choice.moves_too.push_back(f.joint->name);
   }
   return choice;
+}
+
+namespace {
+
+constexpr std::array voltage_words = {"v", "volt", "volts", "voltage", "pwm", "duty"};
+
+bool says_motor(const std::string& name) {
+  const std::vector<std::string> words = words_of_name(name);
+  return std::find(words.begin(), words.end(), "motor") != words.end() ||
+         std::find(words.begin(), words.end(), "drive") != words.end();
+}
+
+void propose_none(const TableSurvey& table, EffortProposal& proposal) {
+  const std::vector<std::string> voltages = voltages_of(table);
+  proposal.remarks.push_back(
+      "The log holds no torque and no motor current that its names tell: the motion alone is "
+      "checked.");
+  if (!voltages.empty()) {
+    proposal.remarks.push_back("No torque follows from a voltage or a duty cycle (" +
+                               list_of_names(voltages, 6) + ").");
+  }
+  proposal.remarks.push_back(
+      "Record the motor current or the torque at every sample, and state it here and in "
+      "[columns].");
+  proposal.lines.emplace_back("kind = \"none\"");
+}
+
+}  // namespace
+
+std::optional<std::size_t> EffortProposal::column_of(const JointSurvey& joint) const {
+  if (kind == EffortKind::none) return std::nullopt;
+  if (!is_target) return joint.effort;
+  return joint.targets.empty() ? std::nullopt : std::optional(joint.targets.front());
+}
+
+std::vector<std::string> voltages_of(const TableSurvey& table) {
+  std::vector<std::string> names;
+  for (const ColumnSurvey& column : table.columns) {
+    const std::vector<std::string> words = words_of_name(column.name);
+    const bool is_one =
+        column.unit == "V" || std::any_of(words.begin(), words.end(), [](const std::string& word) {
+          return std::find(voltage_words.begin(), voltage_words.end(), word) != voltage_words.end();
+        });
+    if (is_one && !column.meaning) names.push_back(column.name);
+  }
+  return names;
+}
+
+EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
+                              const std::vector<JointInLog>& joint,
+                              const ProposalOptions& options) {
+  EffortProposal proposal;
+  const TableSurvey* table = &logs[joint.front().log].tables[joint.front().table];
+  const ColumnSurvey* column = nullptr;
+  for (const bool is_target : {false, true}) {
+    for (const JointInLog& of : joint) {
+      const TableSurvey& in = logs[of.log].tables[of.table];
+      const JointSurvey& j = in.joints[of.joint];
+      if (column != nullptr || (is_target ? j.targets.empty() : !j.effort)) continue;
+      const ColumnSurvey& found = in.columns[is_target ? j.targets.front() : present(j.effort)];
+      if (is_target && present(found.meaning).quantity != Quantity::torque) continue;
+      table = &in;
+      column = &found;
+      proposal.is_target = is_target;
+    }
+  }
+  if (column == nullptr) {
+    propose_none(*table, proposal);
+    return proposal;
+  }
+  const ColumnMeaning& meaning = present(column->meaning);
+  const bool is_current = meaning.quantity == Quantity::current;
+  EffortKind guess = says_motor(column->name) ? EffortKind::motor_torque : EffortKind::joint_torque;
+  if (is_current) guess = EffortKind::motor_current;
+  if (proposal.is_target) guess = EffortKind::target_torque;
+  proposal.kind = proposal.is_target ? guess : meaning.effort.kind.value_or(guess);
+  const Side likely =
+      proposal.kind == EffortKind::motor_torque || (is_current && options.gear_ratio.has_value())
+          ? Side::motor
+          : Side::joint;
+  const Side side =
+      options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
+
+  proposal.remarks.push_back(fmt::format(
+      "{} in {}{}", in_quotes(column->name), printable(meaning.unit),
+      table->logger.empty() ? ": taken by its name" : ": as " + table->logger + " writes it"));
+  if (!meaning.effort.remark.empty()) proposal.remarks.push_back(meaning.effort.remark);
+  if (proposal.is_target) {
+    proposal.remarks.emplace_back(
+        "There is no measured effort: friction found in a set point is the controller's own.");
+  }
+  if (!is_current && !proposal.is_target && !meaning.effort.kind) {
+    proposal.remarks.emplace_back(
+        "Is it measured? Before the gear (motor_torque, side motor) or behind it (joint_torque, "
+        "side joint)?");
+  }
+  proposal.lines.push_back(fmt::format("kind = \"{}\"", to_string(proposal.kind)));
+  proposal.lines.push_back(fmt::format(
+      "side = \"{}\"{}", side == Side::motor ? "motor" : "joint",
+      is_current && !options.effort_side ? "  # on which the torque constant below acts" : ""));
+  if (proposal.kind == EffortKind::motor_current) {
+    proposal.lines.push_back(
+        options.torque_constant_Nm_A
+            ? fmt::format("torque_constant_Nm_A = {}", *options.torque_constant_Nm_A)
+            : "torque_constant_Nm_A = 0  # state it: N·m per ampere on the side above; 0 is "
+              "refused");
+  }
+  const bool is_stated = proposal.kind == EffortKind::motor_current && meaning.unit_is_stated;
+  if (!is_stated) {
+    proposal.lines.emplace_back(
+        "confirmed = false  # a guess; true, or no such line, once it is "
+        "looked at");
+  }
+  return proposal;
 }
 
 }  // namespace tribolog

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "base/byte_source.h"
-#include "base/present.h"
+#include "base/input_file.h"
+#include "base/requirements.h"
 #include "ingest/dataset/log_reader.h"
 #include "ingest/log/units.h"
 #include "ingest/text/csv_reader.h"

@@ -9,7 +9,7 @@
 
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_format.h"
-#include "ingest/text/text_log_rules.h"
+#include "ingest/text/csv_dialect.h"
 #include "inspect/motion/motion_segments.h"
 #include "inspect/survey/clock_survey.h"
 

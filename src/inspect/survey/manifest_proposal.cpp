@@ -8,11 +8,10 @@
 
 #include "base/closest_match.h"
 #include "base/error.h"
-#include "base/present.h"
+#include "base/requirements.h"
 #include "base/utf8.h"
 #include "ingest/manifest/toml_table.h"
 #include "ingest/manifest/toml_text.h"
-#include "inspect/survey/effort_proposal.h"
 #include "inspect/survey/joint_choice.h"
 
 namespace tribolog {

@@ -7,17 +7,17 @@
 
 namespace tribolog {
 
-// effort_provenance.cpp, link_side_torque.cpp
+// log_checks.cpp, drive_checks.cpp
 DataCheck check_effort_provenance(const CheckedDataset& data);
 DataCheck check_effort_column(const CheckedDataset& data);
 DataCheck check_link_side_torque(const CheckedDataset& data);
-// motion_range.cpp
+// motion_checks.cpp
 DataCheck check_joint_moves(const CheckedDataset& data);
 DataCheck check_angle_unit(const CheckedDataset& data);
-// clock.cpp
+// log_checks.cpp
 DataCheck check_clock_jitter(const CheckedDataset& data);
 DataCheck check_clock_gaps(const CheckedDataset& data);
-// speed_scale.cpp, speed_noise.cpp
+// speed_checks.cpp, speed_checks.cpp
 DataCheck check_speed_scale(const CheckedDataset& data);
 DataCheck check_speed_noise(const CheckedDataset& data);
 // directions.cpp
@@ -25,27 +25,27 @@ DataCheck check_sweep_directions(const CheckedDataset& data);
 DataCheck check_run_directions(const CheckedDataset& data);
 DataCheck check_sweep_common_angles(const CheckedDataset& data);
 DataCheck check_run_common_angles(const CheckedDataset& data);
-// run_speeds.cpp
+// speed_checks.cpp
 DataCheck check_run_speeds(const CheckedDataset& data);
-// stick_slip.cpp
+// motion_checks.cpp
 DataCheck check_stick_slip(const CheckedDataset& data);
-// torque_signal.cpp
+// torque_checks.cpp
 DataCheck check_torque_alive(const CheckedDataset& data);
 DataCheck check_torque_noise(const CheckedDataset& data);
-// torque_saturation.cpp
+// torque_checks.cpp
 DataCheck check_torque_saturation(const CheckedDataset& data);
-// torque_step.cpp
+// torque_checks.cpp
 DataCheck check_torque_step(const CheckedDataset& data);
-// power.cpp
+// drive_checks.cpp
 DataCheck check_dissipation(const CheckedDataset& data);
 DataCheck check_power(const CheckedDataset& data);
-// torque_ripple.cpp
-// friction_drift.cpp, temperature.cpp
+// gravity_checks.cpp
+// friction_drift.cpp, log_checks.cpp
 DataCheck check_friction_drift(const CheckedDataset& data);
 DataCheck check_temperature(const CheckedDataset& data);
 // presliding_resolution.cpp
 DataCheck check_encoder_step(const CheckedDataset& data);
-// oscillation_form.cpp
+// motion_checks.cpp
 DataCheck check_oscillation_cycles(const CheckedDataset& data);
 DataCheck check_oscillation_slides(const CheckedDataset& data);
 

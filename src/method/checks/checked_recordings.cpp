@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "method/motion/encoder_resolution.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

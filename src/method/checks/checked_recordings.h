@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "joint/dataset.h"
+#include "method/motion/moving_part.h"
 #include "method/motion/plateaus.h"
-#include "method/motion/strokes.h"
 
 namespace tribolog {
 

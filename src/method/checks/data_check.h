@@ -2,7 +2,7 @@
 // Checks on the recordings before any fit: what can be wrong with a log, each with its number and
 // its limit.
 //
-// A check that fails lowers the verdict of the quantities it touches (verdict/check_consequences.h
+// A check that fails lowers the verdict of the quantities it touches (verdict/judge.cpp
 // says which). One that warns is told, and lowers nothing.
 
 #include <optional>

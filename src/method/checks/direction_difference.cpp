@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

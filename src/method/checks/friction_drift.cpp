@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "method/checks/check_list.h"
-#include "statistics/median.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "method/checks/check_list.h"
 #include "method/motion/encoder_resolution.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

@@ -1,9 +1,14 @@
 #pragma once
-// What makes a logged signal wrong by a factor.
+// What makes a logged signal wrong by a factor, and the torque that holds the load against its
+// weight.
 
+#include <optional>
 #include <string>
 
+#include "joint/dataset.h"
 #include "joint/drive.h"
+#include "method/checks/data_check.h"
+#include "statistics/estimate.h"
 
 namespace tribolog {
 
@@ -15,5 +20,17 @@ std::string likely_cause_of_scale(double factor, double half_width, double gear_
 /// The same of a torque, found / true: unit, side of the gear, torque constant. What is true is
 /// known to some per cent only.
 std::string likely_cause_of_torque_scale(double factor, double half_width, const Drive& drive);
+
+// Internal to the checks: the torque that holds the load against what the load weighs.
+
+/// Gravity as it was found, motor side.
+struct FoundGravity {
+  Estimate amplitude_Nm;
+  double q_peak_rad{};
+};
+
+/// Gravity that was found against the one stated ([known_gravity]), or else against the least that
+/// a stated payload makes, m g r. Names what makes a torque wrong by such a factor.
+DataCheck check_static_torque(const Manifest& manifest, const std::optional<FoundGravity>& found);
 
 }  // namespace tribolog

@@ -8,13 +8,10 @@
 
 #include "joint/degrees.h"
 #include "method/gravity/sweep_curves.h"
-#include "method/gravity/sweep_load.h"
-#include "method/gravity/sweep_noise.h"
 #include "method/gravity/sweep_regression.h"
-#include "method/gravity/torque_maximum.h"
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

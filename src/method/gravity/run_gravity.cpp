@@ -10,7 +10,7 @@
 #include "joint/degrees.h"
 #include "method/gravity/run_gravity_rows.h"
 #include "statistics/block_regression.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "method/gravity/sweep_noise.h"
-#include "statistics/median.h"
+#include "method/gravity/sweep_regression.h"
+#include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
 namespace tribolog {

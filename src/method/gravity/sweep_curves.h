@@ -1,5 +1,5 @@
 #pragma once
-// The fitted torque of a sweep against the angle, for figures.
+// A sweep's torque against the angle: its largest value, and the fitted curve.
 
 #include <vector>
 
@@ -10,6 +10,13 @@
 #include "method/motion/sweep_samples.h"
 
 namespace tribolog {
+
+/// Fills the `argmax` members of a result whose residual, gravity amplitude and range are known:
+/// the sample of largest torque, and the angles that the noise cannot tell from it.
+void find_torque_maximum(const std::vector<const Recording*>& recordings,
+                         const SweepSamples& samples, CogSweepResult& result);
+
+// The fitted torque of a sweep against the angle, for figures.
 
 /// Fills fit_q_rad, fit_rising_Nm and fit_falling_Nm: measured torque less residual, the median
 /// of equal bins of the angle. An empty bin takes no part: it is NaN in the direction that lacks

@@ -1,9 +1,5 @@
 #pragma once
-// Internal to the sweep stage: the regression behind it.
-//
-//   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
-//   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
-//                        [+ load sgn(q') |cos(q - q_peak)|]
+// The regression behind the sweep stage, with its noise and its load.
 
 #include <cstddef>
 #include <vector>
@@ -17,6 +13,21 @@
 
 namespace tribolog {
 
+/// Variance of the white noise of the torque [N²·m²] from third differences of neighbouring
+/// samples, in which everything slower than a few samples drops out. 0 without neighbours.
+double white_torque_variance(const std::vector<const Recording*>& recordings,
+                             const SweepSamples& samples);
+
+/// Standard deviation of what the residual holds beyond white noise [N·m]: torque ripple, friction
+/// that changes with the angle. 0 below what sampling of the two variances explains.
+double torque_ripple_Nm(double residual_sd_Nm, double white_variance);
+
+// Internal to the sweep stage: the regression behind it.
+//
+//   constant speed:  T = offset(recording, direction) + G cos(q - q_peak)
+//   varying speed:   T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)
+//                        [+ load sgn(q') |cos(q - q_peak)|]
+
 /// Columns of the regression T = X c. Those of gravity are the first.
 struct SweepDesign {
   Eigen::MatrixXd x;
@@ -26,7 +37,7 @@ struct SweepDesign {
   Eigen::Index direction{-1};  // Coulomb column of a varying sweep
   Eigen::Index speed{-1};
   Eigen::Index acceleration{-1};
-  Eigen::Index load{-1};  // sgn(q') |cos(q - q_peak)|, last; only where it pays (sweep_load.h)
+  Eigen::Index load{-1};  // sgn(q') |cos(q - q_peak)|, last; only where it pays
   std::vector<std::size_t> offset_of_sample;
 };
 
@@ -65,5 +76,19 @@ Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::V
 /// Joint angle of a sample [rad].
 double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
                 std::size_t i);
+
+// Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
+// the regression of a sweep of varying speed.
+//
+// The column is sgn(q') |cos(q - q_peak)|; the angle in it comes from the fit itself. It is taken
+// up only if strokes that took no part in the fit are described better with it, by more than twice
+// the standard error of the gain over the strokes, and if friction grows with the load.
+
+/// @param fit of the design without the column, its columns of gravity filled.
+/// @return the fit with the column, `design` extended by it; or `fit` with `design` as it was.
+SweepGravityFit with_load_where_it_pays(const std::vector<const Recording*>& recordings,
+                                        const SweepSamples& samples, SweepDesign& design,
+                                        double middle_rad, const std::vector<std::size_t>& blocks,
+                                        const SweepGravityFit& fit);
 
 }  // namespace tribolog

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "joint/recording.h"
+#include "method/hysteresis/lugre_fit.h"
 #include "statistics/estimate.h"
 
 namespace tribolog {
@@ -60,5 +61,13 @@ struct BreakAwayResult {
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
 BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity);
+
+// The level that hysteresis loops flatten at, against torque ramps that made the joint slide or
+// not.
+
+/// Takes the static torque, and what was read relative to it, out of what the fit shows, with the
+/// reason, where ramps show that the joint holds more: its loops then creep, and what flattens them
+/// is no break-away. What the fit keeps for resampling (LuGreFit::linearised) still has them.
+LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
 
 }  // namespace tribolog

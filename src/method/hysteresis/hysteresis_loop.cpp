@@ -6,14 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
-#include "method/hysteresis/loop_midline.h"
+#include "base/requirements.h"
 #include "method/hysteresis/loop_points.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/presliding_travel.h"
 #include "method/motion/encoder_resolution.h"
 #include "method/motion/moving_part.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

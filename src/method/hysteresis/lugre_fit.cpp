@@ -8,12 +8,12 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "method/hysteresis/lugre_experiments.h"
 #include "method/hysteresis/lugre_identifiability.h"
 #include "method/hysteresis/lugre_ladder.h"
-#include "method/hysteresis/motion_noise.h"
-#include "statistics/linearised_fit.h"
+#include "method/hysteresis/traced_loop.h"
+#include "statistics/levenberg_marquardt.h"
 
 namespace tribolog {
 namespace {

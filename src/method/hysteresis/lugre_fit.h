@@ -12,7 +12,7 @@
 //
 // Intervals: block regression over half cycles, right for residuals that hang together within a
 // stroke; wrong where the model is, which the residual's scatter against the noise tells. Along a
-// spline the noise of the angle is added (motion_noise.h).
+// spline the noise of the angle is added (traced_loop.h).
 
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@
 
 #include "joint/recording.h"
 #include "method/hysteresis/loop_misfit.h"
-#include "method/hysteresis/lugre_input.h"
+#include "method/hysteresis/lugre_problem.h"
 #include "method/hysteresis/position_mean.h"
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/estimate.h"
@@ -104,7 +104,7 @@ struct LuGreFit {
   // For resampling, not stored.
   /// Gravity before ripple is laid on it; present with gravity_Nm.
   std::optional<PositionMean> positions;
-  /// Of a fit that converged (stages/linearised_fit.h).
+  /// Of a fit that converged (statistics/levenberg_marquardt.h).
   std::shared_ptr<const LinearisedFit> linearised;
 
   /// The loop in which what noise does not explain is the largest share of the height; null

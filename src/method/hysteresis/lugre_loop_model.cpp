@@ -7,7 +7,7 @@
 #include "friction/dual.h"
 #include "friction/exponential_step.h"
 #include "simulate/careful_step.h"
-#include "simulate/reversal.h"
+#include "simulate/motion.h"
 
 namespace tribolog {
 namespace {

@@ -1,4 +1,38 @@
 #pragma once
+// One recording as the LuGre fit takes it: what was measured, and the motion that the model is
+// driven along. A joint moved along a sine has its harmonics; one that a torque drives has the
+// spline through its angle.
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "joint/recording.h"
+#include "method/hysteresis/lugre_loop_model.h"
+#include "method/motion/oscillation_motion.h"
+#include "method/motion/traced_motion.h"
+#include "simulate/motion.h"
+#include "statistics/levenberg_marquardt.h"
+
+namespace tribolog {
+
+struct LuGreInput {
+  const Recording* recording{};
+  const OscillationMotion* motion{};  ///< Fitted to it; unless `traced` is given.
+  const TracedMotion* traced{};       ///< Taken instead where it is given.
+
+  /// By the time since the recording's first sample.
+  [[nodiscard]] std::shared_ptr<const Motion> motor_motion(double gear_ratio) const;
+  [[nodiscard]] double frequency_Hz() const;
+  [[nodiscard]] double centre_rad() const;
+  /// Half loop of each sample, counted from 0: half cycles of the frequency, or the strokes between
+  /// the turns of the angle. Residuals of a misfitted loop hang together within one.
+  [[nodiscard]] std::vector<std::size_t> half_loops() const;
+};
+
 // LuGre fitted to any number of loops at once: least squares over all their samples.
 //
 // Levenberg-Marquardt is Eigen's port of MINPACK. It sees, of each recording, not its thousands of
@@ -7,17 +41,6 @@
 // Ceres is not used: on one loop its automatic differentiation took 17 ms where this way took 1.7
 // (dual numbers go through the recursion once; its Jets carry all parameters through every row),
 // and its package brings SuiteSparse, ATLAS and glog.
-
-#include <utility>
-#include <vector>
-
-#include <Eigen/Core>
-
-#include "method/hysteresis/lugre_loop_model.h"
-#include "statistics/levenberg_marquardt.h"
-#include "statistics/linearised_fit.h"
-
-namespace tribolog {
 
 /// A value for every parameter of every recording.
 struct LuGrePoint {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

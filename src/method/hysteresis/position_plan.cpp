@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "method/hysteresis/position_mean.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "method/motion/plateaus.h"
-#include "statistics/median.h"
+#include "statistics/order_statistics.h"
 
 namespace tribolog {
 namespace {

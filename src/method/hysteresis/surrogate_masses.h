@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "joint/known_load.h"
+#include "joint/gravity_load.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/gravity/run_gravity.h"
 #include "method/hysteresis/hysteresis_loop.h"

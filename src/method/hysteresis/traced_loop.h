@@ -1,18 +1,38 @@
 #pragma once
-// What the fit of a loop along a traced motion tells besides the numbers: how well the motion is
-// known, how much of the scatter its noise explains, and whether the model is as stiff behind a
-// reversal as the joint was measured to be.
+// What the noise of a recorded angle does to a fit along the motion traced through it.
+//
+// The traced motion is taken for the truth, recorded again with the noise that was found (its steps
+// at another phase, or other white noise), traced anew, and the fit takes one step from its
+// solution. Steps of several such recordings show the error that no scatter of the torque shows:
+// motion that is smoothed too much at every turn is wrong in the same way in all half loops.
+//
+// Of long recordings a part shows it: the shift by the noise of the part, over the root of how many
+// parts there are. The deflection at the start, which the first strokes alone tell, keeps its own.
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "joint/recording.h"
+#include "method/hysteresis/lugre_ladder.h"
+#include "method/hysteresis/lugre_problem.h"
 #include "method/motion/traced_motion.h"
 #include "statistics/estimate.h"
 
 namespace tribolog {
+
+/// Columns whose products with themselves add up to the parameters' covariance by that noise, in
+/// the order of the climb's columns; none where no motion was traced.
+Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
+                                       const LuGreClimb& climb, double gear_ratio,
+                                       double q_peak_rad);
+
+// What the fit of a loop along a traced motion tells besides the numbers: how well the motion is
+// known, how much of the scatter its noise explains, and whether the model is as stiff behind a
+// reversal as the joint was measured to be.
 
 struct TracedLoop {
   double noise_rad{};          ///< Of the angle, standard deviation, joint side.
@@ -21,7 +41,7 @@ struct TracedLoop {
   /// Scatter of the torque that the noise of angle and torque can explain: the angle's noise times
   /// the model's slope, and the torque's white noise.
   double explained_Nm{};
-  /// Torque at the motor over joint angle behind the reversals (stages/turn_stiffness.h), measured
+  /// Torque at the motor over joint angle behind the reversals (loop_shape.h), measured
   /// and of the model over the same samples; absent where fewer than two strokes show it.
   std::optional<Estimate> turn_stiffness_Nm_rad;
   std::optional<Estimate> model_turn_stiffness_Nm_rad;

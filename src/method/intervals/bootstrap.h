@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "joint/allowed_resamples.h"
+#include "joint/dataset.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/hysteresis_loop.h"
 #include "method/hysteresis/surrogate_masses.h"
@@ -102,8 +102,14 @@ struct ResamplingOptions {
 };
 
 /// @param progress is told how many resamples are done; may be empty.
-/// @throw std::invalid_argument if the resamples are not allowed (allowed_resamples.h).
+/// @throw std::invalid_argument if the resamples are not allowed (joint/dataset.h).
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
+
+// Puts the stated interval into the results where that is the resampled one.
+
+/// Values stay; intervals and the words of how they were made change. Without resamples nothing
+/// does.
+void state_intervals(const IntervalsResult& intervals, FrictionParametersResult& friction);
 
 }  // namespace tribolog

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "method/intervals/run_resample.h"
 #include "method/intervals/sweep_resample.h"
 #include "statistics/block_draw.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::bootstrap {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "statistics/linearised_fit.h"
+#include "statistics/levenberg_marquardt.h"
 
 namespace tribolog::bootstrap {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "statistics/block_draw.h"
 #include "statistics/block_regression.h"
-#include "statistics/linearised_fit.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
+#include "statistics/levenberg_marquardt.h"
 
 namespace tribolog::bootstrap {
 namespace {

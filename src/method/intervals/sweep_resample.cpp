@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "statistics/block_draw.h"
+#include "statistics/distributions.h"
 
 namespace tribolog::bootstrap {
 
@@ -33,6 +34,22 @@ SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& pr
                         std::cos(2 * std::numbers::pi * random.uniform());
   }
   return shift;
+}
+
+std::vector<double> resample_runs(RandomStream& random, const ViscousCurvesResult& curves) {
+  std::vector<double> shifts;
+  shifts.reserve(curves.runs.size());
+  for (const ConstantSpeedRun& run : curves.runs) {
+    const std::vector<double>& blocks = run.block_friction_Nm;
+    if (blocks.size() >= 2) {
+      const double scale = few_blocks_scale(random, static_cast<double>(blocks.size()) - 1);
+      shifts.push_back(scale * resampled_mean_shift(blocks, centred_counts(random, blocks.size())));
+    } else {
+      const double sd = run.torque_half_width_Nm / normal_975;
+      shifts.push_back(std::isfinite(sd) ? sd * random.normal() : 0.0);
+    }
+  }
+  return shifts;
 }
 
 }  // namespace tribolog::bootstrap

@@ -1,7 +1,10 @@
 #pragma once
-// Resampling the sweeps: blocks of neighbours within their strokes.
+// Resampling sweeps and runs: blocks of neighbours within their strokes and plateaus.
+
+#include <vector>
 
 #include "method/gravity/cog_sweep.h"
+#include "method/viscous/viscous_curves.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::bootstrap {
@@ -20,5 +23,11 @@ SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep);
 /// phase.
 SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& precise,
                                   const Ripple& ripple, double gravity_shift_Nm);
+
+// Resampling the runs of constant speed: blocks within each plateau.
+
+/// What one draw of blocks does to the mean torque of each run [N·m]; zero where a run has no
+/// blocks and no interval.
+std::vector<double> resample_runs(RandomStream& random, const ViscousCurvesResult& curves);
 
 }  // namespace tribolog::bootstrap

@@ -1,7 +1,7 @@
 #pragma once
 // The motion of a joint that swings as its torque drives it: no sine, often not periodic, its loops
 // of any size. A smoothing spline through the recorded angle (smoothing_spline.h), through the
-// edges of its steps where it comes in steps (angle_points.h).
+// edges of its steps where it comes in steps (traced_motion.cpp).
 //
 // The noise is found from the angle: a step of the encoder, which rounds by step/sqrt(12), or the
 // white noise of its third differences where that is larger than a step.

@@ -1,11 +1,242 @@
 #include "method/selection/gravity_by_other_ways.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
-#include "method/selection/classical_regression.h"
-#include "method/selection/direction_means.h"
+#include <Eigen/Dense>
+
+#include "statistics/block_regression.h"
+#include "statistics/distributions.h"
+#include "statistics/white_noise.h"
 
 namespace tribolog {
+
+// The linear regression over everything that moves.
+
+namespace {
+
+struct ClassicalFit {
+  ClassicalRegression regression;
+  GravityByOtherWay gravity;
+};
+
+constexpr std::size_t most_rows = 16000;
+constexpr std::size_t blocks_per_recording = 10;
+// Columns more alike than this cannot be told apart.
+constexpr double largest_condition = 1e6;
+constexpr double rest_share = 0.02;  // of the recording's fastest speed
+enum Column { cosine, sine, coulomb, viscous, inertia, offset, columns };
+
+struct Rows {
+  std::vector<Eigen::Matrix<double, columns, 1>> x;
+  std::vector<double> torque;
+  std::vector<std::size_t> recording;
+};
+
+/// Means over groups of `group` neighbours.
+std::vector<double> group_means(const std::vector<double>& signal, std::size_t group) {
+  std::vector<double> means(signal.size() / group, 0.0);
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    for (std::size_t i = k * group; i < (k + 1) * group; ++i) means[k] += signal[i];
+    means[k] /= static_cast<double>(group);
+  }
+  return means;
+}
+
+std::vector<double> slopes(const std::vector<double>& t, const std::vector<double>& y) {
+  std::vector<double> out(t.size(), 0.0);
+  for (std::size_t k = 1; k + 1 < t.size(); ++k) {
+    out[k] = (y[k + 1] - y[k - 1]) / (t[k + 1] - t[k - 1]);
+  }
+  return out;
+}
+
+void add_rows(const Recording& r, std::size_t number, std::size_t group, double gear_ratio,
+              double middle, Rows& rows) {
+  const std::vector<double> t = group_means(r.t_s, group);
+  const std::vector<double> q = group_means(r.q_rad, group);
+  const std::vector<double> torque = group_means(r.torque_Nm, group);
+  const std::vector<double> speed = slopes(t, q);
+  const std::vector<double> acceleration = slopes(t, speed);
+  double fastest = 0;
+  for (const double v : speed) fastest = std::max(fastest, std::abs(v));
+  for (std::size_t k = 2; k + 2 < t.size(); ++k) {
+    if (std::abs(speed[k]) <= rest_share * fastest) continue;
+    Eigen::Matrix<double, columns, 1> x;
+    x(cosine) = std::cos(q[k] - middle);
+    x(sine) = std::sin(q[k] - middle);
+    x(coulomb) = speed[k] > 0 ? 1 : -1;
+    x(viscous) = gear_ratio * speed[k];
+    x(inertia) = gear_ratio * acceleration[k];
+    x(offset) = 1;
+    rows.x.push_back(x);
+    rows.torque.push_back(torque[k]);
+    rows.recording.push_back(number);
+  }
+}
+
+/// Neighbouring samples are averaged in groups, so that a long log costs no more than a short one:
+/// the terms are linear, and a mean of rows is a row. Speed and acceleration are slopes over
+/// neighbouring groups. Rest takes no part. Absent without both directions, or if the recordings
+/// cannot tell the columns apart.
+std::optional<ClassicalFit> classical_regression(const std::vector<const Recording*>& recordings,
+                                                 double gear_ratio, double middle_rad) {
+  std::size_t samples = 0;
+  for (const Recording* r : recordings) samples += r->size();
+  const std::size_t group = std::max<std::size_t>(1, samples / most_rows);
+  Rows rows;
+  for (std::size_t k = 0; k < recordings.size(); ++k) {
+    add_rows(*recordings[k], k, group, gear_ratio, middle_rad, rows);
+  }
+  constexpr std::size_t fewest_rows = 100;
+  if (rows.x.size() < fewest_rows) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(rows.x.size());
+  Eigen::MatrixXd x(count, static_cast<Eigen::Index>(columns));
+  for (Eigen::Index i = 0; i < count; ++i) x.row(i) = rows.x[static_cast<std::size_t>(i)];
+  const auto& sign = x.col(coulomb);
+  if (sign.minCoeff() == sign.maxCoeff()) return std::nullopt;
+  const BlockRegression fit =
+      block_regression(x, Eigen::Map<const Eigen::VectorXd>(rows.torque.data(), count),
+                       equal_blocks(rows.recording, blocks_per_recording));
+  if (!(fit.condition < largest_condition)) return std::nullopt;
+
+  const Eigen::Vector2d bc(fit.coefficients(cosine), fit.coefficients(sine));
+  const double g = bc.norm();
+  const Eigen::Vector2d along = bc / g;
+  const Eigen::Vector2d across(-along(1) / g, along(0) / g);
+  const double freedom = std::min(fit.freedom(cosine), fit.freedom(sine));
+  const Eigen::VectorXd shifts = fit.block_shifts.topRows(2).transpose() * along;
+  const Eigen::VectorXd angle_shifts = fit.block_shifts.topRows(2).transpose() * across;
+  const char* method = "linear least squares over everything that moves, blocks";
+  const auto estimate = [&](Column k) {
+    return symmetric_estimate(fit.coefficients(k), fit.half_width(k), method);
+  };
+  ClassicalFit out;
+  out.gravity.method = "classical";
+  out.gravity.freedom = freedom;
+  out.gravity.block_shifts.assign(shifts.begin(), shifts.end());
+  out.gravity.gravity_Nm = symmetric_estimate(g, student_t_975(freedom) * shifts.norm(), method);
+  ClassicalRegression& c = out.regression;
+  c.gravity_Nm = out.gravity.gravity_Nm;
+  c.q_peak_rad = symmetric_estimate(middle_rad + std::atan2(bc(1), bc(0)),
+                                    student_t_975(freedom) * angle_shifts.norm(), method);
+  const Eigen::Matrix2d inverse = (x.transpose() * x).inverse().topLeftCorner<2, 2>();
+  c.textbook_gravity_Nm = symmetric_estimate(
+      g, 1.959963984540054 * fit.residual_sd * std::sqrt(along.dot(inverse * along)),
+      "linear least squares, errors taken as independent");
+  c.coulomb_Nm = estimate(coulomb);
+  c.viscous_Nms_rad = estimate(viscous);
+  c.inertia_kgm2 = estimate(inertia);
+  c.offset_Nm = fit.coefficients(offset);
+  c.residual_Nm = fit.residual_sd;
+  c.row_noise_Nm = white_sd_beside_jumps(third_differences(rows.torque));
+  return out;
+}
+
+}  // namespace
+
+// Gravity from the mean of both directions at equal angle.
+
+namespace {
+
+constexpr std::size_t angle_bins = 400;
+constexpr std::size_t blocks_of_bins = 40;
+
+struct Bin {
+  double torque[2]{}, angle[2]{}, count[2]{};  // falling, rising
+};
+
+std::vector<Bin> bins_of(const CogSweepResult& rough, double gear_ratio) {
+  std::vector<Bin> bins(angle_bins);
+  const double width = (rough.highest_rad - rough.lowest_rad) / static_cast<double>(angle_bins);
+  for (std::size_t r = 0; r < rough.recordings.size(); ++r) {
+    const Recording& recording = *rough.recordings[r];
+    for (std::size_t i = 1; i < recording.size(); ++i) {
+      if (!rough.used[r][i]) continue;
+      const double q = recording.q_rad[i];
+      const auto bin =
+          std::min(angle_bins - 1, static_cast<std::size_t>((q - rough.lowest_rad) / width));
+      // The neighbours a little apart tell the direction through the encoder's steps.
+      const std::size_t before = i >= 10 ? i - 10 : 0;
+      const std::size_t after = std::min(recording.size() - 1, i + 10);
+      const int side = recording.q_rad[after] > recording.q_rad[before] ? 1 : 0;
+      bins[bin].torque[side] += recording.torque_Nm[i] - rough.ripple.torque_Nm(gear_ratio * q);
+      bins[bin].angle[side] += q;
+      bins[bin].count[side] += 1;
+    }
+  }
+  return bins;
+}
+
+/// From a sweep of both directions; absent otherwise.
+std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough,
+                                                             double gear_ratio) {
+  if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
+  std::vector<Eigen::Vector2d> columns;
+  std::vector<double> mean;
+  const double middle = rough.q_peak_rad.value;
+  for (const Bin& bin : bins_of(rough, gear_ratio)) {
+    if (bin.count[0] == 0 || bin.count[1] == 0) continue;
+    Eigen::Vector2d column = Eigen::Vector2d::Zero();
+    double torque = 0;
+    for (const int side : {0, 1}) {
+      const double q = bin.angle[side] / bin.count[side] - middle;
+      column += Eigen::Vector2d(std::cos(q), std::sin(q)) / 2;
+      torque += bin.torque[side] / bin.count[side] / 2;
+    }
+    columns.push_back(column);
+    mean.push_back(torque);
+  }
+  if (columns.size() < blocks_of_bins) return std::nullopt;
+  const auto rows = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd x(rows, 2);
+  for (Eigen::Index i = 0; i < rows; ++i) x.row(i) = columns[static_cast<std::size_t>(i)];
+  const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(mean.data(), rows);
+  const BlockRegression fit = block_regression(
+      x, y, equal_blocks(std::vector<std::size_t>(columns.size()), blocks_of_bins));
+  const double g = fit.coefficients.norm();
+  const Eigen::Vector2d along = fit.coefficients / g;
+  GravityByOtherWay out;
+  out.method = "sweep_directions";
+  out.freedom = fit.freedom.minCoeff();
+  const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
+  out.block_shifts.assign(shifts.begin(), shifts.end());
+  out.gravity_Nm = symmetric_estimate(g, student_t_975(out.freedom) * shifts.norm(),
+                                      "mean of the sweep's directions, blocks of angles");
+  return out;
+}
+
+/// From pairs of runs of opposite direction; absent with fewer than three pairs.
+std::optional<GravityByOtherWay> gravity_of_run_directions(const ViscousCurvesResult& curves) {
+  std::vector<double> cosine;
+  std::vector<double> torque;
+  for (std::size_t i = 0; i < curves.runs.size(); ++i) {
+    const ConstantSpeedRun& run = curves.runs[i];
+    if (run.partner < 0 || run.speed_rad_s < 0) continue;
+    const ConstantSpeedRun& other = curves.runs[static_cast<std::size_t>(run.partner)];
+    cosine.push_back((run.mean_cos + other.mean_cos) / 2);
+    torque.push_back((run.torque_Nm + other.torque_Nm) / 2);
+  }
+  constexpr std::size_t fewest_pairs = 3;
+  if (cosine.size() < fewest_pairs || curves.from_sweep) return std::nullopt;
+  const auto rows = static_cast<Eigen::Index>(cosine.size());
+  std::vector<std::size_t> blocks(cosine.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = i;
+  const Eigen::MatrixXd x = Eigen::Map<const Eigen::VectorXd>(cosine.data(), rows);
+  const BlockRegression fit =
+      block_regression(x, Eigen::Map<const Eigen::VectorXd>(torque.data(), rows), blocks);
+  GravityByOtherWay out;
+  out.method = "run_directions";
+  out.freedom = fit.freedom(0);
+  out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
+  out.gravity_Nm = symmetric_estimate(fit.coefficients(0), fit.half_width(0),
+                                      "mean of each pair of runs, scatter of the pairs");
+  return out;
+}
+
+}  // namespace
 
 const GravityByOtherWay* OtherWays::find(const std::string& method) const {
   const auto it = std::find_if(gravity.begin(), gravity.end(),

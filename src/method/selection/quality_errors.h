@@ -5,7 +5,7 @@
 // Where no true curve is known the reference is (T(+v) - T(-v))/2 at equal angle. Gravity cannot
 // enter it, so it takes no knowledge beforehand. It has an interval of its own, and it is the mean
 // of both directions' friction: where friction is not the same in both, every candidate is off by
-// the asymmetry, (T(+v) + T(-v))/2 less gravity (direction_asymmetry.h).
+// the asymmetry, (T(+v) + T(-v))/2 less gravity (direction_lines.h).
 
 #include <string>
 #include <vector>

@@ -1,5 +1,10 @@
 #include "method/viscous/curve_model.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
 namespace tribolog {
 
 int CurveModel::shape_parameters() const {
@@ -76,6 +81,96 @@ std::string in_words(const CurveModel& model) {
   }
   if (model.load) words += ", growing with the load";
   return words;
+}
+
+namespace {
+
+constexpr double same_speed = 0.03;
+constexpr std::size_t sweep_groups = 12;
+
+}  // namespace
+
+std::vector<CurveSample> curve_samples(const ViscousCurvesResult& curves,
+                                       const ViscousCurve& curve) {
+  std::vector<std::size_t> order(curves.runs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::size_t i) {
+    const ConstantSpeedRun& run = curves.runs[i];
+    return curves.from_sweep ? run.q_rad : std::abs(run.speed_rad_s);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<CurveSample> samples;
+  double first = std::numeric_limits<double>::quiet_NaN();
+  std::size_t group = 0;
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const ConstantSpeedRun& run = curves.runs[order[place]];
+    const double direction = run.speed_rad_s < 0 ? -1.0 : 1.0;
+    const double friction = direction * curve.friction_Nm[order[place]];
+    if (curves.from_sweep) {
+      group = place * std::min(sweep_groups, order.size()) / order.size();
+    } else if (!(key(order[place]) <= (1 + same_speed) * first)) {
+      group += samples.empty() ? 0 : 1;
+      first = key(order[place]);
+    }
+    samples.push_back({std::abs(run.speed_rad_s), friction, direction, run.mean_load, group});
+  }
+  return samples;
+}
+
+std::size_t group_count(const std::vector<CurveSample>& samples) {
+  return samples.empty() ? 0 : samples.back().group + 1;
+}
+
+void model_columns(const CurveModel& model, const CurveSample& sample, const Eigen::VectorXd& shape,
+                   Eigen::RowVectorXd& columns, std::vector<Eigen::RowVectorXd>* derivatives) {
+  const double w = std::max(sample.speed_rad_s, 1e-12);
+  columns.setZero(model.linear_parameters());
+  if (derivatives != nullptr) {
+    derivatives->assign(static_cast<std::size_t>(model.shape_parameters()),
+                        Eigen::RowVectorXd::Zero(columns.size()));
+  }
+  const auto slope = [&](std::size_t k, Eigen::Index column, double value) {
+    if (derivatives != nullptr) (*derivatives)[k](column) = value;
+  };
+  Eigen::Index next = 0;
+  double viscous = w;  // the law's viscous term, and its slope by the log of its power
+  double viscous_slope = 0;
+  std::size_t viscous_shape = 0;
+  const auto raise = [&](double power, std::size_t k) {
+    viscous = std::pow(w, power);
+    viscous_slope = viscous * power * std::log(w);
+    viscous_shape = k;
+  };
+  if (model.law == CurveLaw::waiboer) {
+    const double speed = std::exp(shape(0));
+    const double sharpness = std::exp(shape(1));
+    const double power = std::pow(w / speed, sharpness);
+    const double asperity = std::exp(-power);
+    columns(next) = asperity;
+    slope(0, next, asperity * power * sharpness);
+    slope(1, next, -asperity * power * sharpness * std::log(w / speed));
+    ++next;
+    raise(std::exp(shape(2)), 2);
+  } else {
+    columns(next++) = 1;
+    if (model.law == CurveLaw::power_viscous) raise(std::exp(shape(0)), 0);
+    if (model.law == CurveLaw::stribeck) {
+      const double square = std::pow(w / std::exp(shape(0)), 2);
+      columns(next) = std::exp(-square);
+      slope(0, next, 2 * square * columns(next));
+      ++next;
+    }
+  }
+  const auto add_viscous = [&](double sign) {
+    columns(next) = sign * viscous;
+    if (viscous_slope != 0) slope(viscous_shape, next, sign * viscous_slope);
+    ++next;
+  };
+  if (model.law != CurveLaw::coulomb) add_viscous(1);
+  if (model.asymmetry != Asymmetry::none) columns(next++) = sample.direction;
+  if (model.asymmetry == Asymmetry::coulomb_viscous) add_viscous(sample.direction);
+  if (model.load) columns(next++) = sample.load;
 }
 
 }  // namespace tribolog

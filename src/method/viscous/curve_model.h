@@ -15,7 +15,13 @@
 // All are linear in all but one to three shape parameters (p; ws; ws, da and p): fits separate the
 // two kinds.
 
+#include <cstddef>
 #include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "method/viscous/viscous_curves.h"
 
 namespace tribolog {
 
@@ -44,5 +50,34 @@ std::string to_string(Asymmetry asymmetry);
 std::string in_words(CurveLaw law);
 /// "Coulomb and viscous, with Coulomb friction of each direction and load"
 std::string in_words(const CurveModel& model);
+
+// The viscous curve as models see it: size of friction against size of speed, with the direction
+// and the load beside them.
+
+struct CurveSample {
+  double speed_rad_s{};  ///< > 0, motor side.
+  double friction_Nm{};  ///< Against the motion; negative where a wrong mass makes it drive.
+  double direction{};    ///< +1: joint angle rising, -1: falling.
+  double load{};         ///< Share of the gravity torque that loads the joint, 0 to 1.
+  std::size_t group{};   ///< Held out together: all runs of one speed, or neighbouring angles.
+};
+
+/// Sorted by group, groups counting from 0. Runs within 3 % of the same speed are one group, the
+/// two directions too: what is left over them, ripple or an error of gravity, is the same. The
+/// cells of a sweep are grouped by neighbouring angles instead.
+std::vector<CurveSample> curve_samples(const ViscousCurvesResult& curves,
+                                       const ViscousCurve& curve);
+
+/// Number of groups.
+std::size_t group_count(const std::vector<CurveSample>& samples);
+
+// The terms of a curve model, and their derivatives.
+
+/// Columns of the linear parameters at a sample, in the order of the header's formulas: the law's,
+/// then A and B, then L.
+/// @param shape logarithms of the shape parameters, speeds in units of `sample.speed_rad_s`.
+/// @param derivatives if not null: of the columns by each shape parameter.
+void model_columns(const CurveModel& model, const CurveSample& sample, const Eigen::VectorXd& shape,
+                   Eigen::RowVectorXd& columns, std::vector<Eigen::RowVectorXd>* derivatives);
 
 }  // namespace tribolog

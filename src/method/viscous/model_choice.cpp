@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
-#include "method/viscous/held_out.h"
 
 namespace tribolog {
 namespace {

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "method/viscous/curve_model.h"
-#include "method/viscous/curve_samples.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 

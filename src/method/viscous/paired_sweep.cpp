@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "method/motion/sweep_samples.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

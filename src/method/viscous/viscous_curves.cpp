@@ -10,7 +10,7 @@
 #include "joint/degrees.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/paired_sweep.h"
-#include "statistics/student_t.h"
+#include "statistics/distributions.h"
 
 namespace tribolog {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "joint/known_load.h"
+#include "joint/gravity_load.h"
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/surrogate_masses.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "figures/plot_data.h"
+#include "figures/report_figure.h"
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 

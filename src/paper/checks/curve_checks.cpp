@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/drawings/printed_paper.h"
 

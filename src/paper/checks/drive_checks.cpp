@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "joint/degrees.h"
 #include "paper/checks/equation_checks.h"
 #include "paper/drawings/drive_diagram.h"

@@ -2,18 +2,61 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "joint/degrees.h"
-#include "paper/checks/plain_loop.h"
+#include "paper/checks/papers_joint.h"
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {
+
+// The loop's six torques in closed form, for the joint without inertia and Stribeck effect.
+//
+// With g constant, eq. (4) is linear along the way: between reversals z goes to ±g like
+// exp(-way/g). The points follow without a solver and without samples.
+
 namespace {
+
+/// Torques at the motor [N·m] of A, B, C, D, E, F in the first turn, from z = 0 at q_peak.
+std::array<double, 6> plain_loop_torques_Nm(const Scenario& scenario) {
+  const LuGreFriction::Parameters& p = bristles_of(scenario).parameters();
+  const OscillationExperiment& e = present(scenario.oscillation);
+  const double g = p.static_Nm / p.bristle_stiffness_Nm_rad;
+  const double swing = scenario.gear_ratio * e.amplitude_rad;
+  const double top_speed = 2 * std::numbers::pi * e.frequency_Hz * swing;
+  const double gravity_Nm = scenario.load.amplitude_Nm() / scenario.gear_ratio;
+
+  // `way` from the middle of the swing, upwards, or from the reversal before.
+  const auto torque = [&](double angle, double speed, double z) {
+    const double rate = speed - std::abs(speed) * z / g;
+    return gravity_Nm * std::cos(angle / scenario.gear_ratio) + p.bristle_stiffness_Nm_rad * z +
+           p.bristle_damping_Nms_rad * rate + p.viscous_Nms_rad * speed;
+  };
+  const auto speed_after = [&](double way) {
+    const double angle = swing - way;
+    return top_speed * std::sqrt(1 - angle * angle / (swing * swing));
+  };
+  const double z_C = g * (1 - std::exp(-swing / g));
+  const auto dropping = [&](double way) {
+    return torque(swing - way, -speed_after(way), -g + (z_C + g) * std::exp(-way / g));
+  };
+  const double z_D = -g + (z_C + g) * std::exp(-2 * swing / g);
+  const auto rising = [&](double way) {
+    return torque(way - swing, speed_after(way), g - (g - z_D) * std::exp(-way / g));
+  };
+  const double way_B = g * std::log((z_C + g) / g);
+  // |dz/dt| ~ sqrt(2u - u²) exp(-N u) is largest where N u² - (2N + 1) u + 1 = 0; u: way/swing.
+  const double N = swing / g;
+  const double half = (2 * N + 1) / (2 * N);
+  const double way_F = swing * (half - std::sqrt(half * half - 1 / N));
+  return {torque(0, top_speed, 0), dropping(way_B), torque(swing, 0, z_C),
+          torque(-swing, 0, z_D),  rising(way_F),   dropping(way_F)};
+}
 
 constexpr double half_last_place_Nm = 5e-6;  ///< Of torques given to five decimals.
 
@@ -188,6 +231,70 @@ Checks golden_numbers(const PapersJoint& joint) {
   const Checks parameters = golden_parameters(joint);
   out.insert(out.end(), parameters.begin(), parameters.end());
   return out;
+}
+
+// The reconstructed joint's parameters and experiments as the method gives them, against the
+// scenario that is simulated.
+
+namespace {
+
+class Given {
+ public:
+  /// Half the last digit may be rounding.
+  void add(const char* what, double given, int places, double ours, const char* unit) {
+    out.push_back(reconstructed_value(what, given, places, ours, 0.5 * std::pow(10.0, -places),
+                                      unit, "half the last digit given"));
+  }
+  Checks out;
+};
+
+void add_joint(const Scenario& s, Given& given) {
+  const LuGreFriction::Parameters& p = bristles_of(s).parameters();
+  given.add("Scenario: σ₀", 465.42, 2, p.bristle_stiffness_Nm_rad, "N·m/rad");
+  given.add("Scenario: σ₁", 0.77080, 5, p.bristle_damping_Nms_rad, "N·m·s/rad");
+  given.add("Scenario: σ₂", 0.001, 3, p.viscous_Nms_rad, "N·m·s/rad");
+  given.add("Scenario: T_c", 0.60, 2, p.coulomb_Nm, "N·m");
+  given.add("Scenario: ω_s of the bristles", 5, 0, p.stribeck_speed_rad_s, "rad/s");
+  given.add("Scenario: J of motor and gear", 1e-4, 4, s.motor_inertia_kgm2, "kg·m²");
+  given.add("Scenario: m", 98.96, 2, s.load.mass_kg(), "kg");
+  given.add("Scenario: r", 0.4, 1, s.load.distance_m(), "m");
+  const OscillationExperiment& e = present(s.oscillation);
+  given.add("Scenario: swing of the motor, n a", 0.01, 2, s.gear_ratio * e.amplitude_rad, "rad");
+  given.add("Scenario: f", 1, 0, e.frequency_Hz, "Hz");
+}
+
+void add_sliding(const Scenario& s, Given& given) {
+  const WaiboerFriction::Parameters& p = sliding_of(s).parameters();
+  given.add("Scenario: T_a of eq. (6)", 0.8844, 4, p.asperity_torque_Nm, "N·m");
+  given.add("Scenario: ω_s of eq. (6)", 5, 0, p.stribeck_speed_rad_s, "rad/s");
+  given.add("Scenario: δ_a", 0.7, 1, p.stribeck_power, "");
+  given.add("Scenario: c_v, the viscous part at 1 rad/s", 0.12, 2, p.viscous_coefficient, "N·m");
+  given.add("Scenario: δ_v", 0.6, 1, p.viscous_power, "");
+  given.add("Scenario: c of eq. (7)", printed::smoothing_s_rad, 0, p.smoothing_s_rad, "s/rad");
+}
+
+void add_experiments(const Scenario& s, Given& given) {
+  const SweepExperiment& sweep = present(s.rough_sweep);
+  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * degrees_per_rad, "°");
+  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * degrees_per_rad, "°");
+  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * degrees_per_rad, "°/s");
+  const ConstantSpeedExperiment& runs = present(s.constant_speed);
+  const auto& speeds = runs.motor_speeds_rad_s;
+  const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
+  given.add("Scenario: number of constant speeds, in both directions", 20, 0,
+            runs.both_directions ? static_cast<double>(speeds.size()) : NAN, "");
+  given.add("Scenario: slowest of them", 1, 0, *slowest, "rad/s");
+  given.add("Scenario: fastest of them", 300, 0, *fastest, "rad/s");
+}
+
+}  // namespace
+
+Checks golden_parameters(const PapersJoint& joint) {
+  Given given;
+  add_joint(joint.scenario, given);
+  add_sliding(joint.scenario, given);
+  add_experiments(joint.scenario, given);
+  return given.out;
 }
 
 }  // namespace tribolog::paper

@@ -1,11 +1,71 @@
-// Figures 15 to 17: hysteresis of torque, deflection and its rate.
+// Figures 11, 13 and 14: the sweeps that find the angle of the mass centre.
 
 #include <algorithm>
 
+#include "base/requirements.h"
+#include "joint/degrees.h"
 #include "paper/checks/figure_checks.h"
 #include "paper/drawings/printed_paper.h"
+#include "paper/scenes/test_numbers.h"
 
 namespace tribolog::paper {
+
+namespace {}  // namespace
+
+Checks check_sweep_motion(const PapersJoint& joint) {
+  const Scenario& s = joint.scenario;
+  const Recording& log = joint.recording(Role::rough_sweep);
+  const std::vector<bool>& used = joint.calibration.rough.used.at(0);
+  double slowest = INFINITY;
+  double fastest = 0;
+  double least_friction = INFINITY;
+  double most_friction = 0;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (!used[i]) continue;
+    const double speed = std::abs(s.gear_ratio * log.dq_rad_s[i]);
+    slowest = std::min(slowest, speed);
+    fastest = std::max(fastest, speed);
+    const double friction =
+        std::abs(log.torque_Nm[i] - s.load.torque_Nm(log.q_rad[i]) / s.gear_ratio);
+    least_friction = std::min(least_friction, friction);
+    most_friction = std::max(most_friction, friction);
+  }
+  const double planned = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
+  return {
+      law_value("Motor speed of the samples used: n times 2°/s", planned,
+                std::abs(fastest - planned) > std::abs(slowest - planned) ? fastest : slowest,
+                1e-9 * planned, "rad/s", "the one farthest off"),
+      vanishing("“In uniform motion friction takes a constant value”: its change over the sweep",
+                most_friction - least_friction, 1e-9, "N·m", "rounding")};
+}
+
+Checks check_rough_peak(const PapersJoint& joint) {
+  const CogSweepResult& rough = joint.calibration.rough;
+  return {
+      printed_value("Angle of the largest torque", -printed::rough_angle_deg, 0,
+                    rough.argmax_rad * degrees_per_rad, 1, "°", "print gives whole degrees, cut"),
+      printed_value("The same against the precise angle", -printed::precise_angle_deg, 5,
+                    rough.argmax_rad * degrees_per_rad, 0.001, "°",
+                    "half a sample at 2°/s and 1 kHz"),
+      printed_value("By least squares over the whole sweep", -printed::precise_angle_deg, 5,
+                    rough.q_peak_rad.value * degrees_per_rad, 0.006, "°",
+                    "10⁻⁴ rad, what the program promises of a rough sweep")};
+}
+
+Checks check_precise_peak(const PapersJoint& joint) {
+  const CogSweepResult& precise = joint.calibration.precise;
+  return {printed_value("Angle of the largest torque", -printed::precise_angle_deg, 5,
+                        precise.argmax_rad * degrees_per_rad, 1e-4, "°",
+                        "a sample at 0.1°/s and 1 kHz"),
+          printed_value("By least squares", -printed::precise_angle_deg, 5,
+                        precise.q_peak_rad.value * degrees_per_rad, 1e-5, "°",
+                        "the last printed place"),
+          printed_value("q_c = −q_peak", printed::precise_angle_rad, 5, -precise.q_peak_rad.value,
+                        1e-5, "rad", "print cuts after five decimals")};
+}
+
+// Figures 15 to 17: hysteresis of torque, deflection and its rate.
+
 namespace {
 
 const LoopTrace& trace_of(const PapersJoint& joint) {
@@ -84,6 +144,61 @@ Checks check_rate_loop(const PapersJoint& joint) {
                    joint.point('E').z_rad < 0 ? "−" : "+"),
           in_words("F: sign of z, while dz/dt is smallest", Origin::law, "+",
                    joint.point('F').z_rad < 0 ? "−" : "+")};
+}
+
+// Figures 9, 10 and 12: the arm in space.
+
+namespace {
+
+constexpr double rounding_m = 1e-12;
+
+}  // namespace
+
+Checks check_robot(const PapersJoint& joint) {
+  const JointUnderTest& arm = joint.robot.under_test;
+  return {in_words("The robot", Origin::printed, "FANUC AM100iB", arm.arm().name()),
+          in_words("The joint under test", Origin::printed, "3", arm.joint().name),
+          vanishing("Its axis is level, as eq. (9) needs: vertical part of its direction",
+                    arm.axis().z(), rounding_m, "", "rounding")};
+}
+
+Checks check_mass_model(const PapersJoint& joint) {
+  const JointUnderTest& arm = joint.robot.under_test;
+  const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
+  const Eigen::Vector3d towards = arm.towards_mass(0, present(drawn.q_peak_rad).value);
+  const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
+  const scenes::DrivenMass mass = present(drawn.mass);
+  return {
+      printed_value("q_c, elevation of the mass centre as drawn at q = 0",
+                    printed::precise_angle_rad, 5, q_c, 1e-5, "rad",
+                    "print cuts after five decimals"),
+      law_value("The mass centre's distance as drawn: r", joint.scenario.load.distance_m(),
+                mass.distance_m, rounding_m, "m", "rounding"),
+      printed_value("The surrogate's distance as drawn: r (printed as 500 m)", printed::distance_m,
+                    1, drawn.surrogate_distance_m, rounding_m, "m", "rounding"),
+      law_value("Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
+                present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
+                    (mass.mass_kg * mass.distance_m),
+                rounding_m, "", "rounding")};
+}
+
+Checks check_motion_range(const PapersJoint& joint) {
+  const JointUnderTest& arm = joint.robot.under_test;
+  const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
+  const AngleRange range = present(drawn.range);
+  const double at = -printed::precise_angle_deg * rad_per_degree;
+  const SweepExperiment& sweep = present(joint.scenario.rough_sweep);
+  return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
+                    present(drawn.mass).distance_m *
+                        arm.towards_mass(at, present(drawn.q_peak_rad).value).z(),
+                    1e-9, "m", "the printed angle's rounding"),
+          law_value("The drawn range begins where the rough sweep does",
+                    sweep.from_rad * degrees_per_rad, range.lowest_rad * degrees_per_rad, 1e-9, "°",
+                    "rounding"),
+          law_value("and ends where it ends", sweep.to_rad * degrees_per_rad,
+                    range.highest_rad * degrees_per_rad, 1e-9, "°", "rounding"),
+          in_words("The gravity peak lies within it", Origin::printed, "within",
+                   at > range.lowest_rad && at < range.highest_rad ? "within" : "outside")};
 }
 
 }  // namespace tribolog::paper

@@ -4,9 +4,8 @@
 #include <iterator>
 
 #include "figures/figure_set.h"
-#include "paper/charts/linear_zone_figure.h"
 #include "paper/charts/presliding_figure.h"
-#include "paper/charts/static_friction_figure.h"
+#include "paper/charts/static_law_figures.h"
 #include "paper/drawings/paper_drawings.h"
 #include "paper/scenes/scene_figures.h"
 

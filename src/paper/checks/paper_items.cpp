@@ -3,13 +3,94 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "paper/checks/conclusion_checks.h"
+#include "friction/catalogue.h"
+#include "paper/checks/check.h"
 #include "paper/checks/equation_checks.h"
 #include "paper/checks/figure_checks.h"
-#include "paper/checks/table_checks.h"
+#include "paper/checks/papers_joint.h"
+#include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {
+
+// What the paper concludes in words, held against the simulated joint.
+
 namespace {
+
+Checks check_conclusions(const PapersJoint& joint) {
+  const LoopPoint& chosen = joint.point('B');
+  const LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
+  const double largest_z = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
+  const double truth = joint.true_mass_kg();
+  const auto share_off = [&](const char* estimator) {
+    const SurrogateMass* mass = joint.calibration.masses.find(estimator);
+    return mass != nullptr ? 100 * (mass->mass_kg.value / truth - 1) : NAN;
+  };
+  return {
+      in_words("The torque should be measured “while dropping the robot arms down”: the arm at B",
+               Origin::printed, "drops",
+               joint.oscillation_speed_rad_s(chosen.t_s) < 0 ? "drops" : "rises"),
+      vanishing(
+          "“The value of asperities z(t) equals to the zero” there: z as a share of its largest",
+          chosen.z_rad / largest_z, 2e-5, "", "read on a straight line between samples"),
+      law_value("What is left of friction in B: error of its mass", 0, share_off("B"), 1, "%",
+                "a single point keeps σ₁ dz/dt + σ₂ ω and the instant it is read at"),
+      law_value("No a priori knowledge is needed, and no z(t): error of the mid-line's mass", 0,
+                share_off("midline"), 0.01, "%", "what the program promises")};
+}
+
+}  // namespace
+
+// The paper's two tables, row by row.
+
+namespace {
+
+/// The six parameters that figure 5 is simulated with, against those that the paper cites.
+Checks check_table_1();
+/// Six torques of the simulated joint; six masses from the printed torques; six from its own.
+Checks check_table_2(const PapersJoint& joint);
+
+Checks check_table_1() {
+  const ContactParameters ours;
+  const double values[] = {ours.stiffness_Nm_rad, ours.damping_Nms_rad, ours.viscous_Nms_rad,
+                           ours.static_Nm,        ours.coulomb_Nm,      ours.stribeck_speed_rad_s};
+  Checks out;
+  std::size_t i = 0;
+  for (const printed::ContactRow& row : printed::table_1) {
+    const bool is_misprint = row.printed != row.meant;
+    Check check = is_misprint
+                      ? law_value(std::string(row.symbol) + ", as the cited source has it",
+                                  row.meant, values[i], 1e-12 * row.meant, row.unit,
+                                  "rounding; the printed value is a misprint, see the errata")
+                      : printed_value(row.symbol, row.meant, row.meant < 0.01 ? 3 : 1, values[i], 0,
+                                      row.unit, "");
+    out.push_back(check);
+    ++i;
+  }
+  return out;
+}
+
+Checks check_table_2(const PapersJoint& joint) {
+  Checks out;
+  constexpr int places = 3;
+  for (const printed::TorqueRow& row : printed::table_2) {
+    out.push_back(printed_value(std::string("T at ") + row.point + ", simulated joint",
+                                row.torque_Nm, places, joint.point(row.point).torque_Nm,
+                                reconstruction_share * row.torque_Nm, "N·m", reconstruction));
+  }
+  for (const printed::TorqueRow& row : printed::table_2) {
+    out.push_back(printed_value(std::string("Mass ") + row.point + " from the printed torque",
+                                row.mass_kg, places, printed::mass_of_torque_kg(row.torque_Nm),
+                                printed::rounding_kg(), "kg",
+                                "rounding of printed torque and mass"));
+  }
+  for (const printed::TorqueRow& row : printed::table_2) {
+    const SurrogateMass* ours = joint.calibration.masses.find(std::string(1, row.point));
+    out.push_back(printed_value(std::string("Mass ") + row.point + ", simulated joint", row.mass_kg,
+                                places, ours != nullptr ? ours->mass_kg.value : std::nan(""),
+                                reconstruction_share * row.mass_kg, "kg", reconstruction));
+  }
+  return out;
+}
 
 PaperItem equation(int number, std::string title, Checks checks, std::string remark = "") {
   return {ItemKind::equation, number, std::move(title), std::move(remark), std::move(checks)};

@@ -5,11 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "base/present.h"
-#include "identify/pipeline.h"
+#include "base/requirements.h"
+#include "identify/identify.h"
 #include "paper/charts/joint_scale.h"
 #include "simulate/simulate_joint.h"
-#include "simulate/simulated_dataset.h"
 
 namespace tribolog::paper {
 namespace {

@@ -10,7 +10,7 @@
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
 #include "joint/dataset.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 #include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 

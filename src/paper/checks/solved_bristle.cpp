@@ -3,7 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "simulate/cvode_solver.h"
 
 namespace tribolog::paper {

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "paper/checks/equation_checks.h"
-#include "paper/checks/speed_grid.h"
 #include "paper/drawings/printed_paper.h"
 
 namespace tribolog::paper {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "paper/drawings/block_style.h"
 #include "paper/drawings/schematic.h"
 
 namespace tribolog::paper {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "paper/drawings/block_style.h"
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/schematic.h"
 

@@ -5,9 +5,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "paper/drawings/block_style.h"
-
 namespace tribolog::paper {
+
 namespace {
 
 using render::Block;

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "base/present.h"
+#include "base/requirements.h"
 #include "joint/degrees.h"
 #include "paper/scenes/arm_drawing.h"
 #include "paper/scenes/scene_figures.h"

@@ -7,7 +7,7 @@
 #include "calibration/calibration.h"
 #include "figures/report_figure.h"
 #include "paper/scenes/test_numbers.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 
 namespace tribolog {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "render/figure/scene.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 
 namespace tribolog::scenes {
 

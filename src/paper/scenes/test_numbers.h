@@ -5,7 +5,7 @@
 #include <string>
 
 #include "calibration/calibration.h"
-#include "robot/robot_description.h"
+#include "robot/joint_under_test.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::scenes {

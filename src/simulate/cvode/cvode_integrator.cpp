@@ -1,5 +1,3 @@
-#include "simulate/cvode_integrator.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -14,6 +12,7 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "simulate/cvode_solver.h"
 #include "simulate/sundials_versions.h"
 
 namespace tribolog {

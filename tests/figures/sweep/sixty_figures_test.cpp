@@ -1,11 +1,11 @@
 // A report with sixty figures, as a joint with many recordings could have one, keeps its size.
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "figures/hand_made_calibration.h"
-
-#include <utility>
 #include "figures/sweep/swept_figures.h"
 #include "render/workers/renderer.h"
 #include "report/html_report.h"

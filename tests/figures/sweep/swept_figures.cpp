@@ -7,21 +7,21 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "figures/figure_set.h"
 #include "figures/hand_made_calibration.h"
 #include "figures/model_figures.h"
 #include "figures/plan_figure.h"
 #include "figures/study_figures.h"
 #include "friction/catalogue.h"
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/robot_file.h"
 #include "ingest/manifest/scenario_file.h"
 #include "paper/scenes/scene_figures.h"
 #include "plan/experiment_plan.h"
 #include "render/vector/drawn_set.h"
-#include "simulate/simulated_dataset.h"
+#include "simulate/simulate_joint.h"
 #include "study/small_scenario.h"
 
 namespace tribolog::test {

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/temporary_directory.h"
-#include "ingest/hdf5_matlab/hdf5_objects.h"
+#include "ingest/hdf5_matlab/hdf5_chunks.h"
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 

@@ -1,8 +1,8 @@
 // What known loggers write into the column that a manifest takes for the effort.
 
-#include "ingest/layout/known_effort.h"
-
 #include <gtest/gtest.h>
+
+#include "ingest/layout/known_loggers.h"
 
 namespace tribolog {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ingest/layout/name_pattern.h"
+#include "ingest/layout/name_words.h"
 #include "ingest/text/csv_dialect.h"
 
 namespace tribolog {

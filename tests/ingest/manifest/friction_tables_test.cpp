@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "base/temporary_directory.h"
 #include "friction/catalogue.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/file_contents.h"
+#include "base/input_file.h"
 #include "base/temporary_directory.h"
 #include "simulate/simulate_joint.h"
 

@@ -1,7 +1,5 @@
 // Logs that come piece by piece.
 
-#include "ingest/text/text_window.h"
-
 #include <algorithm>
 #include <random>
 
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
+#include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_reader.h"
 
 namespace tribolog {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "base/byte_source.h"
+#include "base/input_file.h"
 #include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 #include "support/run_program.h"

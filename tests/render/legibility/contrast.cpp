@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "render/figure/contrast_ratio.h"
+#include "render/figure/drawing_style.h"
 #include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {

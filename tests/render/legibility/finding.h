@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/figure/pixel_geometry.h"
+#include "render/figure/draw_list.h"
 
 namespace tribolog::render::legibility {
 

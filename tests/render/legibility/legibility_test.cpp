@@ -4,7 +4,7 @@
 
 #include "render/composition/figure_layout.h"
 #include "render/example_figures.h"
-#include "render/figure/contrast_ratio.h"
+#include "render/figure/drawing_style.h"
 #include "render/legibility/contrast.h"
 #include "render/legibility/letter_sizes.h"
 #include "render/legibility/panel_content.h"

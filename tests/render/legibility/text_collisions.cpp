@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "render/layout/line_geometry.h"
+#include "render/layout/polyline.h"
 #include "render/legibility/texts_of_list.h"
 
 namespace tribolog::render::legibility {

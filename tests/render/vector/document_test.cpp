@@ -11,7 +11,7 @@
 #include "render/example_figures.h"
 #include "render/text/font.h"
 #include "render/vector/outside_renderers.h"
-#include "render/vector/short_number.h"
+#include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 
 namespace tribolog::render {

@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "identify/pipeline.h"
+#include "identify/identify.h"
 #include "report/document_checks.h"
 #include "report/html_report.h"
-#include "report/page_texts.h"
+#include "report/page_style.h"
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 

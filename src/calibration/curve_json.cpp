@@ -1,0 +1,120 @@
+// Stage 8.
+
+#include <cmath>
+#include <utility>
+
+#include "calibration/parts.h"
+
+namespace tribolog::json {
+
+namespace {
+
+Json waiboer(const WaiboerFit& w, double n) {
+  const double coefficient_to_joint = std::pow(n, 2.0 - w.viscous_power.value);
+  return {{"converged", w.converged},
+          {"asperity_torque_Nm", both_sides(w.asperity_torque_Nm, n)},
+          {"stribeck_speed_rad_s", both_sides(w.stribeck_speed_rad_s, 1.0 / n)},
+          {"stribeck_power", interval(w.stribeck_power)},
+          {"viscous_coefficient", both_sides(w.viscous_coefficient, coefficient_to_joint)},
+          {"viscous_power", interval(w.viscous_power)},
+          {"residual_Nm", number(w.residual_Nm)}};
+}
+
+Json coulomb_viscous(const CoulombViscousFit& f, double n) {
+  return {{"coulomb_Nm", both_sides(f.coulomb_Nm, n)},
+          {"viscous_Nms_rad", both_sides(f.viscous_Nms_rad, n * n)},
+          {"residual_Nm", number(f.residual_Nm)},
+          {"slowest_rad_s", number(f.slowest_rad_s)},
+          {"fastest_rad_s", number(f.fastest_rad_s)}};
+}
+
+}  // namespace
+
+Json friction(const Calibration& c, double n) {
+  const FrictionParametersResult& f = c.friction;
+  Json made{{"curve", text_or_null(f.curve)},
+            {"waiboer", nullptr},
+            {"coulomb_viscous", nullptr},
+            {"lugre", nullptr}};
+  if (f.waiboer) made["waiboer"] = waiboer(*f.waiboer, n);
+  if (f.coulomb_viscous) made["coulomb_viscous"] = coulomb_viscous(*f.coulomb_viscous, n);
+  if (c.hysteresis.lugre) made["lugre"] = lugre(*c.hysteresis.lugre, n);
+  return made;
+}
+
+// Stage 8: the ladder of models, and each direction by itself.
+
+namespace {
+
+Json model(const CurveModel& m) {
+  return {{"law", to_string(m.law)},
+          {"asymmetry", to_string(m.asymmetry)},
+          {"load", m.load},
+          {"parameters", m.parameters()}};
+}
+
+Json trials(const std::vector<CurveModelTrial>& all) {
+  Json list = Json::array();
+  for (const CurveModelTrial& t : all) {
+    const bool took_part = t.excluded_because.empty();
+    Json made = model(t.model);
+    made["training_rms_Nm"] = took_part ? number(t.training_rms_Nm) : Json(nullptr);
+    made["held_out_rms_Nm"] = took_part ? number(t.held_out_rms_Nm) : Json(nullptr);
+    made["excluded_because"] = text_or_null(t.excluded_because);
+    list.push_back(std::move(made));
+  }
+  return list;
+}
+
+Json line(const std::optional<DirectionLine>& l, double n) {
+  if (!l) return nullptr;
+  return {{"coulomb_Nm", both_sides(l->coulomb_Nm, n)},
+          {"viscous_Nms_rad", both_sides(l->viscous_Nms_rad, n * n)},
+          {"residual_Nm", number(l->residual_Nm)},
+          {"slowest_rad_s", number(l->slowest_rad_s)},
+          {"fastest_rad_s", number(l->fastest_rad_s)},
+          {"runs", l->runs},
+          {"runs_left_out", l->runs_left_out}};
+}
+
+}  // namespace
+
+Json curve_model(const CurveModelChoice& c) {
+  Json parameters = Json::array();
+  for (const CurveParameter& p : c.parameters) {
+    parameters.push_back({{"name", p.name},
+                          {"words", p.words},
+                          {"unit", text_or_null(p.unit)},
+                          {"motor", interval(p.estimate)}});
+  }
+  return {{"curve", text_or_null(c.curve)},
+          {"speeds", c.speeds},
+          {"chosen", c.chosen_any ? model(c.chosen) : Json(nullptr)},
+          {"sentence", c.sentence},
+          {"parameters", std::move(parameters)},
+          {"ladder", trials(c.ladder)},
+          {"options", trials(c.options)},
+          {"carries_waiboer", c.carries_five},
+          {"on_waiboer", text_or_null(c.five_sentence)}};
+}
+
+Json direction_lines(const DirectionLinesResult& r, double n) {
+  Json made = Json::object();
+  for (const CurveDirectionLines& c : r.curves) {
+    made[c.estimator] = {{"rising", line(c.rising, n)}, {"falling", line(c.falling, n)}};
+  }
+  return made;
+}
+
+Json direction_asymmetry(const DirectionAsymmetryResult& a) {
+  const auto if_examined = [&](double value) { return a.examined ? number(value) : Json(nullptr); };
+  return {{"examined", a.examined},
+          {"found", a.found},
+          {"sentence", a.sentence},
+          {"mean_Nm", interval_if(a.examined, a.mean_Nm)},
+          {"gravity_could_explain_Nm", if_examined(a.gravity_could_explain_Nm)},
+          {"speed_rad_s", numbers(a.speed_rad_s)},
+          {"asymmetry_Nm", numbers(a.asymmetry_Nm)}};
+}
+
+}  // namespace tribolog::json

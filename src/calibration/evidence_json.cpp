@@ -1,0 +1,103 @@
+// Checks on the data before any fit.
+
+#include <utility>
+
+#include "calibration/parts.h"
+
+namespace tribolog::json {
+
+Json data_checks(const DataChecksResult& result) {
+  Json list = Json::array();
+  for (const DataCheck& check : result.checks) {
+    list.push_back({{"name", check.name},
+                    {"title", check.title},
+                    {"state", to_string(check.state)},
+                    {"recording", text_or_null(check.recording)},
+                    {"measure", text_or_null(check.measure)},
+                    {"measured", number(check.measured)},
+                    {"at_least", number(check.at_least)},
+                    {"at_most", number(check.at_most)},
+                    {"unit", text_or_null(check.unit)},
+                    {"found", text_or_null(check.found)},
+                    {"consequence", text_or_null(check.consequence)},
+                    {"experiment", text_or_null(check.experiment)}});
+  }
+  return list;
+}
+
+// The known-truth check.
+
+namespace {
+
+Json returned(const ReturnedQuantity& q) {
+  return {{"name", q.name},
+          {"unit", q.unit},
+          {"put_in", number(q.put_in)},
+          {"came_back", number(q.came_back)},
+          {"scatter", number(q.scatter)},
+          {"half_width", number(q.half_width)},
+          {"found", q.found},
+          {"inside", q.inside},
+          {"in_half_widths", numbers(q.in_half_widths)},
+          {"comes_back", q.comes_back}};
+}
+
+}  // namespace
+
+Json truth_check(const TruthCheckResult& t) {
+  if (t.runs == 0) return nullptr;
+  Json quantities = Json::array();
+  for (const ReturnedQuantity& q : t.quantities) quantities.push_back(returned(q));
+  Json findings = Json::array();
+  for (const TruthFinding& finding : t.findings) findings.push_back(finding.words);
+  return {{"runs", t.runs},
+          {"seed", t.seed},
+          {"noise",
+           {{"white_Nm", number(t.white_Nm)},
+            {"torque_step_Nm", number(t.torque_step_Nm)},
+            {"ripple_Nm", number(t.ripple_Nm)}}},
+          {"quantities", std::move(quantities)},
+          {"left_out", t.left_out},
+          {"findings", std::move(findings)}};
+}
+
+// The verdict over all, on each quantity, and against the manifest's limits.
+
+namespace {
+
+Json limits(const std::vector<LimitOutcome>& outcomes) {
+  Json list = Json::array();
+  for (const LimitOutcome& o : outcomes) {
+    list.push_back({{"quantity", o.key},
+                    {"rule", o.rule},
+                    {"limit", number(o.limit)},
+                    {"unit", o.unit},
+                    {"estimate", interval(o.estimate)},
+                    {"state", to_string(o.state)},
+                    {"words", o.words}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json verdict(const Judgement& judgement) {
+  Json quantities = Json::array();
+  for (const QuantityVerdict& q : judgement.quantities) {
+    quantities.push_back({{"key", q.key},
+                          {"words", q.words},
+                          {"verdict", to_string(q.verdict)},
+                          {"decides", q.decides},
+                          {"reasons", q.reasons},
+                          {"experiment", text_or_null(q.experiment)},
+                          {"estimate", interval(q.estimate)},
+                          {"unit", text_or_null(q.unit)},
+                          {"limits", limits(q.limits)}});
+  }
+  return {{"verdict", to_string(judgement.verdict)},
+          {"sentence", judgement.sentence},
+          {"findings", judgement.findings},
+          {"quantities", std::move(quantities)}};
+}
+
+}  // namespace tribolog::json

@@ -1,0 +1,167 @@
+// Stages 1 and 2.
+
+#include <utility>
+
+#include "calibration/parts.h"
+
+namespace tribolog::json {
+
+Json cog(const CogSweepResult& r, double gear_ratio) {
+  const auto if_found = [&r](double value) { return r.found ? number(value) : Json(nullptr); };
+  const Json joint = r.found ? interval(scaled(r.gravity_Nm, gear_ratio)) : Json(nullptr);
+  return {{"found", r.found},
+          {"method", text_or_null(r.method)},
+          {"argmax_rad", if_found(r.argmax_rad)},
+          {"argmax_low_rad", if_found(r.argmax_low_rad)},
+          {"argmax_high_rad", if_found(r.argmax_high_rad)},
+          {"argmax_torque_Nm", if_found(r.argmax_torque_Nm)},
+          {"argmax_at_end", r.argmax_at_end},
+          {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
+          {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
+          {"gravity_joint_Nm", joint},
+          {"coulomb_Nm", interval(r.coulomb_Nm)},
+          {"unloaded_coulomb_Nm", interval(r.unloaded_coulomb_Nm)},
+          {"load_coulomb_Nm", interval(r.load_coulomb_Nm)},
+          {"viscous_Nms_rad", interval(r.viscous_Nms_rad)},
+          {"inertia_kgm2", interval(r.inertia_kgm2)},
+          {"offset_Nm", if_found(r.offset_Nm)},
+          {"residual_Nm", if_found(r.residual_Nm)},
+          {"lowest_rad", if_found(r.lowest_rad)},
+          {"highest_rad", if_found(r.highest_rad)},
+          {"both_directions", r.both_directions},
+          {"constant_speed", r.constant_speed},
+          {"samples_used", r.samples_used},
+          {"samples_left_out", r.samples_left_out}};
+}
+
+// Stages 5 to 7.
+
+Json viscous(const ViscousCurvesResult& v) {
+  Json runs = Json::array();
+  for (const ConstantSpeedRun& r : v.runs) {
+    runs.push_back(
+        {{"recording", r.recording},
+         {"speed_rad_s", number(r.speed_rad_s)},
+         {"torque_Nm", number(r.torque_Nm)},
+         {"torque_half_width_Nm", number(r.torque_half_width_Nm)},
+         {"q_rad", number(r.q_rad)},
+         {"mean_cos", number(r.mean_cos)},
+         {"mean_load", number(r.mean_load)},
+         {"lowest_rad", number(r.lowest_rad)},
+         {"highest_rad", number(r.highest_rad)},
+         {"samples", r.samples},
+         {"partner", r.partner < 0 ? Json(nullptr) : Json(r.partner)},
+         {"direction_difference_Nm", number(r.direction_difference_Nm)},
+         {"direction_difference_half_width_Nm", number(r.direction_difference_half_width_Nm)},
+         {"direction_mean_Nm", number(r.direction_mean_Nm)}});
+  }
+  Json curves = Json::object();
+  for (const ViscousCurve& c : v.curves) curves[c.estimator] = numbers(c.friction_Nm);
+  const auto angle = [&](bool has, double rad) { return has ? number(rad) : Json(nullptr); };
+  const DirectionAngles& a = v.angles;
+  Json angles{{"rising_low_rad", angle(a.has_rising, a.rising_low_rad)},
+              {"rising_high_rad", angle(a.has_rising, a.rising_high_rad)},
+              {"falling_low_rad", angle(a.has_falling, a.falling_low_rad)},
+              {"falling_high_rad", angle(a.has_falling, a.falling_high_rad)},
+              {"share_angles", a.share_angles()}};
+  return {{"from_sweep", v.from_sweep},
+          {"angles", std::move(angles)},
+          {"samples_used", v.samples_used},
+          {"samples_left_out", v.samples_left_out},
+          {"recordings_without_plateau", v.recordings_without_plateau},
+          {"runs", std::move(runs)},
+          {"curves", std::move(curves)}};
+}
+
+Json quality(const QualityErrorsResult& q) {
+  Json percent = Json::object();
+  Json rms = Json::object();
+  for (const QualityError& e : q.errors) {
+    percent[e.estimator] = numbers(e.percent);
+    rms[e.estimator] = number(e.rms_percent);
+  }
+  return {
+      {"reference", text_or_null(q.reference)},
+      {"reference_Nm", numbers(q.reference_Nm)},
+      {"reference_half_width_Nm", numbers(q.reference_half_width_Nm)},
+      {"reference_rms_percent", q.errors.empty() ? Json(nullptr) : number(q.reference_rms_percent)},
+      {"evidence", text_or_null(q.evidence)},
+      {"percent", std::move(percent)},
+      {"rms_percent", std::move(rms)},
+      {"runs_left_out", q.runs_left_out}};
+}
+
+Json selection(const SelectionResult& s) {
+  return {{"paper_rule", text_or_null(s.paper_rule)},
+          {"paper_rule_rivals", s.paper_rule_rivals},
+          {"recommended", text_or_null(s.recommended)},
+          {"why", text_or_null(s.why)},
+          {"q_c_corrected_rad", number(s.q_c_corrected_rad)},
+          {"q_c_rad", interval(s.q_c_rad)}};
+}
+
+// Gravity from the runs, what was stated about loads, and friction against load.
+
+Json run_gravity(const RunGravityResult& r, double n) {
+  const auto if_found = [&](double value) { return r.found ? number(value) : Json(nullptr); };
+  return {{"found", r.found},
+          {"reason", text_or_null(r.reason)},
+          {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
+          {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
+          {"gravity_joint_Nm", r.found ? interval(scaled(r.gravity_Nm, n)) : Json(nullptr)},
+          {"residual_Nm", if_found(r.residual_Nm)},
+          {"lowest_rad", if_found(r.lowest_rad)},
+          {"highest_rad", if_found(r.highest_rad)},
+          {"runs_used", r.runs_used},
+          {"runs_left_out", r.runs_left_out},
+          {"samples_used", r.samples_used},
+          {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
+}
+
+Json load_dependence(const LoadDependenceResult& l) {
+  const auto if_examined = [&](double value) { return l.examined ? number(value) : Json(nullptr); };
+  Json points = Json::array();
+  for (const LoadPoint& p : l.points) {
+    points.push_back({{"q_rad", number(p.q_rad)},
+                      {"load_Nm", number(p.load_Nm)},
+                      {"speed_rad_s", number(p.speed_rad_s)},
+                      {"friction_Nm", number(p.friction_Nm)},
+                      {"fit_Nm", number(p.fit_Nm)}});
+  }
+  return {{"examined", l.examined},
+          {"found", l.found},
+          {"sentence", l.sentence},
+          {"per_load", interval_if(l.examined, l.per_load)},
+          {"unloaded_Nm", interval_if(l.examined, l.unloaded_Nm)},
+          {"viscous_Nms_rad", interval(l.viscous_Nms_rad)},
+          {"lowest_load_Nm", if_examined(l.lowest_load_Nm)},
+          {"highest_load_Nm", if_examined(l.highest_load_Nm)},
+          {"held_out_Nm", if_examined(l.held_out_Nm)},
+          {"held_out_without_load_Nm", if_examined(l.held_out_without_load_Nm)},
+          {"held_out_speed_alone_Nm", if_examined(l.held_out_speed_alone_Nm)},
+          {"points", std::move(points)}};
+}
+
+Json known_loads(const std::vector<KnownLoad>& loads) {
+  Json list = Json::array();
+  for (const KnownLoad& load : loads) {
+    Json roles = Json::array();
+    for (const Role role : load.roles) roles.push_back(to_string(role));
+    list.push_back({{"amplitude_joint_Nm", number(load.amplitude_Nm)},
+                    {"angles", load.angles},
+                    {"phase_rad", number(load.phase_rad)},
+                    {"roles", std::move(roles)},
+                    {"note", text_or_null(load.note)},
+                    {"samples", load.samples},
+                    {"largest_joint_Nm", number(load.largest_Nm)}});
+  }
+  return list;
+}
+
+Json known_gravity(const std::optional<StatedGravity>& g) {
+  if (!g) return nullptr;
+  return {{"amplitude_joint_Nm", number(g->amplitude_Nm())},
+          {"q_peak_rad", number(g->q_peak_rad())}};
+}
+
+}  // namespace tribolog::json

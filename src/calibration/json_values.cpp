@@ -1,0 +1,52 @@
+#include "calibration/json_values.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tribolog::json {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json short_numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) {
+    const std::string text = fmt::format("{:.6g}", value);
+    double rounded = value;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    list.push_back(number(rounded));
+  }
+  return list;
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json interval(const Estimate& e) {
+  if (!std::isfinite(e.value)) return nullptr;
+  return {{"estimate", e.value},
+          {"low", number(e.low)},
+          {"high", number(e.high)},
+          {"method", e.method}};
+}
+
+Json interval(const std::optional<Estimate>& e) { return e ? interval(*e) : Json(nullptr); }
+
+Json interval_if(bool is_known, const Estimate& e) {
+  return is_known ? interval(e) : Json(nullptr);
+}
+
+/// The same on both sides of the gear.
+Json both_sides(const Estimate& motor, double motor_to_joint) {
+  return {{"motor", interval(motor)}, {"joint", interval(scaled(motor, motor_to_joint))}};
+}
+
+}  // namespace tribolog::json

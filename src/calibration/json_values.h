@@ -1,0 +1,44 @@
+#pragma once
+// Numbers, texts and intervals as JSON, and back from files of any age.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "statistics/estimate.h"
+
+namespace tribolog::json {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value);
+Json number(const std::optional<double>& value);
+Json numbers(const std::vector<double>& values);
+/// Rounded to six significant digits: long lists that are drawn and not computed with.
+Json short_numbers(const std::vector<double>& values);
+Json text_or_null(const std::string& text);
+/// {"estimate", "low", "high", "method"}
+Json interval(const Estimate& e);
+Json interval(const std::optional<Estimate>& e);
+Json interval_if(bool is_known, const Estimate& e);
+/// The same on both sides of the gear.
+Json both_sides(const Estimate& motor, double motor_to_joint);
+
+}  // namespace tribolog::json
+
+namespace tribolog::archive {
+
+// Reading the JSON of a calibration of any age: what an older program did not write is null.
+
+/// The member of that name; null where there is none, and where `object` is no object.
+inline const nlohmann::json& member(const nlohmann::json& object, std::string_view key) {
+  static const nlohmann::json none;
+  if (!object.is_object()) return none;
+  const auto at = object.find(key);
+  return at == object.end() ? none : *at;
+}
+
+}  // namespace tribolog::archive

@@ -1,0 +1,208 @@
+#include "figures/cross_check_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/requirements.h"
+#include "figures/report_figure.h"
+#include "truth/readings.h"
+#include "wording/axis_scale.h"
+#include "wording/number_text.h"
+#include "wording/reading_label.h"
+
+namespace tribolog::figures {
+
+namespace {
+
+constexpr double apart = 0.12;  // of the two intervals of one way, of the distance of two
+
+/// Bars and centres of one kind of interval.
+void add_intervals(render::Panel& panel, const std::vector<CrossCheck>& checks, bool resampled,
+                   const AxisScale& scale) {
+  const render::Colour colour = resampled ? render::palette::vermilion : render::palette::blue;
+  std::vector<double> x;
+  std::vector<double> y;
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    if (resampled && !checks[k].resampled_kg) continue;
+    const Estimate& mass = resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
+    if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
+    const double at = static_cast<double>(k + 1) + (resampled ? apart : -apart);
+    x.push_back(at);
+    y.push_back(scale(mass.value));
+    panel.error_bars.push_back({at, scale(mass.low), scale(mass.high), colour});
+  }
+  render::Series series = line(resampled ? "bootstrap" : "closed form", std::move(x), std::move(y),
+                               colour, 2.5, render::LineStyle::none);
+  series.marker = resampled ? render::Marker::square : render::Marker::circle;
+  series.marker_size_px = 12.0;
+  add_visible(panel, std::move(series));
+}
+
+/// The largest |value - recommended| plus interval among those shown in full.
+Extent extent_without(const std::vector<CrossCheck>& checks, const std::string& left_out) {
+  Extent extent;
+  for (const CrossCheck& check : checks) {
+    if (check.method == left_out) continue;
+    extent.add({check.mass_kg.low, check.mass_kg.high});
+    if (check.resampled_kg) extent.add({check.resampled_kg->low, check.resampled_kg->high});
+  }
+  return extent;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> mass_comparison_figure(const Calibration& calibration) {
+  const std::vector<CrossCheck>& checks = calibration.cross_checks.checks;
+  if (checks.size() < 2) return std::nullopt;
+  const auto recommended = std::find_if(checks.begin(), checks.end(),
+                                        [](const CrossCheck& c) { return c.is_recommended; });
+  ReportFigure out;
+  out.id = "fig-masses-by-way";
+  out.title = "Surrogate mass by every way";
+  out.stage = "cross-checks";
+  const AxisScale scale = levelled("kg", extent_without(checks, ""));
+  render::Panel panel;
+  panel.x.title = "way, numbered as below";
+  panel.x.counts = true;
+  panel.x.minimum = 0.5;
+  panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
+  panel.y.title = axis_title("surrogate mass m", scale, "kg");
+  add_intervals(panel, checks, false, scale);
+  add_intervals(panel, checks, true, scale);
+  if (panel.series.empty()) return std::nullopt;
+  if (recommended != checks.end()) {
+    panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal,
+                                     scale(recommended->mass_kg.value), "recommended",
+                                     render::palette::grey, render::LineStyle::dash});
+  }
+  out.figure.panels.push_back(std::move(panel));
+
+  std::vector<std::string> names;
+  std::size_t disagree = 0;
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    names.push_back(fmt::format("{} {}", k + 1, method_in_words(checks[k].method)));
+    disagree += checks[k].disagrees ? 1 : 0;
+  }
+  const std::string agreement =
+      disagree == 0
+          ? "All agree with the recommended one within the interval of the difference."
+          : fmt::format(
+                "{} with the recommended one beyond the interval of the "
+                "difference.",
+                disagree == 1 ? "1 way disagrees" : fmt::format("{} ways disagree", disagree));
+  out.caption = fmt::format("95 % intervals of {}. {}", listed(names), agreement);
+  out.how_to_read =
+      "Each way fails differently. Bars that all cross the dashed line are what a sound "
+      "measurement gives; one that lies beside it points at the assumption it rests on. The two "
+      "bars of a way should be equally long.";
+  out.alt = fmt::format("Surrogate mass with 95 % intervals by {} ways: {}. {}", checks.size(),
+                        listed(names), agreement);
+  return out;
+}
+
+namespace {
+
+/// Further out than this a point stands at the edge: how far says no more than that it is out.
+constexpr double farthest_shown = 5;
+constexpr double least_shown = 2;  ///< The interval itself must not fill the picture.
+
+/// Half widths to either side that hold all, up to farthest_shown.
+double reach_of(const std::vector<const ReturnedQuantity*>& shown) {
+  double reach = least_shown;
+  for (const ReturnedQuantity* q : shown) {
+    for (const double off : q->in_half_widths) {
+      if (std::isfinite(off)) reach = std::max(reach, std::ceil(std::abs(off)));
+    }
+  }
+  return std::min(reach, farthest_shown);
+}
+
+std::string place_words(const std::vector<const ReturnedQuantity*>& shown) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    words.push_back(fmt::format("{} {}", i + 1, reading_words(shown[i]->name)));
+  }
+  return listed(words);
+}
+
+}  // namespace
+
+std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
+  const TruthCheckResult& check = calibration.truth_check;
+  std::vector<const ReturnedQuantity*> shown;
+  for (const ReturnedQuantity& q : check.quantities) {
+    if (!q.in_half_widths.empty()) shown.push_back(&q);
+  }
+  if (shown.empty()) return std::nullopt;
+
+  ReportFigure out;
+  out.id = "fig-known-truth";
+  out.title = "What came back of what was put in";
+  out.stage = "known-truth";
+  render::Panel panel;
+  panel.x.title = "deviation from what was put in, in half widths of the stated 95 % interval";
+  panel.y.title = "quantity";
+  const double reach = reach_of(shown);
+  panel.x.minimum = -reach - 0.5;
+  panel.x.maximum = reach + 0.5;
+  panel.y.minimum = 0.2;
+  panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
+  panel.bands.push_back(
+      {"inside the interval", {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
+  render::Series inside;
+  render::Series outside;
+  std::size_t held = 0;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    // The first quantity on top.
+    const double level = static_cast<double>(shown.size() - i);
+    held += shown[i]->inside;
+    all += shown[i]->found;
+    for (std::size_t k = 0; k < shown[i]->in_half_widths.size(); ++k) {
+      const double off = shown[i]->in_half_widths[k];
+      if (!std::isfinite(off)) continue;
+      // Runs above one another within the row, so that equal deviations stay apart.
+      const double row = level +
+                         0.5 * (static_cast<double>(k) + 0.5) /
+                             static_cast<double>(shown[i]->in_half_widths.size()) -
+                         0.25;
+      render::Series& series = std::abs(off) <= 1 ? inside : outside;
+      series.x.push_back(std::clamp(off, -farthest_shown, farthest_shown));
+      series.y.push_back(row);
+    }
+    panel.y.names.push_back({level, reading_label(shown[i]->name)});
+  }
+  inside.label = "held by its interval";
+  outside.label = "not held";
+  for (render::Series* series : {&inside, &outside}) {
+    series->style = render::LineStyle::none;
+    series->marker = series == &inside ? render::Marker::circle : render::Marker::cross;
+    series->marker_size_px = series == &inside ? 8 : 12;
+    series->colour = series == &inside ? render::palette::blue : render::palette::vermilion;
+    add_visible(panel, std::move(*series));
+  }
+  out.figure.panels.push_back(std::move(panel));
+  out.figure.height_px = std::max(600, 240 + 84 * static_cast<int>(shown.size()));
+  out.caption = fmt::format(
+      "Deviations of {} in units of the half width that each run states for itself: "
+      "{} of {} are held by their intervals. From top: {}",
+      counted(check.runs, "simulation"), held, all, place_words(shown));
+  out.how_to_read =
+      "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
+      "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "
+      "side "
+      "is biased on these motions; one that spreads wider has intervals that are too narrow.";
+  if (reach >= farthest_shown) {
+    out.how_to_read += fmt::format(" Marks at ±{:.0f} lie there or beyond.", reach);
+  }
+  out.alt = fmt::format("{} of {} returned values lie within their stated intervals: {}.", held,
+                        all, place_words(shown));
+  return out;
+}
+
+}  // namespace tribolog::figures

@@ -1,0 +1,30 @@
+#pragma once
+// The method's table of contents: a dataset to a calibration, one call per stage.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "calibration/calibration.h"
+
+namespace tribolog {
+
+struct IdentifyOptions {
+  /// Resamples of the block bootstrap behind the intervals; 0: closed forms alone.
+  std::size_t resamples{1000};
+  std::uint64_t seed{1};   ///< Of everything random: the same seed gives the same numbers.
+  std::size_t threads{0};  ///< 0: as many as the machine has cores. Changes no number.
+  /// Simulations of what was identified, each identified again: truth/truth_check.h. 0: none.
+  std::size_t truth_runs{0};
+};
+
+/// Called before each stage with its name in words and (done, all).
+using StageProgress = std::function<void(const std::string& stage, int done, int all)>;
+
+/// Runs every stage. Stages without data say so in their report; the rest still runs.
+/// The dataset must outlive the calibration (figures refer to its recordings).
+Calibration identify(const Dataset& dataset, const IdentifyOptions& options = {},
+                     const StageProgress& progress = {});
+
+}  // namespace tribolog

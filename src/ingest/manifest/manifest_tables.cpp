@@ -1,0 +1,144 @@
+#include "ingest/manifest/manifest_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/closest_match.h"
+#include "ingest/log/units.h"
+#include "ingest/manifest/key_ranges.h"
+#include "joint/degrees.h"
+
+namespace tribolog {
+
+namespace {
+
+constexpr Role all_roles[] = {Role::rough_sweep, Role::precise_sweep, Role::oscillation,
+                              Role::constant_speed, Role::break_away};
+
+std::vector<Role> read_roles(const TomlTable& table) {
+  std::vector<Role> roles;
+  if (!table.has("roles")) return roles;
+  std::vector<std::string> known;
+  for (const Role role : all_roles) known.push_back(to_string(role));
+  for (const std::string& name : table.texts("roles")) {
+    const auto at = std::find(known.begin(), known.end(), name);
+    if (at == known.end()) {
+      table.refuse("roles", {"no such role", in_quotes(name), "one of " + list_of_names(known),
+                             did_you_mean(name, known)});
+    }
+    roles.push_back(all_roles[at - known.begin()]);
+  }
+  if (roles.empty()) {
+    table.refuse("roles", {"is empty", "", "one or more roles", "leave it out for all of them"});
+  }
+  return roles;
+}
+
+KnownLoad read_known_load(const TomlTable& table) {
+  const std::string hint = "the columns of the log whose sum the load follows";
+  KnownLoad load;
+  load.amplitude_Nm = table.number("amplitude_Nm");
+  if (load.amplitude_Nm == 0) table.refuse("amplitude_Nm", {"not usable", "0", "not 0", ""});
+  load.angles = table.texts("angles", hint);
+  if (load.angles.empty()) table.refuse("angles", {"is empty", "", "one or more columns", hint});
+  for (std::size_t i = 0; i < load.angles.size(); ++i) {
+    const auto& name = load.angles[i];
+    const auto begin = load.angles.begin();
+    const bool is_twice = std::find(begin, begin + static_cast<std::ptrdiff_t>(i), name) !=
+                          begin + static_cast<std::ptrdiff_t>(i);
+    if (name.empty() || is_twice) {
+      table.refuse("angles", {name.empty() ? "holds an empty name" : "names a column twice",
+                              in_quotes(name), "columns of the log, each once", ""});
+    }
+  }
+  load.radian_per_unit =
+      si_factor(Quantity::angle, table.text_or("unit", "rad"), table.where("unit"));
+  load.phase_rad = table.number_or("phase_deg", 0.0) * rad_per_degree;
+  load.roles = read_roles(table);
+  load.note = table.text_or("note", "");
+  load.stated_at = fmt::format("{}:{}", table.where().file, table.where().line);
+  table.refuse_unknown_keys();
+  return load;
+}
+
+}  // namespace
+
+std::vector<KnownLoad> read_known_loads(const TomlTable& top) {
+  std::vector<KnownLoad> loads;
+  for (const TomlTable& table : top.one_or_more_tables("known_load")) {
+    loads.push_back(read_known_load(table));
+  }
+  return loads;
+}
+
+std::optional<StatedGravity> read_known_gravity(const TomlTable& top) {
+  const auto table = top.find_table("known_gravity");
+  if (!table) return std::nullopt;
+  const double amplitude_Nm = table->number("amplitude_Nm", Sign::positive);
+  const double q_peak_rad =
+      table->number("q_peak_deg", Sign::any, "the joint angle at which gravity torque is largest") *
+      rad_per_degree;
+  table->refuse_unknown_keys();
+  return guarded(*table, "amplitude_Nm", [&] { return StatedGravity(amplitude_Nm, q_peak_rad); });
+}
+
+std::vector<AcceptanceLimit> read_limits(const TomlTable& manifest) {
+  std::vector<std::string> keys;
+  for (const LimitedQuantity& quantity : limited_quantities()) keys.push_back(quantity.key);
+  std::vector<AcceptanceLimit> limits;
+  for (const TomlTable& table : manifest.tables("limit")) {
+    AcceptanceLimit limit;
+    limit.quantity = keys[table.choice("quantity", keys)];
+    limit.min = table.find_number("min");
+    limit.max = table.find_number("max");
+    limit.half_width = table.find_number("half_width", Sign::positive);
+    limit.half_width_percent = table.find_number("half_width_percent", Sign::positive);
+    table.refuse_unknown_keys();
+    if (!limit.min && !limit.max && !limit.half_width && !limit.half_width_percent) {
+      table.refuse("quantity", {"the limit states no number", "",
+                                "one or more of max, min, half_width, half_width_percent", ""});
+    }
+    if (limit.min && limit.max && *limit.min > *limit.max) {
+      table.refuse("min", {"nothing is allowed between min and max",
+                           fmt::format("{}..{}", *limit.min, *limit.max), "min <= max", ""});
+    }
+    limits.push_back(std::move(limit));
+  }
+  return limits;
+}
+
+TextLogRules read_text_log_rules(const TomlTable& log) {
+  constexpr std::array delimiters = {Delimiter::comma, Delimiter::semicolon, Delimiter::tab,
+                                     Delimiter::spaces};
+  TextLogRules rules;
+  if (log.flag_or("decimal_comma", false)) rules.decimal_mark = DecimalMark::comma;
+  if (log.has("delimiter")) {
+    rules.delimiter =
+        delimiters.at(log.choice("delimiter", {"comma", "semicolon", "tab", "spaces"}));
+  }
+  if (log.has("encoding")) {
+    rules.encoding = static_cast<TextEncoding>(log.choice("encoding", {"utf8", "latin1"}));
+  }
+  if (log.has("header_line")) {
+    const std::uint64_t line = log.count_or("header_line", 0);
+    constexpr std::uint64_t last = 1'000'000'000;
+    if (line < 1 || line > last) {
+      log.refuse("header_line", {"not usable", std::to_string(line),
+                                 "a line's number, from 1 to " + std::to_string(last), ""});
+    }
+    rules.header_line = static_cast<long>(line);
+  }
+  rules.skip_bad_rows = log.flag_or("skip_bad_rows", false);
+  if (rules.decimal_mark == DecimalMark::comma && rules.delimiter == Delimiter::comma) {
+    log.refuse("delimiter", {"contradicts decimal_comma", "commas for both", "",
+                             "commas within numbers and between columns cannot be told apart"});
+  }
+  log.refuse_unknown_keys();
+  return rules;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,251 @@
+// Does the joint move, and can its angle be an angle in radians?
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "method/checks/check_list.h"
+
+namespace tribolog {
+
+DataCheck check_joint_moves(const CheckedDataset& data) {
+  DataCheck check;
+  check.name = "joint_moves";
+  check.title = "The joint moves";
+  check.measure = "recordings in which the joint moves";
+  check.unit = percent_sign;
+  check.at_least = 100;
+  RecordingsAsWanted moving;
+  for (const CheckedRecording& r : data.recordings) {
+    if (r.recording->role == Role::break_away) continue;  // it may stand from end to end
+    moving.add(!r.strokes.empty(), r.recording->name);
+  }
+  if (moving.all() == 0) {
+    return not_applicable(check.name, check.title, "no recording in which it has to move");
+  }
+  moving.take_share(check);
+  if (moving.others() == 0) return passed_by_all(check, "the joint moves in every recording");
+  check.state = CheckState::fails;
+  check.found =
+      fmt::format("the angle stands still in {} of {} recordings", moving.others(), moving.all());
+  check.consequence = "a joint that stands shows neither gravity's angle nor friction";
+  check.experiment = "see that the joint was driven and that the angle's column is alive";
+  return check;
+}
+
+DataCheck check_angle_unit(const CheckedDataset& data) {
+  // A little more than one turn: few joints of a robot turn further, all do in degrees.
+  constexpr double largest_likely_rad = 7.0;
+  DataCheck check;
+  check.name = "angle_unit";
+  check.title = "The angle's unit";
+  check.measure = "largest joint angle";
+  check.unit = "rad";
+  check.at_most = largest_likely_rad;
+  double largest = 0;
+  for (const CheckedRecording& r : data.recordings) {
+    const double reach = std::max(std::abs(r.lowest_rad), std::abs(r.highest_rad));
+    if (reach < largest || r.recording->size() < 2) continue;
+    largest = reach;
+    check.recording = r.recording->name;
+  }
+  check.measured = largest;
+  if (largest <= largest_likely_rad) {
+    return passed_by_all(check, "the angles are those of a joint");
+  }
+  check.state = CheckState::fails;
+  check.found = fmt::format(
+      "the joint's angle reaches {:.4g} rad, {:.3g} turns: degrees taken for radians, or the "
+      "motor's angle for the joint's?",
+      largest, largest / (2 * std::numbers::pi));
+  check.consequence =
+      "gravity follows the cosine of the angle: in a wrong unit it is not found, "
+      "or found wrongly, and so is all that rests on it";
+  check.experiment = "state the unit and the side of the angle's column as they are";
+  return check;
+}
+
+// The oscillation: how many cycles, and whether friction turns over within it.
+
+namespace {
+
+constexpr std::size_t bins = 20;  // of a stroke
+
+/// Stiffness of the loop towards the end of its strokes, in % of that behind the turns: 0 where
+/// friction has reached its level, 100 for a spring.
+std::optional<double> stiffness_left_percent(const CheckedRecording& r) {
+  constexpr double whole_stroke = 0.8;  // of the range: the start-up stroke is shorter
+  // Each direction for itself: gravity is far larger than what is looked for.
+  std::array<std::array<double, bins>, 2> sum{};
+  std::array<std::array<std::size_t, bins>, 2> count{};
+  for (const Stroke& stroke : r.strokes) {
+    if (stroke.travel_rad < whole_stroke * r.range_rad()) continue;
+    const std::size_t way = stroke.direction > 0 ? 0 : 1;
+    const double start = r.recording->q_rad[stroke.first];
+    for (std::size_t i = stroke.first; i < stroke.last; ++i) {
+      const double place = std::abs(r.recording->q_rad[i] - start) / stroke.travel_rad;
+      if (!(place >= 0 && place < 1)) continue;
+      const auto k = static_cast<std::size_t>(place * bins);
+      sum[way][k] += r.recording->torque_Nm[i];
+      ++count[way][k];
+    }
+  }
+  for (const auto& counts : count) {
+    if (std::any_of(counts.begin(), counts.end(), [](std::size_t c) { return c == 0; })) {
+      return std::nullopt;
+    }
+  }
+  const auto mean = [&](std::size_t k) {
+    return (sum[0][k] / static_cast<double>(count[0][k]) -
+            sum[1][k] / static_cast<double>(count[1][k])) /
+           2;
+  };
+  const double behind_turn = mean(2) - mean(0);
+  const double at_end = mean(bins - 2) - mean(bins - 6);
+  if (!(behind_turn > 0)) return std::nullopt;
+  return std::max(0.0, 100 * (at_end / 4) / (behind_turn / 2));
+}
+
+}  // namespace
+
+DataCheck check_oscillation_cycles(const CheckedDataset& data) {
+  constexpr double fewest = 3;
+  constexpr double enough = 5;
+  DataCheck check;
+  check.name = "oscillation_cycles";
+  check.title = "Cycles of the oscillation";
+  check.measure = "cycles";
+  check.unit = pure_number;
+  check.at_least = enough;
+  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+    if (r->strokes.empty()) continue;
+    const double cycles = static_cast<double>(r->strokes.size() - 1) / 2;  // two turns each
+    if (check.measured && cycles >= *check.measured) continue;
+    check.measured = cycles;
+    check.recording = r->recording->name;
+  }
+  if (!check.measured) {
+    return not_applicable(check.name, check.title, "no oscillation was recorded");
+  }
+  check.found = fmt::format("{:.1f} cycles", *check.measured);
+  check.state = *check.measured >= enough   ? CheckState::passed
+                : *check.measured >= fewest ? CheckState::warns
+                                            : CheckState::fails;
+  if (check.state == CheckState::passed) return check;
+  check.consequence =
+      "the start-up stroke is no steady loop, and too few cycles follow it: the "
+      "mid-line is biased by it, and nothing shows how cycles scatter";
+  check.experiment = "record ten cycles or more";
+  return check;
+}
+
+DataCheck check_oscillation_slides(const CheckedDataset& data) {
+  constexpr double warning_percent = 10;
+  constexpr double most_percent = 30;
+  DataCheck check;
+  check.name = "oscillation_slides";
+  check.title = "Friction turns over in the loop";
+  if (!data.has_torque) {
+    return not_applicable(check.name, check.title, "no torque was recorded");
+  }
+  check.measure = "stiffness left at the end of a stroke, of that behind a turn";
+  check.unit = percent_sign;
+  check.at_most = warning_percent;
+  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+    const auto left = stiffness_left_percent(*r);
+    // The largest stroke decides: smaller ones beside it add to what it shows.
+    if (!left || (check.measured && *left >= *check.measured)) continue;
+    check.measured = left;
+    check.recording = r->recording->name;
+  }
+  if (!check.measured) {
+    return not_applicable(check.name, check.title, "no oscillation with whole strokes");
+  }
+  check.found =
+      fmt::format("{:.2g} % of the stiffness is left at the end of a stroke", *check.measured);
+  check.state = passed_or_warns_up_to(most_percent, check);
+  if (check.state == CheckState::passed) return check;
+  check.consequence =
+      "the stroke is too small: friction does not reach its level, so that the "
+      "break-away torque is not seen, only that it is larger";
+  check.experiment = "oscillate with a larger amplitude, until the loop's branches run flat";
+  return check;
+}
+
+// Stick-slip: in slow motion the joint rests, springs on in the same direction, and rests again.
+
+namespace {
+
+constexpr double rest_share = 0.1;      // of the stroke's mean speed: slower is rest
+constexpr double burst_share = 1.5;     // faster is a burst
+constexpr double steps_in_window = 20;  // of the encoder, at the mean speed
+constexpr std::size_t fewest_samples_in_window = 5;
+
+/// Times that a stroke stops and springs on.
+std::size_t stops_within(const CheckedRecording& r, const Stroke& stroke) {
+  const Recording& log = *r.recording;
+  const double duration = log.t_s[stroke.last] - log.t_s[stroke.first];
+  if (!(duration > 0)) return 0;
+  const double mean = stroke.travel_rad / duration;
+  const auto window =
+      std::max(fewest_samples_in_window,
+               static_cast<std::size_t>(steps_in_window * r.angle_step_rad / mean / r.interval_s));
+  bool rested = false;
+  bool burst_before = false;
+  std::size_t stops = 0;
+  // The ends of a stroke are at rest anyhow, so a rest counts between two bursts only.
+  for (std::size_t i = stroke.first; i + window <= stroke.last; ++i) {
+    const double speed = stroke.direction * (log.q_rad[i + window] - log.q_rad[i]) /
+                         (log.t_s[i + window] - log.t_s[i]);
+    if (speed > burst_share * mean) {
+      if (burst_before && rested) ++stops;
+      burst_before = true;
+      rested = false;
+    } else if (speed < rest_share * mean) {
+      rested = true;
+    }
+  }
+  return stops;
+}
+
+}  // namespace
+
+DataCheck check_stick_slip(const CheckedDataset& data) {
+  constexpr double most_stops = 4;
+  DataCheck check;
+  check.name = "stick_slip";
+  check.title = "No stick-slip";
+  check.measure = "stops within one stroke, each followed by a burst";
+  check.unit = pure_number;
+  check.at_most = most_stops;
+  std::size_t affected = 0;
+  for (const CheckedRecording& r : data.recordings) {
+    if (!r.travels()) continue;
+    std::size_t stops = 0;
+    for (const Stroke& stroke : r.strokes) stops = std::max(stops, stops_within(r, stroke));
+    const auto count = static_cast<double>(stops);
+    if (count > most_stops) ++affected;
+    take_if_worst(check, count, r.recording->name);
+  }
+  if (!check.measured) return not_applicable(check.name, check.title, "no sweep or run");
+  if (affected == 0) {
+    return passed_by_all(check, "the joint moves on without stopping");
+  }
+  check.state = CheckState::fails;
+  check.found =
+      fmt::format("the joint stops and springs on {:.0f} times in one stroke; {} affected",
+                  *check.measured, recordings_in_words(affected));
+  check.consequence =
+      "the torque is that of sticking and of sliding in turn, at no one speed: "
+      "friction at this speed is not what the mean of it says";
+  check.experiment =
+      "move faster than the speed at which the joint sticks, or make the speed "
+      "control stiffer";
+  return check;
+}
+
+}  // namespace tribolog

@@ -1,0 +1,286 @@
+// Is there a signal in the torque at all?
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "method/checks/check_list.h"
+#include "method/checks/direction_difference.h"
+#include "method/motion/encoder_resolution.h"
+#include "statistics/white_noise.h"
+
+namespace tribolog {
+
+namespace {
+
+/// Sums of one role's torque: its own variance and that of its white part.
+struct TorqueScatter {
+  double sum{}, squares{}, count{};
+  std::vector<double> third;
+
+  void add(const std::vector<double>& t) {
+    for (const double torque : t) {
+      sum += torque;
+      squares += torque * torque;
+      count += 1;
+    }
+    const std::vector<double> more = third_differences(t);
+    third.insert(third.end(), more.begin(), more.end());
+  }
+  /// White noise shows in third differences; a signal of a robot does not.
+  [[nodiscard]] double white_percent() const {
+    const double variance = squares / count - std::pow(sum / count, 2);
+    if (!(variance > 0)) return 0;
+    return std::min(100.0, 100 * white_variance(third) / variance);
+  }
+};
+
+}  // namespace
+
+DataCheck check_torque_alive(const CheckedDataset& data) {
+  DataCheck check;
+  check.name = "torque_alive";
+  check.title = "The torque changes";
+  if (!data.has_torque) {
+    return not_applicable(check.name, check.title, "no torque was recorded");
+  }
+  check.measure = "recordings in which the torque changes";
+  check.unit = percent_sign;
+  check.at_least = 100;
+  RecordingsAsWanted alive;
+  for (const CheckedRecording& r : data.recordings) {
+    const std::vector<double>& t = r.recording->torque_Nm;
+    const auto [low, high] = std::minmax_element(t.begin(), t.end());
+    alive.add(!t.empty() && *high > *low, r.recording->name);
+  }
+  if (alive.all() == 0) return not_applicable(check.name, check.title, "no recording");
+  alive.take_share(check);
+  if (alive.others() == 0) return passed_by_all(check, "the torque changes in every recording");
+  check.state = CheckState::fails;
+  check.found =
+      fmt::format("the torque is one constant number in {} of {} recordings: a dead sensor?",
+                  alive.others(), alive.all());
+  check.consequence = "a torque that does not change shows neither gravity nor friction";
+  check.experiment = "see that the torque's column is alive before the next measurement";
+  return check;
+}
+
+DataCheck check_torque_noise(const CheckedDataset& data) {
+  constexpr double warning_percent = 50;
+  constexpr double most_percent = 80;
+  DataCheck check;
+  check.name = "torque_noise";
+  check.title = "Signal in the torque";
+  if (!data.has_torque) {
+    return not_applicable(check.name, check.title, "no torque was recorded");
+  }
+  check.measure = "share of white noise in the variance of the torque";
+  check.unit = percent_sign;
+  check.at_most = warning_percent;
+  for (const Role role : {Role::rough_sweep, Role::oscillation, Role::constant_speed}) {
+    const auto recordings = data.with_role(role);
+    if (recordings.empty()) continue;
+    TorqueScatter scatter;
+    for (const CheckedRecording* r : recordings) scatter.add(r->recording->torque_Nm);
+    const double percent = scatter.white_percent();
+    take_if_worst(
+        check, percent,
+        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all");
+  }
+  if (!check.measured) {
+    return not_applicable(check.name, check.title, "no sweep, oscillation or run");
+  }
+  check.found = fmt::format("{:.2g} % of the torque's variance is white noise", *check.measured);
+  check.state = passed_or_warns_up_to(most_percent, check);
+  if (check.state == CheckState::passed) return check;
+  check.consequence =
+      "what is left of gravity and friction drowns in it; the intervals are as "
+      "wide as that";
+  check.experiment =
+      "record for longer, or filter the current in the drive; see that the column "
+      "is the torque";
+  return check;
+}
+
+// The step of the torque against the friction it has to show.
+
+DataCheck check_torque_step(const CheckedDataset& data) {
+  constexpr double warning_percent = 10;
+  constexpr double most_percent = 25;
+  DataCheck check;
+  check.name = "torque_step";
+  check.title = "Torque step against friction";
+  if (!data.has_torque) {
+    return not_applicable(check.name, check.title, "no torque was recorded");
+  }
+  check.measure = "step of the torque / half the difference of the directions";
+  check.unit = percent_sign;
+  check.at_most = warning_percent;
+  double worst_step = 0;
+  double its_friction = 0;
+  for (const Role role : {Role::rough_sweep, Role::oscillation, Role::constant_speed}) {
+    const auto recordings = data.with_role(role);
+    const DirectionDifference d = direction_difference(recordings, true);
+    if (d.common_bins == 0 || d.friction_Nm == 0) continue;
+    for (const CheckedRecording* r : recordings) {
+      const double step = common_step(r->recording->torque_Nm);
+      const double percent = 100 * step / std::abs(d.friction_Nm);
+      if (!take_if_worst(check, percent, r->recording->name)) continue;
+      worst_step = step;
+      its_friction = std::abs(d.friction_Nm);
+    }
+  }
+  if (!check.measured) {
+    return not_applicable(check.name, check.title,
+                          "no recording has both directions over the same angles");
+  }
+  if (worst_step == 0) {
+    return passed_by_all(check, "the torque looks continuous");
+  }
+  check.found =
+      fmt::format("steps of {:.3g} N·m against {:.3g} N·m, at the motor", worst_step, its_friction);
+  check.state = passed_or_warns_up_to(most_percent, check);
+  if (check.state == CheckState::passed) return check;
+  check.consequence =
+      "friction is read in few steps, and where noise does not spread the samples "
+      "over several of them no mean makes up for it";
+  check.experiment = "record the current with more digits, or in a smaller measuring range";
+  return check;
+}
+
+// Clipping: the torque stays flat on its extreme value.
+
+namespace {
+
+constexpr std::size_t shortest_run = 3;    // samples in a row that make a flat stretch
+constexpr std::size_t fewest_levels = 20;  // a torque of fewer values is coarse, not clipped
+constexpr double against_neighbours = 5;   // times as many samples as the values beside it
+constexpr double beside_share = 0.02;      // of the range: what counts as beside the extreme
+
+struct Extreme {
+  double value{};
+  std::size_t flat_samples{};  ///< In runs of at least three on the very value.
+  std::size_t beside{};        ///< Samples close to the value, not on it.
+};
+
+Extreme extreme_of(const std::vector<double>& t, double value, double range) {
+  Extreme out{value, 0, 0};
+  const double same = 1e-9 * range;
+  std::size_t run = 0;
+  const auto close = [&] {
+    if (run >= shortest_run) out.flat_samples += run;
+    run = 0;
+  };
+  for (const double torque : t) {
+    const double distance = std::abs(torque - value);
+    if (distance <= same) {
+      ++run;
+      continue;
+    }
+    close();
+    if (distance <= beside_share * range) ++out.beside;
+  }
+  close();
+  return out;
+}
+
+/// Share of the samples off both extremes that repeat their neighbours, three or more in a row. A
+/// torque in coarse steps, or held between updates, does that everywhere, clipped or not.
+double flat_elsewhere(const std::vector<double>& t, double low, double high) {
+  std::size_t flat = 0, others = 0, run = 1;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    run = i > 0 && t[i] == t[i - 1] ? run + 1 : 1;
+    if (t[i] == low || t[i] == high) continue;
+    ++others;
+    if (run >= shortest_run) ++flat;
+  }
+  return others > 0 ? static_cast<double>(flat) / static_cast<double>(others) : 1.0;
+}
+
+bool has_fewer_levels(const std::vector<double>& t, std::size_t levels) {
+  std::vector<double> met;
+  for (const double torque : t) {
+    if (std::find(met.begin(), met.end(), torque) == met.end()) met.push_back(torque);
+    if (met.size() == levels) return false;
+  }
+  return true;
+}
+
+struct Saturation {
+  double percent{};
+  double value_Nm{};
+};
+
+/// The torque of what is used of a recording: a run may well start at the drive's limit.
+std::vector<double> torque_of(const CheckedRecording& r) {
+  const std::vector<double>& torque = r.recording->torque_Nm;
+  if (r.recording->role != Role::constant_speed || r.motion.plateaus.empty()) return torque;
+  std::vector<double> used;
+  for (const Plateau& plateau : r.motion.plateaus) {
+    used.insert(used.end(), torque.begin() + static_cast<std::ptrdiff_t>(plateau.first),
+                torque.begin() + static_cast<std::ptrdiff_t>(plateau.last));
+  }
+  return used;
+}
+
+/// Both ends of the range, each only if values beside it are rare.
+Saturation saturation_of(const std::vector<double>& t) {
+  Saturation out;
+  if (t.size() < fewest_levels) return out;
+  const auto [low, high] = std::minmax_element(t.begin(), t.end());
+  const double range = *high - *low;
+  if (!(range > 0) || has_fewer_levels(t, fewest_levels)) return out;
+  constexpr double held_or_coarse = 0.2;
+  if (flat_elsewhere(t, *low, *high) > held_or_coarse) return out;
+  for (const double end : {*low, *high}) {
+    const Extreme extreme = extreme_of(t, end, range);
+    const auto flat = static_cast<double>(extreme.flat_samples);
+    if (flat < against_neighbours * static_cast<double>(extreme.beside) / 2) continue;
+    const double percent = 100 * flat / static_cast<double>(t.size());
+    if (percent > out.percent) out.value_Nm = end;
+    out.percent += percent;
+  }
+  return out;
+}
+
+}  // namespace
+
+DataCheck check_torque_saturation(const CheckedDataset& data) {
+  constexpr double most_percent = 0.5;
+  DataCheck check;
+  check.name = "torque_saturation";
+  check.title = "Torque not clipped";
+  if (!data.has_torque) {
+    return not_applicable(check.name, check.title, "no torque was recorded");
+  }
+  check.measure = "samples that lie flat on the extreme torque";
+  check.unit = percent_sign;
+  check.at_most = most_percent;
+  double value_Nm = 0;
+  std::size_t clipped = 0;
+  for (const CheckedRecording& r : data.recordings) {
+    if (r.recording->role == Role::break_away) continue;  // a ramp may well end at the limit
+    const Saturation s = saturation_of(torque_of(r));
+    if (s.percent > most_percent) ++clipped;
+    if (!take_if_worst(check, s.percent, r.recording->name)) continue;
+    value_Nm = s.value_Nm;
+  }
+  if (!check.measured) return not_applicable(check.name, check.title, "no recording");
+  if (clipped == 0) {
+    return passed_by_all(check, "the torque does not lie flat on its extremes");
+  }
+  check.state = CheckState::fails;
+  check.found =
+      fmt::format("{:.1f} % of the samples lie flat at {:.4g} N·m at the motor; {} clipped",
+                  *check.measured, value_Nm, recordings_in_words(clipped));
+  check.consequence =
+      "the largest torques are cut off: gravity and friction come out too small, "
+      "and the peak's angle is that of the cut";
+  check.experiment =
+      "widen the range of the measurement or of the drive's limit, or take load off "
+      "the joint";
+  return check;
+}
+
+}  // namespace tribolog

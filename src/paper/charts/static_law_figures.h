@@ -1,0 +1,21 @@
+#pragma once
+// Figures 1 and 2: static friction that is discontinuous at rest, eq. (1), and its linear zone,
+// eq. (2).
+
+#include "figures/report_figure.h"
+#include "friction/stribeck.h"
+#include "friction/threshold_speed.h"
+
+namespace tribolog::paper {
+
+/// Friction over speed on both sides of rest, the range at rest, and the levels.
+ReportFigure static_friction_figure(const StribeckFriction& friction);
+
+// Figure 2: static friction made continuous by a linear zone around rest, eq. (2).
+
+/// The whole curve above, the close-up of the linear zone below.
+/// @throw std::invalid_argument for a law without Stribeck effect (decay 0): its decay is the scale
+/// of the chart.
+ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction);
+
+}  // namespace tribolog::paper

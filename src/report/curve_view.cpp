@@ -1,0 +1,232 @@
+// Stage 5.
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/estimator_words.h"
+#include "report/view_parts.h"
+#include "wording/units.h"
+
+namespace tribolog::report {
+
+namespace {
+
+constexpr std::size_t most_rows = 48;  ///< A printed page; the rest is in the embedded result.
+
+std::string at_run(const ViscousCurve* curve, std::size_t run) {
+  if (curve == nullptr || run >= curve->friction_Nm.size()) return "–";
+  constexpr int decimals = 4;
+  return fixed(curve->friction_Nm[run], decimals);
+}
+
+std::string mean_text(const ConstantSpeedRun& run) {
+  const Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
+                      run.torque_Nm + run.torque_half_width_Nm, ""};
+  return round_by_interval(mean, plain_scale("N·m")).plus_minus();
+}
+
+void describe_run_gravity(const Calibration& c, Section& section) {
+  const RunGravityResult& r = c.run_gravity;
+  if (c.viscous.from_sweep) return;
+  if (!r.found && r.reason.empty()) return;
+  if (!r.found) {
+    if (!r.reason.empty()) {
+      section.facts.push_back({"Gravity from the runs", as_sentence(r.reason)});
+    }
+    return;
+  }
+  const Estimate gravity = scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
+  section.facts.push_back(
+      {"Gravity from the runs",
+       in_words(gravity, torque_scale(gravity.value)) + " at the joint, largest at " +
+           in_words(r.q_peak_rad, degree_scale()) + "; one offset for each of " +
+           count(r.runs_used) + " runs, " + count(r.runs_left_out) + " travel too short a way." +
+           (r.always_lifts ? " The drive lifts the load all the way: friction that grows with the "
+                             "load is in it."
+                           : "")});
+}
+
+}  // namespace
+
+void describe_viscous_curves(const Calibration& c, Section& section) {
+  const ViscousCurvesResult& v = c.viscous;
+  if (v.samples_used + v.samples_left_out > 0) {
+    section.facts.push_back({"Samples used", count(v.samples_used)});
+    section.facts.push_back({"Samples left out", count(v.samples_left_out) +
+                                                     " (rest, acceleration, reversal, settling)"});
+  }
+  if (v.recordings_without_plateau > 0) {
+    section.facts.push_back({"Recordings without a plateau", count(v.recordings_without_plateau)});
+  }
+  if (v.runs.empty()) return;
+  section.facts.push_back(
+      {"Runs", count(v.runs.size()) + (v.from_sweep ? " angle bins of a sweep in both directions"
+                                                    : " plateaus of constant speed")});
+
+  if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.in_words())});
+  describe_run_gravity(c, section);
+
+  const ViscousCurve* recommended = v.find(c.selection.recommended);
+  const ViscousCurve* papers =
+      c.selection.paper_rule.empty() ? nullptr : v.find(c.selection.paper_rule);
+  Table table;
+  table.id = section.id + "-runs";
+  table.caption = "Driving torque and friction of each run, at the motor";
+  table.columns = {{"Motor speed", "rad/s", true},
+                   {"Joint speed", "°/s", true},
+                   {"Joint angle", "°", true},
+                   {"Driving torque T", "N·m", true},
+                   {"Samples", "", true}};
+  if (recommended != nullptr) {
+    table.columns.push_back({"T_f, " + estimator_name(recommended->estimator), "N·m", true});
+  }
+  if (papers != nullptr) {
+    table.columns.push_back({"T_f, " + estimator_name(papers->estimator), "N·m", true});
+  }
+  table.columns.push_back({"Recording", "", false});
+
+  const double n = c.manifest.drive.gear_ratio();
+  const std::size_t step = (v.runs.size() + most_rows - 1) / most_rows;
+  for (std::size_t i = 0; i < v.runs.size(); i += step) {
+    const ConstantSpeedRun& run = v.runs[i];
+    Row row{{significant(run.speed_rad_s, 4),
+             significant(run.speed_rad_s / n * degree_scale().factor, 4),
+             fixed(run.q_rad * degree_scale().factor, 2), mean_text(run), count(run.samples)},
+            false};
+    if (recommended != nullptr) row.cells.push_back(at_run(recommended, i));
+    if (papers != nullptr) row.cells.push_back(at_run(papers, i));
+    row.cells.push_back(or_dash(log_name(run.recording)));
+    table.rows.push_back(row);
+  }
+  table.note = "T with the 95 % interval of its mean.";
+  if (step > 1) {
+    table.note += " One row in " + std::to_string(step) +
+                  " is shown; all of them are in the result embedded in this file.";
+  }
+  section.tables.push_back(table);
+}
+
+// Stage 6.
+
+namespace {
+
+std::string reference_in_words(const std::string& reference) {
+  if (reference == "analytic") return "the analytic curve that the simulation was made with";
+  if (reference == "direction_difference") {
+    return "half the difference of the two directions at the same angle, which gravity cannot "
+           "enter";
+  }
+  return reference.empty() ? "none" : reference;
+}
+
+/// Index of the largest deviation, or the list's size if there is none.
+std::size_t worst_run(const std::vector<double>& percent) {
+  std::size_t worst = percent.size();
+  for (std::size_t i = 0; i < percent.size(); ++i) {
+    if (!std::isfinite(percent[i])) continue;
+    if (worst == percent.size() || std::abs(percent[i]) > std::abs(percent[worst])) worst = i;
+  }
+  return worst;
+}
+
+}  // namespace
+
+void describe_quality_errors(const Calibration& c, Section& section) {
+  const QualityErrorsResult& q = c.quality;
+  if (q.errors.empty()) return;
+  section.facts.push_back({"Reference", reference_in_words(q.reference)});
+  section.facts.push_back({"Runs compared", count(c.viscous.runs.size() - q.runs_left_out)});
+  section.facts.push_back(
+      {"Runs left out", count(q.runs_left_out) + " (no reference, or driving torque near zero)"});
+
+  if (!q.evidence.empty()) {
+    section.facts.push_back({"What the reference can tell", as_sentence(q.evidence)});
+  }
+
+  Table table;
+  table.id = section.id + "-results";
+  table.caption = "Deviation of each candidate's curve from the reference";
+  table.columns = {{"Estimator", "", false},
+                   {"What it is", "", false, true},
+                   {"Root mean square", "% of T", true},
+                   {"Largest", "% of T", true},
+                   {"at motor speed", "rad/s", true}};
+  constexpr int digits = 3;
+  for (const QualityError& e : q.errors) {
+    const std::size_t worst = worst_run(e.percent);
+    const bool has_worst = worst < e.percent.size();
+    const bool has_speed = has_worst && worst < c.viscous.runs.size();
+    table.rows.push_back(
+        {{estimator_name(e.estimator), point_meaning(e.estimator),
+          significant(e.rms_percent, digits),
+          has_worst ? significant(e.percent[worst], digits) : "–",
+          has_speed ? significant(c.viscous.runs[worst].speed_rad_s, digits) : "–"},
+         e.estimator == c.selection.recommended});
+  }
+  table.note =
+      "100 (T_f,candidate − T_f,reference) / T: the share of the total driving torque. The "
+      "marked row is the recommended estimator.";
+  section.tables.push_back(table);
+}
+
+// Stage 7.
+
+namespace {
+
+void add_choice(const Calibration& c, const std::string& label, const std::string& estimator,
+                bool is_chosen, Table& table) {
+  const SurrogateMass* mass = estimator.empty() ? nullptr : c.masses.find(estimator);
+  if (mass == nullptr) {
+    table.rows.push_back({{label, "cannot be said", "–", "–", "–", "–"}, false});
+    return;
+  }
+  const QualityError* error = c.quality.find(estimator);
+  constexpr int digits = 3;
+  table.rows.push_back({{label, estimator_name(estimator) + ": " + point_meaning(estimator),
+                         round_by_interval(mass->torque_Nm, plain_scale("N·m")).plus_minus(),
+                         round_by_interval(mass->mass_kg, plain_scale("kg")).plus_minus(),
+                         fixed(mass->q_rad * degree_scale().factor, 4),
+                         error != nullptr ? significant(error->rms_percent, digits) : "–"},
+                        is_chosen});
+}
+
+}  // namespace
+
+void describe_selection(const Calibration& c, Section& section) {
+  const SelectionResult& s = c.selection;
+  if (!s.why.empty()) section.facts.push_back({"Why", as_sentence(s.why)});
+  if (!s.paper_rule.empty() || !s.recommended.empty()) {
+    Table table;
+    table.id = section.id + "-results";
+    table.caption = "The choice";
+    table.columns = {{"Rule", "", false},       {"Estimator", "", false},
+                     {"Torque T", "N·m", true}, {"Surrogate mass", "kg", true},
+                     {"Read at q", "°", true},  {"Quality error, rms", "% of T", true}};
+    add_choice(c, "Recommended by this program", s.recommended, true, table);
+    add_choice(c, "The paper's: smallest error among A to F", s.paper_rule, false, table);
+    section.tables.push_back(table);
+  }
+  Table angles;
+  angles.id = section.id + "-angle";
+  angles.caption = "Angle of the centre of gravity in the link, q_c = −q_peak";
+  angles.columns = estimate_columns();
+  if (s.q_c_rad) {
+    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, degree_scale()));
+    angles.rows.back().is_chosen = true;
+    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, radian_scale(s.q_c_rad->value)));
+  }
+  if (s.q_c_corrected_rad) {
+    // As many places as q_c has: the correction is far smaller than its interval.
+    const double corrected = *s.q_c_corrected_rad;
+    const std::string from = "eq. (14) for the paper's choice";
+    for (const Scale& scale : {degree_scale(), radian_scale(corrected)}) {
+      constexpr int digits = 7;
+      angles.rows.push_back({{"q_c less the angle at which the torque was read",
+                              significant(corrected * scale.factor, digits), scale.unit, "–", from},
+                             false});
+    }
+  }
+  if (!angles.rows.empty()) section.tables.push_back(angles);
+}
+
+}  // namespace tribolog::report

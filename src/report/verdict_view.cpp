@@ -1,0 +1,261 @@
+// The verdict on each quantity, as rows of the first table.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/view_parts.h"
+#include "truth/readings.h"
+#include "wording/units.h"
+
+namespace tribolog::report {
+
+namespace {
+
+Outcome outcome_of(Verdict verdict) {
+  return verdict == Verdict::usable     ? Outcome::good
+         : verdict == Verdict::doubtful ? Outcome::partial
+                                        : Outcome::bad;
+}
+
+std::string word_of(Verdict verdict) {
+  return verdict == Verdict::not_identifiable ? "not identifiable" : to_string(verdict);
+}
+
+/// "≤ 12 N·m", of a half width "± ≤ 5 %".
+std::string rule_of(const LimitOutcome& limit) {
+  const bool is_of_width = limit.rule.starts_with("half_width");
+  const bool is_percent = limit.rule == "half_width_percent";
+  const char* const sign = limit.rule == "min" ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
+  const bool at_joint = limit.key.find("_joint") != std::string::npos;
+  return sign + with_unit(as_stated(limit.limit), is_percent ? "%" : limit.unit) +
+         (at_joint ? " at the joint" : "");
+}
+
+LimitCell cell_of(const LimitOutcome& limit) {
+  switch (limit.state) {
+    case LimitState::inside:
+      return {rule_of(limit), "kept", Outcome::good};
+    case LimitState::outside:
+      return {rule_of(limit), "broken", Outcome::bad};
+    case LimitState::crosses:
+      return {rule_of(limit), "not shown to be kept", Outcome::partial};
+    case LimitState::unknown:
+      break;
+  }
+  return {rule_of(limit), "not known", Outcome::absent};
+}
+
+void add_estimate(const QuantityVerdict& q, QuantityRow& row) {
+  if (!q.estimate) return;
+  const Scale scale = quantity_scale(q.unit, q.estimate->value);
+  const RoundedEstimate text = round_by_interval(*q.estimate, scale);
+  row.estimate = with_unit(text.estimate, scale.unit);
+  // Narrower than what is printed of the estimate.
+  row.interval =
+      text.low.empty() && !text.half_width.empty() ? "± " + text.half_width : text.range();
+}
+
+void add_change(const history::Comparison& since_last, const QuantityVerdict& q, QuantityRow& row) {
+  const auto found =
+      std::find_if(since_last.quantities.begin(), since_last.quantities.end(),
+                   [&](const history::ComparedQuantity& c) { return c.name == q.key; });
+  if (found == since_last.quantities.end()) return;
+  row.change_word = history::to_string(found->word);
+  row.is_changed = found->word == history::ChangeWord::changed;
+  const history::ComparedQuantity& compared = *found;
+  if (!compared.change) return;
+  const Estimate& absolute = compared.change->absolute;
+  const Scale scale =
+      quantity_scale(compared.unit, compared.second ? compared.second->value : absolute.value);
+  const RoundedEstimate text = round_by_interval(absolute, scale);
+  row.change = with_unit(with_plus_sign(text.estimate), scale.unit);
+  row.change_range = text.half_width.empty() ? text.range() : "± " + text.half_width;
+}
+
+}  // namespace
+
+std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
+                                       const std::optional<history::Comparison>& since_last) {
+  const auto& findings = judgement.findings;
+  const auto end_in_sight =
+      findings.begin() + static_cast<std::ptrdiff_t>(std::min(findings.size(), findings_in_sight));
+  // A limit's words stand once on the first screen; its row has the rule and what came of it.
+  const auto stands_above = [&](const QuantityVerdict& q, const std::string& reason) {
+    return std::any_of(q.limits.begin(), q.limits.end(),
+                       [&](const LimitOutcome& limit) { return limit.words == reason; }) &&
+           std::find(findings.begin(), end_in_sight, reason) != end_in_sight;
+  };
+  std::vector<QuantityRow> rows;
+  for (const QuantityVerdict& q : judgement.quantities) {
+    QuantityRow row;
+    row.words = q.words;
+    row.outcome = outcome_of(q.verdict);
+    row.verdict_word = word_of(q.verdict);
+    add_estimate(q, row);
+    for (const LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
+    if (since_last) add_change(*since_last, q, row);
+    for (const std::string& reason : q.reasons) {
+      if (!stands_above(q, reason)) row.reasons.push_back(as_sentence(reason));
+    }
+    row.experiment = as_sentence(q.experiment);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// The checks on the data, as rows of their table.
+
+namespace {
+
+Outcome outcome_of(CheckState state) {
+  switch (state) {
+    case CheckState::passed:
+      return Outcome::good;
+    case CheckState::warns:
+      return Outcome::partial;
+    case CheckState::fails:
+      return Outcome::bad;
+    case CheckState::not_applicable:
+      break;
+  }
+  return Outcome::absent;
+}
+
+std::string word_of(CheckState state) {
+  return state == CheckState::not_applicable ? "not applicable" : to_string(state);
+}
+
+std::string with_the_unit(double value, const std::string& unit, int digits) {
+  // Below what any limit asks for it is nothing.
+  constexpr double nothing = 5e-4;
+  const std::string number = std::abs(value) < nothing ? "0" : significant(value, digits);
+  return unit == "1" ? number : with_unit(number, unit == "deg" ? "°" : unit);
+}
+
+std::string limit_in_words(const DataCheck& check) {
+  const auto bound = [&](double value) {
+    const std::string number = as_stated(value);
+    return check.unit == "1" ? number : with_unit(number, check.unit == "deg" ? "°" : check.unit);
+  };
+  if (check.at_least && check.at_most) {
+    return as_stated(*check.at_least) + " to " + bound(*check.at_most);
+  }
+  if (check.at_least) return "≥ " + bound(*check.at_least);
+  return check.at_most ? "≤ " + bound(*check.at_most) : "";
+}
+
+}  // namespace
+
+std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks) {
+  std::vector<DataCheckRow> rows;
+  for (const DataCheck& check : checks.checks) {
+    DataCheckRow row;
+    row.id = "check-" + check.name;
+    std::replace(row.id.begin(), row.id.end(), '_', '-');
+    row.title = check.title;
+    row.measure = check.measure;
+    row.outcome = outcome_of(check.state);
+    row.state_word = word_of(check.state);
+    if (check.measured) row.measured = with_the_unit(*check.measured, check.unit, 3);
+    row.limit = limit_in_words(check);
+    if (check.recording != "all") row.recording = check.recording;
+    row.found = as_sentence(check.found);
+    row.consequence = as_sentence(check.consequence);
+    row.experiment = as_sentence(check.experiment);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// The known-truth check.
+
+namespace {
+
+constexpr int digits = 3;
+
+/// An angle is read in degrees.
+Scale scale_of(const ReturnedQuantity& q) {
+  return q.unit == "rad" ? degree_scale() : plain_scale(q.unit);
+}
+
+Row row_of(const ReturnedQuantity& q) {
+  const Scale scale = scale_of(q);
+  const std::string words = as_sentence(reading_words(q.name));
+  const std::string name = words.substr(0, words.size() - 1);
+  const Estimate put_in = symmetric_estimate(q.put_in, q.half_width, "");
+  const RoundedEstimate rounded = round_by_interval(put_in, scale);
+  if (q.found == 0) {
+    return {{name, rounded.estimate, "not found", "–", "–", scale.unit, "0 of 0", "no"}, false};
+  }
+  const RoundedEstimate back =
+      round_by_interval(symmetric_estimate(q.came_back, q.half_width, ""), scale);
+  const double deviation = (q.came_back - q.put_in) * scale.factor;
+  return {{name, rounded.estimate, back.estimate, with_plus_sign(significant(deviation, digits)),
+           significant(q.half_width * scale.factor, digits), scale.unit,
+           fmt::format("{} of {}", q.inside, q.found), q.comes_back ? "yes" : "no"},
+          false};
+}
+
+Table table_of(const TruthCheckResult& check) {
+  Table table;
+  table.id = "known-truth-results";
+  table.caption =
+      fmt::format("What was put in and what came back, means over {} simulations", check.runs);
+  table.columns = {{"Quantity", "", false, true},     {"Put in", "", true},
+                   {"Came back", "", true},           {"Deviation", "", true},
+                   {"Stated half width", "", true},   {"Unit", "", false},
+                   {"Inside the interval", "", true}, {"Comes back", "", false}};
+  for (const ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
+  table.note =
+      "It comes back if it is found in most simulations and in most of them is held by the stated "
+      "interval, or is off by less than matters: 0.1 % of a torque, 0.006° of the angle, 1 % of a "
+      "parameter.";
+  return table;
+}
+
+std::string noise_text(double value_Nm, const char* none) {
+  if (!(value_Nm > 0)) return none;
+  const Scale scale = torque_scale(value_Nm);
+  return with_unit(significant(value_Nm * scale.factor, digits), scale.unit);
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
+  return all;
+}
+
+}  // namespace
+
+Section truth_check_section(const TruthCheckResult& check, int number) {
+  Section section;
+  section.number = number;
+  section.id = "known-truth";
+  section.title = "Known-truth check";
+  section.explanation = "explain_known_truth.tpl";
+  const bool nothing = check.quantities.empty();
+  section.outcome = nothing                  ? Outcome::absent
+                    : check.findings.empty() ? Outcome::good
+                                             : Outcome::bad;
+  section.status = nothing                  ? "not possible"
+                   : check.findings.empty() ? "comes back"
+                                            : "does not come back";
+  std::vector<std::string> findings;
+  for (const TruthFinding& finding : check.findings) findings.push_back(finding.words);
+  section.reason = as_sentence(joined(findings));
+  if (nothing) section.reason = as_sentence(joined(check.left_out));
+  section.facts = {
+      {"Simulations", std::to_string(check.runs)},
+      {"White torque noise found", noise_text(check.white_Nm, "none")},
+      {"Torque step found", noise_text(check.torque_step_Nm, "none: continuous")},
+      {"Torque ripple found (standard deviation)", noise_text(check.ripple_Nm, "none")}};
+  if (!nothing && !check.left_out.empty()) {
+    section.facts.push_back({"Not simulated", joined(check.left_out)});
+  }
+  section.tables.push_back(table_of(check));
+  return section;
+}
+
+}  // namespace tribolog::report

@@ -1,0 +1,32 @@
+#include "statistics/distributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace tribolog {
+
+double student_t_975(double degrees_of_freedom) {
+  namespace math = boost::math;
+  if (!(degrees_of_freedom >= 1)) return std::numeric_limits<double>::infinity();
+  // Without promotion to long double: the same digits on every machine.
+  using InDouble = math::policies::policy<math::policies::promote_double<false>>;
+  return math::quantile(math::students_t_distribution<double, InDouble>(degrees_of_freedom), 0.975);
+}
+
+}  // namespace tribolog
+
+namespace tribolog::history {
+
+double normal_score(double t, double freedom) {
+  namespace math = boost::math;
+  if (!std::isfinite(t)) return std::isnan(t) ? 0 : std::copysign(37.0, t);
+  const double tail = math::cdf(math::students_t(freedom), -std::abs(t));
+  const double smallest = std::numeric_limits<double>::min();
+  return std::copysign(-math::quantile(math::normal(), std::clamp(tail, smallest, 0.5)), t);
+}
+
+}  // namespace tribolog::history
