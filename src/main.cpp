@@ -33,7 +33,7 @@ std::string with_what_was_kept(const Error& error) {
 
 int run(int argc, char** argv) {
   try {
-    const ExitStatus status = run_command_line(argc, argv);
+    const ExitStatus status = cli::run_command_line(argc, argv);
     finish_printing();
     return static_cast<int>(status);
   } catch (const Error& error) {

@@ -10,7 +10,7 @@
 #include "render/check/visibility_map.h"
 #include "render/scene/annotations.h"
 
-namespace tribolog::render {
+namespace tribolog::render::check {
 namespace {
 
 constexpr int least_contrast = 16;     // of 255, in the strongest channel
@@ -27,13 +27,13 @@ struct Ink {
 };
 
 /// How far a colour darkens white paper.
-Ink ink_of(Colour colour) {
+Ink ink_of(figure::Colour colour) {
   const double cover = colour.alpha / 255.0;
   return {(white - colour.red) * cover, (white - colour.green) * cover,
           (white - colour.blue) * cover};
 }
 
-bool shows(Colour pixel, Colour colour) {
+bool shows(figure::Colour pixel, figure::Colour colour) {
   const Ink wanted = ink_of(colour);
   const Ink found = ink_of(pixel);
   const double tint = found.dot(wanted) / wanted.dot(wanted);
@@ -45,20 +45,20 @@ bool shows(Colour pixel, Colour colour) {
   return error <= most_hue_error;
 }
 
-bool contrasts(Colour colour) {
+bool contrasts(figure::Colour colour) {
   const Ink ink = ink_of(colour);
   return std::max({ink.red, ink.green, ink.blue}) >= least_contrast;
 }
 
 /// A series without a label continues the labelled one before it that looks the same: a curve that
 /// is interrupted.
-std::string label_of(const Figure& figure, const Owner& owner) {
-  const Panel& panel = figure.panels[static_cast<std::size_t>(owner.panel)];
+std::string label_of(const figure::Figure& figure, const figure::Owner& owner) {
+  const figure::Panel& panel = figure.panels[static_cast<std::size_t>(owner.panel)];
   const auto index = static_cast<std::size_t>(owner.index);
-  if (owner.role == Role::band) return panel.bands[index].label;
-  const Series& own = panel.series[index];
+  if (owner.role == figure::Role::band) return panel.bands[index].label;
+  const figure::Series& own = panel.series[index];
   for (std::size_t i = index + 1; i-- > 0;) {
-    const Series& one = panel.series[i];
+    const figure::Series& one = panel.series[i];
     const bool alike =
         one.colour == own.colour && one.style == own.style && one.marker == own.marker;
     if (alike && !one.label.empty()) return one.label;
@@ -67,33 +67,33 @@ std::string label_of(const Figure& figure, const Owner& owner) {
 }
 
 /// By its text if it has one: "block 'g(ω)'", "wire 3".
-std::string name_in_diagram(const Diagram& diagram, const Owner& owner) {
+std::string name_in_diagram(const figure::Diagram& diagram, const figure::Owner& owner) {
   const auto index = static_cast<std::size_t>(owner.index);
-  if (owner.role == Role::wire) return "wire " + std::to_string(owner.index + 1);
-  const Block& block = diagram.blocks[index];
+  if (owner.role == figure::Role::wire) return "wire " + std::to_string(owner.index + 1);
+  const figure::Block& block = diagram.blocks[index];
   return block.lines.empty() ? "block " + std::to_string(owner.index + 1)
                              : "block '" + block.lines.front() + "'";
 }
 
-std::string name_of(const Figure& figure, const Owner& owner) {
-  const bool is_in_diagram = owner.role == Role::block || owner.role == Role::wire;
+std::string name_of(const figure::Figure& figure, const figure::Owner& owner) {
+  const bool is_in_diagram = owner.role == figure::Role::block || owner.role == figure::Role::wire;
   if (is_in_diagram && figure.diagram) {
     return name_in_diagram(*figure.diagram, owner);
   }
-  if (owner.role == Role::scene_line && figure.scene) {
+  if (owner.role == figure::Role::scene_line && figure.scene) {
     const auto index = static_cast<std::size_t>(owner.index);
-    const std::string text = annotation_labels(*figure.scene)[index];
+    const std::string text = scene::annotation_labels(*figure.scene)[index];
     return text.empty() ? "line " + std::to_string(index + 1) : "line '" + text + "'";
   }
   const std::string label = label_of(figure, owner);
-  const std::string kind = owner.role == Role::band ? "band " : "series ";
+  const std::string kind = owner.role == figure::Role::band ? "band " : "series ";
   if (!label.empty()) return kind + "'" + label + "'";
   const std::string number = kind + std::to_string(owner.index + 1);
   if (figure.panels.size() == 1) return number;
   return number + " of panel " + std::to_string(owner.panel + 1);
 }
 
-bool is_blank(const Picture& picture) {
+bool is_blank(const figure::Picture& picture) {
   const auto& rgb = picture.rgb;
   for (std::size_t i = 3; i < rgb.size(); i += 3) {
     if (rgb[i] != rgb[0] || rgb[i + 1] != rgb[1] || rgb[i + 2] != rgb[2]) return false;
@@ -101,7 +101,7 @@ bool is_blank(const Picture& picture) {
   return true;
 }
 
-bool has_ink(const TextRun& run, const Picture& picture) {
+bool has_ink(const figure::TextRun& run, const figure::Picture& picture) {
   if (run.text.find_first_not_of(' ') == std::string::npos) return true;
   const int left = std::max(0, static_cast<int>(run.box.left) - 1);
   const int right = std::min(picture.width - 1, static_cast<int>(run.box.right) + 1);
@@ -115,8 +115,8 @@ bool has_ink(const TextRun& run, const Picture& picture) {
   return left > right || top > bottom;  // wholly outside: nothing to see, and reported elsewhere
 }
 
-void check_series(const DrawList& list, const Figure& figure, const Picture& picture,
-                  PictureFindings& findings) {
+void check_series(const figure::DrawList& list, const figure::Figure& figure,
+                  const figure::Picture& picture, PictureFindings& findings) {
   const VisibilityMap map(list);
   const auto& subjects = map.subjects();
   std::vector<std::size_t> expected(subjects.size());
@@ -124,14 +124,14 @@ void check_series(const DrawList& list, const Figure& figure, const Picture& pic
   for (std::size_t i = 0; i < map.size(); ++i) {
     const std::uint16_t number = map.at(i);
     if (number == 0) continue;
-    const Colour pixel{picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]};
+    const figure::Colour pixel{picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]};
     ++expected[number - 1U];
     if (shows(pixel, subjects[number - 1U].colour)) ++found[number - 1U];
   }
   // What is hidden in one panel may be seen in another, such as a close-up.
   std::set<std::pair<std::string, std::uint32_t>> seen;
   const auto curve = [&](const VisibilityMap::Subject& one) {
-    const Colour& c = one.colour;
+    const figure::Colour& c = one.colour;
     return std::pair(name_of(figure, one.owner), std::uint32_t{c.red} |
                                                      std::uint32_t{c.green} << 8U |
                                                      std::uint32_t{c.blue} << 16U);
@@ -156,21 +156,25 @@ void check_series(const DrawList& list, const Figure& figure, const Picture& pic
 }
 
 /// A series with samples of which none made it into the draw list.
-void report_outside(const DrawList& list, const Figure& figure, PictureFindings& findings) {
-  const auto is_drawn = [&](const Owner& wanted) {
-    return std::any_of(list.primitives.begin(), list.primitives.end(), [&](const Primitive& one) {
-      Owner owner = owner_of(one);
-      if (owner.role == Role::series_marker) owner.role = Role::series;
-      return owner == wanted;
-    });
+void report_outside(const figure::DrawList& list, const figure::Figure& figure,
+                    PictureFindings& findings) {
+  const auto is_drawn = [&](const figure::Owner& wanted) {
+    return std::any_of(list.primitives.begin(), list.primitives.end(),
+                       [&](const figure::Primitive& one) {
+                         figure::Owner owner = figure::owner_of(one);
+                         if (owner.role == figure::Role::series_marker)
+                           owner.role = figure::Role::series;
+                         return owner == wanted;
+                       });
   };
   if (figure.diagram) return;  // the layout itself reports what lies outside of the canvas
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
-    const Panel& panel = figure.panels[p];
+    const figure::Panel& panel = figure.panels[p];
     for (std::size_t s = 0; s < panel.series.size(); ++s) {
-      const Series& series = panel.series[s];
-      const bool asked = series.style != LineStyle::none || series.marker != Marker::none;
-      const Owner owner{Role::series, static_cast<int>(p), static_cast<int>(s)};
+      const figure::Series& series = panel.series[s];
+      const bool asked =
+          series.style != figure::LineStyle::none || series.marker != figure::Marker::none;
+      const figure::Owner owner{figure::Role::series, static_cast<int>(p), static_cast<int>(s)};
       const bool has_samples =
           std::any_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); });
       if (asked && has_samples && !is_drawn(owner)) {
@@ -182,7 +186,8 @@ void report_outside(const DrawList& list, const Figure& figure, PictureFindings&
 
 }  // namespace
 
-PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture) {
+PictureFindings check_picture(const figure::DrawList& list, const figure::Figure& figure,
+                              const figure::Picture& picture) {
   PictureFindings findings;
   if (!list.primitives.empty() && is_blank(picture)) {
     findings.error = "the picture came out blank";
@@ -192,8 +197,8 @@ PictureFindings check_picture(const DrawList& list, const Figure& figure, const 
   check_series(list, figure, picture, findings);
   if (findings.error.empty() && list.scene) check_parts(list, picture, findings);
   if (!findings.error.empty()) return findings;
-  for (const Primitive& primitive : list.primitives) {
-    const auto* run = std::get_if<TextRun>(&primitive);
+  for (const figure::Primitive& primitive : list.primitives) {
+    const auto* run = std::get_if<figure::TextRun>(&primitive);
     if (run != nullptr && contrasts(run->colour) && !has_ink(*run, picture)) {
       findings.error = "the text '" + run->text + "' is missing in the picture";
       return findings;
@@ -202,4 +207,4 @@ PictureFindings check_picture(const DrawList& list, const Figure& figure, const 
   return findings;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::check

@@ -8,7 +8,7 @@
 #include "render/figure/draw_list.h"
 #include "render/figure/picture.h"
 
-namespace tribolog::render {
+namespace tribolog::render::check {
 
 struct PictureFindings {
   std::string error;  ///< One sentence; empty if the picture is whole.
@@ -19,6 +19,7 @@ struct PictureFindings {
 /// with a label) that is not visible where it must be, one in the colour of the background, a text
 /// without ink. A warning: a series that lies wholly outside its axes or under what is painted
 /// later, or a part behind others, and so cannot be seen by anyone's fault but its own.
-PictureFindings check_picture(const DrawList& list, const Figure& figure, const Picture& picture);
+PictureFindings check_picture(const figure::DrawList& list, const figure::Figure& figure,
+                              const figure::Picture& picture);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::check

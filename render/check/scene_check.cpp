@@ -8,7 +8,7 @@
 #include "render/layout/occupancy.h"
 #include "render/scene/part_map.h"
 
-namespace tribolog::render {
+namespace tribolog::render::check {
 namespace {
 
 constexpr std::size_t least_visible_px = 30;  // for a picture of any size: a dot
@@ -18,7 +18,7 @@ constexpr double most_hue_error = 40;         // of 255
 constexpr int edge_px = 4;                    // outlines and antialiasing reach that far
 
 /// Whether a pixel is the colour in some light.
-bool shows_shaded(Colour pixel, Colour colour) {
+bool shows_shaded(figure::Colour pixel, figure::Colour colour) {
   const double wanted[] = {colour.red + 1.0, colour.green + 1.0, colour.blue + 1.0};
   const double found[] = {pixel.red + 1.0, pixel.green + 1.0, pixel.blue + 1.0};
   double across = 0;
@@ -42,13 +42,15 @@ struct Count {
 
 }  // namespace
 
-void check_parts(const DrawList& list, const Picture& picture, PictureFindings& findings) {
+void check_parts(const figure::DrawList& list, const figure::Picture& picture,
+                 PictureFindings& findings) {
   if (!list.scene) return;
   const auto& meshes = list.scene->meshes;
-  const PartMap parts(*list.scene, list.width, list.height);
-  const PixelBox whole{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
-  Occupancy drawn_over(whole);
-  for (const Primitive& primitive : list.primitives) drawn_over.mark(primitive);
+  const scene::PartMap parts(*list.scene, list.width, list.height);
+  const figure::PixelBox whole{0, 0, static_cast<double>(list.width),
+                               static_cast<double>(list.height)};
+  layout::Occupancy drawn_over(whole);
+  for (const figure::Primitive& primitive : list.primitives) drawn_over.mark(primitive);
   std::vector<Count> counts(meshes.size());
   for (int y = 0; y < list.height; ++y) {
     for (int x = 0; x < list.width; ++x) {
@@ -76,4 +78,4 @@ void check_parts(const DrawList& list, const Picture& picture, PictureFindings& 
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::check

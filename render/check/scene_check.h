@@ -5,12 +5,13 @@
 #include "render/figure/draw_list.h"
 #include "render/figure/picture.h"
 
-namespace tribolog::render {
+namespace tribolog::render::check {
 
 /// Adds an error about the first part with a label that the picture does not show where it must,
 /// and a warning about each that is hidden by others. Light and shade change how bright a part is,
 /// not its hue.
 /// @pre the list has a scene
-void check_parts(const DrawList& list, const Picture& picture, PictureFindings& findings);
+void check_parts(const figure::DrawList& list, const figure::Picture& picture,
+                 PictureFindings& findings);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::check

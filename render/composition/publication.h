@@ -4,7 +4,7 @@
 #include "render/figure/figure.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::composition {
 
 namespace publication {
 inline constexpr double single_column_mm = 84.0;
@@ -22,6 +22,6 @@ inline constexpr double px_per_mm = 20.0;    ///< 508 dots to the inch.
 /// less what its legend takes. Drawings keep their proportions, and their letters the size of a
 /// chart's; scenes keep their proportions.
 /// @throw tribolog::FigureError as lay_out().
-Figure for_publication(const Figure& figure, const Font& font);
+figure::Figure for_publication(const figure::Figure& figure, const text::Font& font);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::composition

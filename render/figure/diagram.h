@@ -11,7 +11,7 @@
 
 #include "render/figure/drawing_style.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 struct DiagramPoint {
   double x{};
@@ -121,4 +121,4 @@ struct Diagram {
   std::vector<DiagramText> texts;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

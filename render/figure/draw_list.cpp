@@ -2,7 +2,7 @@
 
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 double SceneView::distance(Point3 p) const { return dot(p - eye, forward); }
 
@@ -63,4 +63,4 @@ std::array<double, 16> SceneView::clip_matrix(int width, int top, int rows) cons
           0};
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

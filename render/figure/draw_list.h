@@ -12,7 +12,7 @@
 #include "render/figure/figure.h"
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 struct PixelPoint {
   double x{};
@@ -210,4 +210,4 @@ inline const Owner& owner_of(const Primitive& primitive) {
   return std::visit([](const auto& one) -> const Owner& { return one.owner; }, primitive);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

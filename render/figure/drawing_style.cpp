@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 namespace {
 
@@ -37,4 +37,4 @@ Colour readable_on_paper(Colour colour) {
   return palette::black;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 struct Colour {
   std::uint8_t red{};
@@ -43,4 +43,4 @@ double contrast_ratio(Colour a, Colour b);
 /// The colour, darkened as far as letters in it need to be read on white paper.
 Colour readable_on_paper(Colour colour);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

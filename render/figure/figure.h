@@ -12,7 +12,7 @@
 #include "render/figure/drawing_style.h"
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 /// A polyline, markers, or both. Points where x or y is not finite break the line.
 struct Series {
@@ -115,4 +115,4 @@ struct Figure {
   Look look{Look::report};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 std::vector<double> dash_lengths(LineStyle style, double width) {
   const double unit = std::max(width, 1.5);
@@ -102,4 +102,4 @@ std::vector<PixelPoint> marker_corners(Marker shape, PixelPoint c, double radius
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

@@ -7,7 +7,7 @@
 #include "render/figure/draw_list.h"
 #include "render/figure/figure.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 /// Ink and gap in turn, in pixels; empty for a solid line. Scaled with the width, so that every
 /// style looks alike in thin and thick.
@@ -41,4 +41,4 @@ double marker_radius(const Markers& markers, double grow);
 
 std::vector<PixelPoint> regular_polygon(PixelPoint centre, double radius, int corners, double turn);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

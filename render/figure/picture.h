@@ -8,7 +8,7 @@
 
 #include "render/figure/figure.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 /// Rows from top to bottom, three bytes (red, green, blue) a pixel.
 struct Picture {
@@ -34,4 +34,4 @@ struct RendererInfo {
   std::string freetype_version;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

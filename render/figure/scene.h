@@ -13,7 +13,7 @@
 
 #include "render/figure/drawing_style.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure {
 
 struct Point3 {
   double x{};
@@ -157,4 +157,4 @@ inline Point3 turned(Point3 a, Point3 axis, double angle_rad) {
   return c * a + std::sin(angle_rad) * cross(axis, a) + ((1 - c) * dot(axis, a)) * axis;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure

@@ -3,20 +3,20 @@
 
 #include "render/layout/panel_frame.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
-void draw_line(DrawList& list, Owner owner, PixelPoint a, PixelPoint b, double width,
-               Colour colour) {
-  list.primitives.emplace_back(Polyline{owner, {a, b}, width, colour, {}});
+void draw_line(figure::DrawList& list, figure::Owner owner, figure::PixelPoint a,
+               figure::PixelPoint b, double width, figure::Colour colour) {
+  list.primitives.emplace_back(figure::Polyline{owner, {a, b}, width, colour, {}});
 }
 
-double line_pitch(const TextLine& line) { return 1.28 * line.style.size_px; }
+double line_pitch(const text::TextLine& line) { return 1.28 * line.style.size_px; }
 
-void draw_ticks(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
-                int panel) {
-  const Owner axis{Role::axis, panel, 0};
-  TextFaults none;
+void draw_ticks(figure::DrawList& list, const PanelFrame& frame, const text::Font& font,
+                const FigureStyle& style, int panel) {
+  const figure::Owner axis{figure::Role::axis, panel, 0};
+  text::TextFaults none;
   const auto mark_x = [&](double value, double length) {
     const double x = frame.x.pixel(value);
     draw_line(list, axis, {x, frame.plot.bottom}, {x, frame.plot.bottom + length}, style.axis_width,
@@ -33,69 +33,72 @@ void draw_ticks(DrawList& list, const PanelFrame& frame, const Font& font, const
   for (const Tick& tick : frame.x_ticks.major) {
     mark_x(tick.value, style.tick_mark);
     if (!frame.shows_x) continue;
-    const TextLine label = shape_line(font, tick.label, style.tick, none);
-    place_line(list, label,
-               {frame.x.pixel(tick.value) - label.width / 2,
-                frame.plot.bottom + style.tick_mark + style.gap + label.ascent},
-               true, {Role::tick_label, panel, index++});
+    const text::TextLine label = text::shape_line(font, tick.label, style.tick, none);
+    text::place_line(list, label,
+                     {frame.x.pixel(tick.value) - label.width / 2,
+                      frame.plot.bottom + style.tick_mark + style.gap + label.ascent},
+                     true, {figure::Role::tick_label, panel, index++});
   }
   for (const Tick& tick : frame.y_ticks.major) {
     mark_y(tick.value, style.tick_mark);
-    const TextLine label = shape_line(font, tick.label, style.tick, none);
+    const text::TextLine label = text::shape_line(font, tick.label, style.tick, none);
     const double digit_height = 0.73 * style.tick.size_px;
-    place_line(list, label,
-               {frame.plot.left - style.tick_mark - style.gap - label.width,
-                frame.y.pixel(tick.value) + digit_height / 2},
-               true, {Role::tick_label, panel, index++});
+    text::place_line(list, label,
+                     {frame.plot.left - style.tick_mark - style.gap - label.width,
+                      frame.y.pixel(tick.value) + digit_height / 2},
+                     true, {figure::Role::tick_label, panel, index++});
   }
 }
 
-void draw_scale_notes(DrawList& list, const PanelFrame& frame, const Font& font,
+void draw_scale_notes(figure::DrawList& list, const PanelFrame& frame, const text::Font& font,
                       const FigureStyle& style, int panel) {
-  TextFaults none;
+  text::TextFaults none;
   if (!frame.y_ticks.scale_note.empty()) {
-    const TextLine note = shape_line(font, frame.y_ticks.scale_note, style.tick, none);
+    const text::TextLine note = text::shape_line(font, frame.y_ticks.scale_note, style.tick, none);
     const double left = std::max(style.margin, frame.plot.left - style.tick_mark - note.width / 2);
-    place_line(list, note, {left, frame.plot.top - style.gap - note.descent}, true,
-               {Role::scale_note, panel, 1});
+    text::place_line(list, note, {left, frame.plot.top - style.gap - note.descent}, true,
+                     {figure::Role::scale_note, panel, 1});
   }
   if (frame.shows_x && !frame.x_ticks.scale_note.empty()) {
-    const TextLine note = shape_line(font, frame.x_ticks.scale_note, style.tick, none);
+    const text::TextLine note = text::shape_line(font, frame.x_ticks.scale_note, style.tick, none);
     const double top =
         frame.plot.bottom + style.tick_mark + style.gap + 1.28 * style.tick.size_px + style.gap;
-    place_line(list, note, {frame.plot.right - note.width, top + note.ascent}, true,
-               {Role::scale_note, panel, 0});
+    text::place_line(list, note, {frame.plot.right - note.width, top + note.ascent}, true,
+                     {figure::Role::scale_note, panel, 0});
   }
 }
 
-void draw_titles(DrawList& list, const PanelFrame& frame, const FigureStyle& style, int panel) {
+void draw_titles(figure::DrawList& list, const PanelFrame& frame, const FigureStyle& style,
+                 int panel) {
   double y = frame.plot.top - style.gap / 2;
   for (auto line = frame.title.rbegin(); line != frame.title.rend(); ++line) {
-    place_line(list, *line,
-               {frame.plot.centre().x - line->width / 2, y - 0.28 * line->style.size_px}, true,
-               {Role::panel_title, panel, 0});
+    text::place_line(list, *line,
+                     {frame.plot.centre().x - line->width / 2, y - 0.28 * line->style.size_px},
+                     true, {figure::Role::panel_title, panel, 0});
     y -= line_pitch(*line);
   }
   y = frame.plot.bottom + style.tick_mark + style.gap + 1.28 * style.tick.size_px + style.gap / 2;
-  for (const TextLine& line : frame.x_title) {
+  for (const text::TextLine& line : frame.x_title) {
     double x = frame.plot.centre().x - line.width / 2;
-    place_line(list, line, {x, y + line.style.size_px}, true, {Role::axis_title, panel, 0});
+    text::place_line(list, line, {x, y + line.style.size_px}, true,
+                     {figure::Role::axis_title, panel, 0});
     y += line_pitch(line);
   }
   double x = frame.y_title_left;
-  for (const TextLine& line : frame.y_title) {
+  for (const text::TextLine& line : frame.y_title) {
     const double lowest = list.height - style.margin / 2;
     double start = std::min(frame.plot.centre().y + line.width / 2, lowest);
-    place_line(list, line, {x + 0.95 * line.style.size_px, start}, false,
-               {Role::axis_title, panel, 1});
+    text::place_line(list, line, {x + 0.95 * line.style.size_px, start}, false,
+                     {figure::Role::axis_title, panel, 1});
     x += line_pitch(line);
   }
 }
 
 }  // namespace
 
-void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style, int panel) {
-  const Owner owner{Role::grid, panel, 0};
+void draw_grid(figure::DrawList& list, const PanelFrame& frame, const FigureStyle& style,
+               int panel) {
+  const figure::Owner owner{figure::Role::grid, panel, 0};
   for (const Tick& tick : frame.x_ticks.major) {
     const double x = frame.x.pixel(tick.value);
     draw_line(list, owner, {x, frame.plot.top}, {x, frame.plot.bottom}, style.grid_width,
@@ -108,27 +111,27 @@ void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style
   }
 }
 
-void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
-               int panel) {
+void draw_axes(figure::DrawList& list, const PanelFrame& frame, const text::Font& font,
+               const FigureStyle& style, int panel) {
   const auto [left, top, right, bottom] = frame.plot;
   list.primitives.emplace_back(
-      Polyline{{Role::axis, panel, 0},
-               {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}},
-               style.axis_width,
-               ink::axis,
-               {}});
+      figure::Polyline{{figure::Role::axis, panel, 0},
+                       {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}},
+                       style.axis_width,
+                       ink::axis,
+                       {}});
   draw_ticks(list, frame, font, style, panel);
   draw_scale_notes(list, frame, font, style, panel);
   draw_titles(list, frame, style, panel);
 }
 
-void draw_figure_title(DrawList& list, const FigureFrame& frame, const FigureStyle& style) {
+void draw_figure_title(figure::DrawList& list, const FigureFrame& frame, const FigureStyle& style) {
   double y = style.margin;
-  for (const TextLine& line : frame.title) {
-    place_line(list, line, {(list.width - line.width) / 2, y + 0.85 * line.style.size_px}, true,
-               {Role::figure_title, 0, 0});
+  for (const text::TextLine& line : frame.title) {
+    text::place_line(list, line, {(list.width - line.width) / 2, y + 0.85 * line.style.size_px},
+                     true, {figure::Role::figure_title, 0, 0});
     y += line_pitch(line);
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

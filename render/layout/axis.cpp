@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace {
 
@@ -38,31 +38,31 @@ constexpr double resolved_steps = 4.0;    // representable numbers that a range 
 
 /// Only points that are drawable in both coordinates count.
 template <typename Add>
-void for_each_point(const Panel& panel, const Add& add) {
+void for_each_point(const figure::Panel& panel, const Add& add) {
   const auto offer = [&](double x, double y) {
     if (drawable(x, panel.x.logarithmic) && drawable(y, panel.y.logarithmic)) add(x, y);
   };
-  for (const Series& one : panel.series) {
+  for (const figure::Series& one : panel.series) {
     for (std::size_t i = 0; i < std::min(one.x.size(), one.y.size()); ++i) {
       offer(one.x[i], one.y[i]);
     }
   }
-  for (const Band& band : panel.bands) {
+  for (const figure::Band& band : panel.bands) {
     for (std::size_t i = 0; i < std::min({band.x.size(), band.low.size(), band.high.size()}); ++i) {
       offer(band.x[i], band.low[i]);
       offer(band.x[i], band.high[i]);
     }
   }
-  for (const ErrorBar& bar : panel.error_bars) {
+  for (const figure::ErrorBar& bar : panel.error_bars) {
     offer(bar.x, bar.low);
     offer(bar.x, bar.high);
   }
-  for (const PointLabel& label : panel.point_labels) offer(label.x, label.y);
+  for (const figure::PointLabel& label : panel.point_labels) offer(label.x, label.y);
 }
 
-void add_reference_lines(const Panel& panel, ReferenceLine::Direction direction,
+void add_reference_lines(const figure::Panel& panel, figure::ReferenceLine::Direction direction,
                          DataExtent& extent) {
-  for (const ReferenceLine& line : panel.reference_lines) {
+  for (const figure::ReferenceLine& line : panel.reference_lines) {
     if (line.direction == direction) extent.add(line.at);
   }
 }
@@ -107,21 +107,21 @@ void DataExtent::add(const DataExtent& other) {
   add(other.high_);
 }
 
-DataExtent x_extent(const Panel& panel) {
+DataExtent x_extent(const figure::Panel& panel) {
   DataExtent extent(panel.x.logarithmic);
   for_each_point(panel, [&](double x, double) { extent.add(x); });
-  add_reference_lines(panel, ReferenceLine::Direction::vertical, extent);
+  add_reference_lines(panel, figure::ReferenceLine::Direction::vertical, extent);
   return extent;
 }
 
-DataExtent y_extent(const Panel& panel) {
+DataExtent y_extent(const figure::Panel& panel) {
   DataExtent extent(panel.y.logarithmic);
   for_each_point(panel, [&](double, double y) { extent.add(y); });
-  add_reference_lines(panel, ReferenceLine::Direction::horizontal, extent);
+  add_reference_lines(panel, figure::ReferenceLine::Direction::horizontal, extent);
   return extent;
 }
 
-AxisRange choose_range(const DataExtent& extent, const Axis& axis, double margin_share,
+AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
                        std::vector<std::string>& warnings) {
   const AxisRange free = with_margin(extent, axis.logarithmic, margin_share);
   const auto usable = [&](const std::optional<double>& end) {
@@ -145,4 +145,4 @@ AxisRange choose_range(const DataExtent& extent, const Axis& axis, double margin
                    : AxisRange{around_constant(range.high, axis.logarithmic).low, range.high};
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -6,7 +6,7 @@
 
 #include "render/figure/figure.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// `low < high`, both finite; on a logarithmic axis both positive.
 struct AxisRange {
@@ -57,12 +57,12 @@ class DataExtent {
 
 /// Extent of everything in a panel that has a place on the axis: series, bands, error bars, point
 /// labels and reference lines.
-DataExtent x_extent(const Panel& panel);
-DataExtent y_extent(const Panel& panel);
+DataExtent x_extent(const figure::Panel& panel);
+DataExtent y_extent(const figure::Panel& panel);
 
 /// The range with a margin around the data, or the fixed ends of the axis. A constant or a missing
 /// extent gives a range that is fit to draw; impossible fixed ends are ignored with a warning.
-AxisRange choose_range(const DataExtent& extent, const Axis& axis, double margin_share,
+AxisRange choose_range(const DataExtent& extent, const figure::Axis& axis, double margin_share,
                        std::vector<std::string>& warnings);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -12,26 +12,27 @@
 #include "render/layout/panel_frame.h"
 #include "render/layout/polyline.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 // Arrow heads on a line that show the direction of time.
 
 namespace {
 
-std::optional<PixelPoint> pixel_of(const PanelFrame& frame, const Series& series, std::size_t i) {
+std::optional<figure::PixelPoint> pixel_of(const PanelFrame& frame, const figure::Series& series,
+                                           std::size_t i) {
   if (!drawable(series.x[i], frame.x.logarithmic()) ||
       !drawable(series.y[i], frame.y.logarithmic())) {
     return std::nullopt;
   }
-  return PixelPoint{frame.x.pixel(series.x[i]), frame.y.pixel(series.y[i])};
+  return figure::PixelPoint{frame.x.pixel(series.x[i]), frame.y.pixel(series.y[i])};
 }
 
 /// The first sample at least `distance` away from sample `from`, walking by `step`; the last one
 /// before a gap if there is none.
-std::optional<PixelPoint> walk(const PanelFrame& frame, const Series& series, std::size_t from,
-                               int step, double distance) {
+std::optional<figure::PixelPoint> walk(const PanelFrame& frame, const figure::Series& series,
+                                       std::size_t from, int step, double distance) {
   const auto start = pixel_of(frame, series, from);
-  std::optional<PixelPoint> last;
+  std::optional<figure::PixelPoint> last;
   if (!start) return last;
   const auto count = static_cast<std::ptrdiff_t>(std::min(series.x.size(), series.y.size()));
   for (auto i = static_cast<std::ptrdiff_t>(from) + step; i >= 0 && i < count; i += step) {
@@ -43,8 +44,9 @@ std::optional<PixelPoint> walk(const PanelFrame& frame, const Series& series, st
   return last;
 }
 
-void draw_direction_arrows(DrawList& list, const PanelFrame& frame, const Series& series,
-                           const FigureStyle& style, Owner owner) {
+void draw_direction_arrows(figure::DrawList& list, const PanelFrame& frame,
+                           const figure::Series& series, const FigureStyle& style,
+                           figure::Owner owner) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
   if (count < 2) return;
   const double length = 20 * style.marker + 2.0 * series.width_px;
@@ -60,34 +62,34 @@ void draw_direction_arrows(DrawList& list, const PanelFrame& frame, const Series
     const double dy = ahead.y - behind.y;
     const double norm = std::hypot(dx, dy);
     if (norm < 1e-6) continue;
-    const PixelPoint along{dx / norm, dy / norm};
+    const figure::PixelPoint along{dx / norm, dy / norm};
     // A head lies on its sample; at the end of a line its tip does, at the start its base.
     const double before = at == 0 ? 0.0 : at + 1 == count ? length : length / 2;
-    const PixelPoint base{here->x - along.x * before, here->y - along.y * before};
-    const PixelPoint tip{base.x + along.x * length, base.y + along.y * length};
+    const figure::PixelPoint base{here->x - along.x * before, here->y - along.y * before};
+    const figure::PixelPoint tip{base.x + along.x * length, base.y + along.y * length};
     list.primitives.emplace_back(
-        Polygon{owner,
-                {tip,
-                 {base.x - along.y * half_width, base.y + along.x * half_width},
-                 {base.x + along.y * half_width, base.y - along.x * half_width}},
-                series.colour});
+        figure::Polygon{owner,
+                        {tip,
+                         {base.x - along.y * half_width, base.y + along.x * half_width},
+                         {base.x + along.y * half_width, base.y - along.x * half_width}},
+                        series.colour});
   }
 }
 
-std::optional<PixelPoint> place(const PanelFrame& frame, double x, double y) {
+std::optional<figure::PixelPoint> place(const PanelFrame& frame, double x, double y) {
   if (!drawable(x, frame.x.logarithmic()) || !drawable(y, frame.y.logarithmic())) {
     return std::nullopt;
   }
-  return PixelPoint{frame.x.pixel(x), frame.y.pixel(y)};
+  return figure::PixelPoint{frame.x.pixel(x), frame.y.pixel(y)};
 }
 
-std::string named(const Series& series, int index) {
+std::string named(const figure::Series& series, int index) {
   return series.label.empty() ? "series " + std::to_string(index + 1)
                               : "series '" + series.label + "'";
 }
 
-void report_dropped(DrawList& list, const PanelFrame& frame, const Series& series, int index,
-                    std::size_t drawn) {
+void report_dropped(figure::DrawList& list, const PanelFrame& frame, const figure::Series& series,
+                    int index, std::size_t drawn) {
   const std::size_t all = std::max(series.x.size(), series.y.size());
   if (drawn == all && all > 0) return;
   if (drawn == 0) {
@@ -105,7 +107,7 @@ class MarkerSieve {
  public:
   MarkerSieve(double size, std::size_t count)
       : cell_(count > many ? std::max(1.0, 0.25 * size) : 0.5) {}
-  bool fresh(PixelPoint p) {
+  bool fresh(figure::PixelPoint p) {
     const auto column = static_cast<std::int64_t>(std::floor(p.x / cell_));
     const auto row = static_cast<std::int64_t>(std::floor(p.y / cell_));
     return taken_.insert(column * 1'000'003 + row).second;
@@ -119,14 +121,17 @@ class MarkerSieve {
 
 }  // namespace
 
-void draw_series(DrawList& list, const PanelFrame& frame, const Series& series,
+void draw_series(figure::DrawList& list, const PanelFrame& frame, const figure::Series& series,
                  const FigureStyle& style, int panel, int index) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
   LineCollector collector(frame.plot);
-  Markers markers{
-      {Role::series_marker, panel, index}, series.marker, {}, series.marker_size_px, series.colour};
+  figure::Markers markers{{figure::Role::series_marker, panel, index},
+                          series.marker,
+                          {},
+                          series.marker_size_px,
+                          series.colour};
   MarkerSieve sieve(series.marker_size_px, count);
-  const bool marked = series.marker != Marker::none;
+  const bool marked = series.marker != figure::Marker::none;
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto point = place(frame, series.x[i], series.y[i]);
@@ -141,26 +146,28 @@ void draw_series(DrawList& list, const PanelFrame& frame, const Series& series,
     }
   }
   report_dropped(list, frame, series, index, drawn);
-  const Owner owner{Role::series, panel, index};
-  if (series.style != LineStyle::none) {
-    const std::vector<double> dashes = dash_lengths(series.style, series.width_px);
+  const figure::Owner owner{figure::Role::series, panel, index};
+  if (series.style != figure::LineStyle::none) {
+    const std::vector<double> dashes = figure::dash_lengths(series.style, series.width_px);
     for (auto& line : collector.take()) {
       if (line.size() == 1 && marked) continue;
       if (line.size() == 1) {  // a lone sample between gaps is a dot as wide as the line
-        list.primitives.emplace_back(
-            Markers{owner, Marker::circle, {line.front()}, 2.0 * series.width_px, series.colour});
+        list.primitives.emplace_back(figure::Markers{
+            owner, figure::Marker::circle, {line.front()}, 2.0 * series.width_px, series.colour});
         continue;
       }
       list.primitives.emplace_back(
-          Polyline{owner, std::move(line), series.width_px, series.colour, dashes});
+          figure::Polyline{owner, std::move(line), series.width_px, series.colour, dashes});
     }
-    draw_direction_arrows(list, frame, series, style, {Role::direction_arrow, panel, index});
+    draw_direction_arrows(list, frame, series, style,
+                          {figure::Role::direction_arrow, panel, index});
   }
   if (!markers.centres.empty()) list.primitives.emplace_back(std::move(markers));
 }
 
-void draw_band(DrawList& list, const PanelFrame& frame, const Band& band, Owner owner) {
-  Ribbon ribbon{owner, {}, {}, band.colour};
+void draw_band(figure::DrawList& list, const PanelFrame& frame, const figure::Band& band,
+               figure::Owner owner) {
+  figure::Ribbon ribbon{owner, {}, {}, band.colour};
   const auto finish = [&] {
     if (ribbon.edge_a.size() > 1) list.primitives.emplace_back(ribbon);
     ribbon.edge_a.clear();
@@ -176,7 +183,7 @@ void draw_band(DrawList& list, const PanelFrame& frame, const Band& band, Owner 
       finish();
       continue;
     }
-    for (PixelPoint* p : {&*low, &*high}) {
+    for (figure::PixelPoint* p : {&*low, &*high}) {
       p->x = std::clamp(p->x, frame.plot.left, frame.plot.right);
       p->y = std::clamp(p->y, frame.plot.top, frame.plot.bottom);
     }
@@ -197,8 +204,8 @@ void draw_band(DrawList& list, const PanelFrame& frame, const Band& band, Owner 
   }
 }
 
-void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar,
-                    const FigureStyle& style, Owner owner) {
+void draw_error_bar(figure::DrawList& list, const PanelFrame& frame, const figure::ErrorBar& bar,
+                    const FigureStyle& style, figure::Owner owner) {
   const auto low = place(frame, bar.x, bar.low);
   const auto high = place(frame, bar.x, bar.high);
   if (!low || !high) {
@@ -207,10 +214,10 @@ void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar
   }
   const double half_cap = 8 * style.unit;
   const double width = 2.5 * style.stroke;
-  const auto line = [&](PixelPoint a, PixelPoint b) {
+  const auto line = [&](figure::PixelPoint a, figure::PixelPoint b) {
     if (const auto visible = clipped({a, b}, frame.plot)) {
       list.primitives.emplace_back(
-          Polyline{owner, {visible->first, visible->second}, width, bar.colour, {}});
+          figure::Polyline{owner, {visible->first, visible->second}, width, bar.colour, {}});
     }
   };
   line(*low, *high);
@@ -218,42 +225,44 @@ void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar
   line({high->x - half_cap, high->y}, {high->x + half_cap, high->y});
 }
 
-void draw_reference_line(DrawList& list, const PanelFrame& frame, const ReferenceLine& line,
-                         const FigureStyle& style, Owner owner) {
-  const bool vertical = line.direction == ReferenceLine::Direction::vertical;
+void draw_reference_line(figure::DrawList& list, const PanelFrame& frame,
+                         const figure::ReferenceLine& line, const FigureStyle& style,
+                         figure::Owner owner) {
+  const bool vertical = line.direction == figure::ReferenceLine::Direction::vertical;
   const AxisMap& axis = vertical ? frame.x : frame.y;
   if (!drawable(line.at, axis.logarithmic())) {
     list.warnings.push_back("reference line '" + line.text + "' is not finite; it was left out");
     return;
   }
   const double at = axis.pixel(line.at);
-  const PixelPoint a =
-      vertical ? PixelPoint{at, frame.plot.bottom} : PixelPoint{frame.plot.left, at};
-  const PixelPoint b = vertical ? PixelPoint{at, frame.plot.top} : PixelPoint{frame.plot.right, at};
+  const figure::PixelPoint a = vertical ? figure::PixelPoint{at, frame.plot.bottom}
+                                        : figure::PixelPoint{frame.plot.left, at};
+  const figure::PixelPoint b =
+      vertical ? figure::PixelPoint{at, frame.plot.top} : figure::PixelPoint{frame.plot.right, at};
   const double width = 2.0 * style.stroke;
-  if (line.style == LineStyle::none || !clipped({a, b}, frame.plot)) return;
+  if (line.style == figure::LineStyle::none || !clipped({a, b}, frame.plot)) return;
   list.primitives.emplace_back(
-      Polyline{owner, {a, b}, width, line.colour, dash_lengths(line.style, width)});
+      figure::Polyline{owner, {a, b}, width, line.colour, figure::dash_lengths(line.style, width)});
 }
 
-bool has_drawable_data(const Panel& panel) {
+bool has_drawable_data(const figure::Panel& panel) {
   const auto good = [&](double x, double y) {
     return drawable(x, panel.x.logarithmic) && drawable(y, panel.y.logarithmic);
   };
-  for (const Series& one : panel.series) {
+  for (const figure::Series& one : panel.series) {
     for (std::size_t i = 0; i < std::min(one.x.size(), one.y.size()); ++i) {
       if (good(one.x[i], one.y[i])) return true;
     }
   }
-  for (const Band& band : panel.bands) {
+  for (const figure::Band& band : panel.bands) {
     for (std::size_t i = 0; i < std::min({band.x.size(), band.low.size(), band.high.size()}); ++i) {
       if (good(band.x[i], band.low[i]) && good(band.x[i], band.high[i])) return true;
     }
   }
   return std::any_of(panel.error_bars.begin(), panel.error_bars.end(),
-                     [&](const ErrorBar& bar) { return good(bar.x, bar.low); }) ||
+                     [&](const figure::ErrorBar& bar) { return good(bar.x, bar.low); }) ||
          std::any_of(panel.point_labels.begin(), panel.point_labels.end(),
-                     [&](const PointLabel& label) { return good(label.x, label.y); });
+                     [&](const figure::PointLabel& label) { return good(label.x, label.y); });
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

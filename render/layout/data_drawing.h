@@ -8,18 +8,20 @@
 #include "render/layout/figure_style.h"
 #include "render/layout/panel_frame.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// Each draws one thing and reports dropped samples to `list.warnings`.
-void draw_band(DrawList& list, const PanelFrame& frame, const Band& band, Owner owner);
-void draw_series(DrawList& list, const PanelFrame& frame, const Series& series,
+void draw_band(figure::DrawList& list, const PanelFrame& frame, const figure::Band& band,
+               figure::Owner owner);
+void draw_series(figure::DrawList& list, const PanelFrame& frame, const figure::Series& series,
                  const FigureStyle& style, int panel, int index);
-void draw_error_bar(DrawList& list, const PanelFrame& frame, const ErrorBar& bar,
-                    const FigureStyle& style, Owner owner);
-void draw_reference_line(DrawList& list, const PanelFrame& frame, const ReferenceLine& line,
-                         const FigureStyle& style, Owner owner);
+void draw_error_bar(figure::DrawList& list, const PanelFrame& frame, const figure::ErrorBar& bar,
+                    const FigureStyle& style, figure::Owner owner);
+void draw_reference_line(figure::DrawList& list, const PanelFrame& frame,
+                         const figure::ReferenceLine& line, const FigureStyle& style,
+                         figure::Owner owner);
 
 /// Whether anything in the panel can be drawn on its axes.
-bool has_drawable_data(const Panel& panel);
+bool has_drawable_data(const figure::Panel& panel);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

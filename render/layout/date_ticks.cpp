@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
 namespace chrono = std::chrono;
@@ -126,4 +126,4 @@ TickSet date_ticks(const AxisRange& range, int most) {
   return fewest;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

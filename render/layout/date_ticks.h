@@ -3,7 +3,7 @@
 
 #include "render/layout/ticks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// Whole years ("2026"), months ("2026-03"), days ("2026-03-05") or hours ("2026-03-05 06:00"), at
 /// most `most` of them, and at least one where the range holds a whole hour. UTC.
@@ -11,4 +11,4 @@ namespace tribolog::render {
 ///        the ticks are those of plain numbers.
 TickSet date_ticks(const AxisRange& range, int most);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -8,12 +8,12 @@
 #include "render/figure/draw_list.h"
 #include "render/layout/figure_style.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// A text as it was placed, for the checks.
 struct PlacedText {
   std::string text;
-  PixelBox box;
+  figure::PixelBox box;
   int block{-1};  ///< The block that it belongs to; -1: free-standing.
 };
 
@@ -21,42 +21,46 @@ class DiagramCanvas {
  public:
   /// The canvas is fitted into `room`, as large as possible but for `most_px_per_mm`, and in its
   /// middle.
-  DiagramCanvas(DrawList& list, const Diagram& diagram, const PixelBox& room, const Font& font,
-                double most_px_per_mm);
+  DiagramCanvas(figure::DrawList& list, const figure::Diagram& diagram,
+                const figure::PixelBox& room, const text::Font& font, double most_px_per_mm);
 
-  [[nodiscard]] PixelPoint pixel(DiagramPoint p) const;
-  [[nodiscard]] std::vector<PixelPoint> pixels(const std::vector<DiagramPoint>& points) const;
-  [[nodiscard]] PixelBox box(DiagramPoint centre, double width, double height) const;
+  [[nodiscard]] figure::PixelPoint pixel(figure::DiagramPoint p) const;
+  [[nodiscard]] std::vector<figure::PixelPoint> pixels(
+      const std::vector<figure::DiagramPoint>& points) const;
+  [[nodiscard]] figure::PixelBox box(figure::DiagramPoint centre, double width,
+                                     double height) const;
   /// Pixels of so many millimetres.
   [[nodiscard]] double length(double millimetres) const { return millimetres * px_per_mm_; }
   /// Pixels of so many pixels of the 1600 px picture.
   [[nodiscard]] double line_width(double designed_px) const;
-  [[nodiscard]] PixelBox area() const { return area_; }
+  [[nodiscard]] figure::PixelBox area() const { return area_; }
   [[nodiscard]] double picture_width() const { return list_.width; }
 
-  void line(Owner owner, std::vector<PixelPoint> points, double designed_px, Colour colour,
-            LineStyle style = LineStyle::solid);
-  void filled(Owner owner, std::vector<PixelPoint> outline, Colour colour);
+  void line(figure::Owner owner, std::vector<figure::PixelPoint> points, double designed_px,
+            figure::Colour colour, figure::LineStyle style = figure::LineStyle::solid);
+  void filled(figure::Owner owner, std::vector<figure::PixelPoint> outline, figure::Colour colour);
   /// An arrow head with its tip at the end of the line, which is shortened to end inside the head.
-  void head(Owner owner, PixelPoint behind, PixelPoint& tip, double designed_px, Colour colour);
+  void head(figure::Owner owner, figure::PixelPoint behind, figure::PixelPoint& tip,
+            double designed_px, figure::Colour colour);
   [[nodiscard]] double head_length(double designed_px) const;
 
-  [[nodiscard]] TextLine shape(const std::string& text, double size_mm, bool bold, Colour colour);
+  [[nodiscard]] text::TextLine shape(const std::string& text, double size_mm, bool bold,
+                                     figure::Colour colour);
   /// A line of text around or beside a point.
-  void text(Owner owner, const TextLine& line, PixelPoint at, TextPlace place,
-            const std::string& markup, int block);
+  void text(figure::Owner owner, const text::TextLine& line, figure::PixelPoint at,
+            figure::TextPlace place, const std::string& markup, int block);
 
   [[nodiscard]] const std::vector<PlacedText>& texts() const { return texts_; }
-  TextFaults& faults() { return faults_; }
+  text::TextFaults& faults() { return faults_; }
   void warn(const std::string& what) { list_.warnings.push_back(what); }
 
  private:
-  DrawList& list_;
-  const Font& font_;
+  figure::DrawList& list_;
+  const text::Font& font_;
   double px_per_mm_;
-  PixelBox area_;
+  figure::PixelBox area_;
   std::vector<PlacedText> texts_;
-  TextFaults faults_;
+  text::TextFaults faults_;
 };
 
 /// Heights of letters in a diagram, in millimetres per em.
@@ -69,4 +73,4 @@ inline constexpr double sign_mm = 2.8;
 /// Width in designed pixels of blocks' outlines and wires: that of a curve in a chart.
 inline constexpr double diagram_line_px = 2.5;
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -7,7 +7,7 @@
 #include "render/layout/polyline.h"
 #include "render/layout/shape_drawing.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace {
 
@@ -18,14 +18,15 @@ constexpr double display_px = 800.0;
 
 class Inspection {
  public:
-  Inspection(DiagramCanvas& canvas, const Diagram& diagram) : canvas_(canvas), diagram_(diagram) {
-    for (const Block& block : diagram.blocks) {
+  Inspection(DiagramCanvas& canvas, const figure::Diagram& diagram)
+      : canvas_(canvas), diagram_(diagram) {
+    for (const figure::Block& block : diagram.blocks) {
       boxes_.push_back(canvas.box(block.centre, block.width, block.height));
     }
-    for (const Wire& wire : diagram.wires) wires_.push_back(canvas.pixels(wire.points));
-    for (const Stroke& one : diagram.strokes) sketch_.push_back(canvas.pixels(one.points));
-    for (const Arc& one : diagram.arcs) sketch_.push_back(arc_points(canvas, one));
-    for (const Dimension& one : diagram.dimensions) {
+    for (const figure::Wire& wire : diagram.wires) wires_.push_back(canvas.pixels(wire.points));
+    for (const figure::Stroke& one : diagram.strokes) sketch_.push_back(canvas.pixels(one.points));
+    for (const figure::Arc& one : diagram.arcs) sketch_.push_back(arc_points(canvas, one));
+    for (const figure::Dimension& one : diagram.dimensions) {
       sketch_.push_back(canvas.pixels({one.from, one.to}));
     }
   }
@@ -39,11 +40,11 @@ class Inspection {
 
  private:
   [[nodiscard]] bool is_frame(std::size_t i) const {
-    return diagram_.blocks[i].kind == BlockKind::frame;
+    return diagram_.blocks[i].kind == figure::BlockKind::frame;
   }
 
   [[nodiscard]] std::string name_of_block(std::size_t i) const {
-    const Block& block = diagram_.blocks[i];
+    const figure::Block& block = diagram_.blocks[i];
     return block.lines.empty() ? "block " + std::to_string(i + 1)
                                : "block '" + block.lines.front() + "'";
   }
@@ -54,7 +55,7 @@ class Inspection {
       const std::string name = "the text '" + texts[i].text + "' ";
       if (!canvas_.area().contains(texts[i].box)) canvas_.warn(name + "lies outside the canvas");
       for (std::size_t k = i + 1; k < texts.size(); ++k) {
-        if (overlap_area(texts[i].box, texts[k].box) > 1.0) {
+        if (figure::overlap_area(texts[i].box, texts[k].box) > 1.0) {
           canvas_.warn(name + "overlaps '" + texts[k].text + "'");
         }
       }
@@ -63,11 +64,11 @@ class Inspection {
   }
 
   void check_text_on_parts(const PlacedText& text, const std::string& name) {
-    const PixelBox core = text.box.grown(-side_px);
+    const figure::PixelBox core = text.box.grown(-side_px);
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       if (text.block == static_cast<int>(b)) continue;
       const bool touches = is_frame(b) ? enters(block_outline(canvas_, diagram_.blocks[b]), core)
-                                       : overlap_area(core, boxes_[b]) > 0;
+                                       : figure::overlap_area(core, boxes_[b]) > 0;
       if (touches) canvas_.warn(name + "collides with " + name_of_block(b));
     }
     const bool on_wire = std::any_of(wires_.begin(), wires_.end(),
@@ -86,19 +87,19 @@ class Inspection {
       for (std::size_t k = i + 1; k < boxes_.size(); ++k) {
         const bool inside = (is_frame(i) && boxes_[i].contains(boxes_[k])) ||
                             (is_frame(k) && boxes_[k].contains(boxes_[i]));
-        if (!inside && overlap_area(boxes_[i], boxes_[k]) > 0) {
+        if (!inside && figure::overlap_area(boxes_[i], boxes_[k]) > 0) {
           canvas_.warn(name_of_block(i) + " overlaps " + name_of_block(k));
         }
       }
     }
   }
 
-  [[nodiscard]] bool meets_something(PixelPoint end, std::size_t own) const {
+  [[nodiscard]] bool meets_something(figure::PixelPoint end, std::size_t own) const {
     const double reach = canvas_.length(reach_mm);
-    for (const Block& block : diagram_.blocks) {
+    for (const figure::Block& block : diagram_.blocks) {
       if (lies_on(block_outline(canvas_, block), end, reach)) return true;
     }
-    for (const DiagramPoint& dot : diagram_.wires[own].branch_dots) {
+    for (const figure::DiagramPoint& dot : diagram_.wires[own].branch_dots) {
       if (!(canvas_.pixel(dot) == end)) continue;
       for (std::size_t i = 0; i < wires_.size(); ++i) {
         if (i != own && lies_on(wires_[i], end, reach)) return true;
@@ -109,15 +110,15 @@ class Inspection {
 
   void check_wire(std::size_t i) {
     const std::string name = "wire " + std::to_string(i + 1);
-    const std::vector<PixelPoint>& wire = wires_[i];
+    const std::vector<figure::PixelPoint>& wire = wires_[i];
     if (wire.size() < 2) {
       canvas_.warn(name + " has no length");
       return;
     }
-    for (const PixelPoint& p : wire) {
+    for (const figure::PixelPoint& p : wire) {
       if (!canvas_.area().contains(p)) canvas_.warn(name + " lies outside the canvas");
     }
-    for (const PixelPoint& end : {wire.front(), wire.back()}) {
+    for (const figure::PixelPoint& end : {wire.front(), wire.back()}) {
       if (!meets_something(end, i)) canvas_.warn(name + " ends at nothing");
     }
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
@@ -136,15 +137,15 @@ class Inspection {
   }
 
   DiagramCanvas& canvas_;
-  const Diagram& diagram_;
-  std::vector<PixelBox> boxes_;
-  std::vector<std::vector<PixelPoint>> wires_;
-  std::vector<std::vector<PixelPoint>> sketch_;
+  const figure::Diagram& diagram_;
+  std::vector<figure::PixelBox> boxes_;
+  std::vector<std::vector<figure::PixelPoint>> wires_;
+  std::vector<std::vector<figure::PixelPoint>> sketch_;
 };
 
 }  // namespace
 
-void check_diagram(DiagramCanvas& canvas, const Diagram& diagram) {
+void check_diagram(DiagramCanvas& canvas, const figure::Diagram& diagram) {
   Inspection(canvas, diagram).run();
 }
 
@@ -154,49 +155,49 @@ constexpr double largest = 1e4;
 
 bool drawable(double number) { return std::isfinite(number) && std::abs(number) <= largest; }
 
-bool drawable(const DiagramPoint& point) { return drawable(point.x) && drawable(point.y); }
+bool drawable(const figure::DiagramPoint& point) { return drawable(point.x) && drawable(point.y); }
 
-bool drawable(const DiagramText& text) { return drawable(text.at); }
+bool drawable(const figure::DiagramText& text) { return drawable(text.at); }
 
-bool drawable(const PortSign& sign) { return drawable(sign.offset); }
+bool drawable(const figure::PortSign& sign) { return drawable(sign.offset); }
 
 template <class Item>
 bool all_drawable(const std::vector<Item>& items) {
   return std::all_of(items.begin(), items.end(), [](const Item& one) { return drawable(one); });
 }
 
-bool drawable_block(const Block& block) {
+bool drawable_block(const figure::Block& block) {
   return drawable(block.centre) && drawable(block.width) && drawable(block.height) &&
          all_drawable(block.signs);
 }
 
-bool drawable_wire(const Wire& wire) {
+bool drawable_wire(const figure::Wire& wire) {
   return all_drawable(wire.points) && all_drawable(wire.branch_dots) &&
          (!wire.label || drawable(*wire.label));
 }
 
-bool drawable_arc(const Arc& arc) {
+bool drawable_arc(const figure::Arc& arc) {
   return drawable(arc.centre) && drawable(arc.radius) && arc.radius > 0 && drawable(arc.from_deg) &&
          drawable(arc.to_deg) && drawable(arc.width_px);
 }
 
 }  // namespace
 
-bool has_drawable_numbers(const Diagram& diagram) {
+bool has_drawable_numbers(const figure::Diagram& diagram) {
   const auto all = [](const auto& items, auto holds) {
     return std::all_of(items.begin(), items.end(), holds);
   };
   return drawable(diagram.width) && drawable(diagram.height) &&
-         all(diagram.areas, [](const Area& one) { return all_drawable(one.outline); }) &&
+         all(diagram.areas, [](const figure::Area& one) { return all_drawable(one.outline); }) &&
          all(diagram.blocks, drawable_block) && all(diagram.wires, drawable_wire) &&
          all(diagram.strokes,
-             [](const Stroke& one) {
+             [](const figure::Stroke& one) {
                return all_drawable(one.points) && drawable(one.width_px);
              }) &&
          all(diagram.arcs, drawable_arc) &&
          all(diagram.dimensions,
-             [](const Dimension& one) { return drawable(one.from) && drawable(one.to); }) &&
+             [](const figure::Dimension& one) { return drawable(one.from) && drawable(one.to); }) &&
          all_drawable(diagram.texts);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

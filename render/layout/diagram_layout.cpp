@@ -5,14 +5,14 @@
 #include "render/layout/diagram_checks.h"
 #include "render/layout/shape_drawing.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
-void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
-                     const FigureStyle& style, double title_bottom, TextFaults& faults) {
+void lay_out_diagram(figure::DrawList& list, const figure::Figure& figure, const text::Font& font,
+                     const FigureStyle& style, double title_bottom, text::TextFaults& faults) {
   if (!figure.diagram) return;
-  const Diagram& diagram = *figure.diagram;
-  const PixelBox room{0, title_bottom, static_cast<double>(figure.width_px),
-                      figure.height_px - style.margin / 2};
+  const figure::Diagram& diagram = *figure.diagram;
+  const figure::PixelBox room{0, title_bottom, static_cast<double>(figure.width_px),
+                              figure.height_px - style.margin / 2};
   if (room.height() < style.margin) {
     list.warnings.push_back("the picture is too low for its diagram");
     return;
@@ -25,14 +25,14 @@ void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
   DiagramCanvas canvas(list, diagram, room, font, style.most_diagram_scale * designed_px_per_mm);
   const auto each_block = [&](auto&& draw) {
     int index = 0;
-    for (const Block& block : diagram.blocks) draw(canvas, block, index++);
+    for (const figure::Block& block : diagram.blocks) draw(canvas, block, index++);
   };
   draw_shape_fills(canvas, diagram);
   each_block(draw_block_fill);
   draw_shapes(canvas, diagram);
   each_block(draw_block);
   int index = 0;
-  for (const Wire& wire : diagram.wires) draw_wire(canvas, wire, index++);
+  for (const figure::Wire& wire : diagram.wires) draw_wire(canvas, wire, index++);
   each_block(draw_block_texts);
   draw_diagram_texts(canvas, diagram);
   check_diagram(canvas, diagram);
@@ -40,4 +40,4 @@ void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
   faults.without_glyph += canvas.faults().without_glyph;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -6,11 +6,11 @@
 #include "render/layout/figure_style.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// Appends `figure.diagram`, as large as the room below the figure's title allows. What a reader
 /// would stumble over is found and reported in `warnings`, see diagram_checks.h.
-void lay_out_diagram(DrawList& list, const Figure& figure, const Font& font,
-                     const FigureStyle& style, double title_bottom, TextFaults& faults);
+void lay_out_diagram(figure::DrawList& list, const figure::Figure& figure, const text::Font& font,
+                     const FigureStyle& style, double title_bottom, text::TextFaults& faults);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

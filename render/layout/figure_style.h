@@ -5,31 +5,31 @@
 
 #include "render/text/text_line.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace ink {
-inline constexpr Colour white{255, 255, 255};
-inline constexpr Colour text{25, 25, 25};
-inline constexpr Colour axis{60, 60, 60};
-inline constexpr Colour grid{224, 224, 224};
-inline constexpr Colour frame{190, 190, 190};
-inline constexpr Colour backing{255, 255, 255, 215};
+inline constexpr figure::Colour white{255, 255, 255};
+inline constexpr figure::Colour text{25, 25, 25};
+inline constexpr figure::Colour axis{60, 60, 60};
+inline constexpr figure::Colour grid{224, 224, 224};
+inline constexpr figure::Colour frame{190, 190, 190};
+inline constexpr figure::Colour backing{255, 255, 255, 215};
 }  // namespace ink
 
 struct FigureStyle {
-  explicit FigureStyle(const Figure& figure);
+  explicit FigureStyle(const figure::Figure& figure);
 
   double unit{1.0};             ///< Pixels to 0.1 mm in print: 1 in a picture 1600 px wide.
   double stroke{1.0};           ///< What widths of lines are multiplied with,
   double marker{1.0};           ///< and sizes of markers.
   double most_diagram_scale{};  ///< Of a drawing's millimetres in print.
-  TextStyle tick;
-  TextStyle axis_title;
-  TextStyle panel_title;
-  TextStyle figure_title;
-  TextStyle legend;
-  TextStyle label;      ///< Point labels.
-  TextStyle reference;  ///< Texts of reference lines.
+  text::TextStyle tick;
+  text::TextStyle axis_title;
+  text::TextStyle panel_title;
+  text::TextStyle figure_title;
+  text::TextStyle legend;
+  text::TextStyle label;      ///< Point labels.
+  text::TextStyle reference;  ///< Texts of reference lines.
 
   double margin{};         ///< Around everything.
   double gap{};            ///< Between a text and what it belongs to.
@@ -39,4 +39,4 @@ struct FigureStyle {
   double grid_width{};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

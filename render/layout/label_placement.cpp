@@ -9,45 +9,48 @@
 #include "render/figure/drawing_style.h"
 #include "render/layout/figure_style.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace {
 
 constexpr std::size_t cloud = 150;  // markers
 constexpr double core = 0.8;        // of a marker's size: texts may come close
 
-PixelBox box_of(PixelPoint a, PixelPoint b) {
+figure::PixelBox box_of(figure::PixelPoint a, figure::PixelPoint b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
 }  // namespace
 
-void DiscreteMarks::add(const Primitive& primitive) {
-  const Role role = owner_of(primitive).role;
-  const auto* markers = std::get_if<Markers>(&primitive);
-  if (markers != nullptr && role == Role::series_marker && markers->centres.size() < cloud) {
-    for (const PixelPoint& c : markers->centres) {
+void DiscreteMarks::add(const figure::Primitive& primitive) {
+  const figure::Role role = figure::owner_of(primitive).role;
+  const auto* markers = std::get_if<figure::Markers>(&primitive);
+  if (markers != nullptr && role == figure::Role::series_marker &&
+      markers->centres.size() < cloud) {
+    for (const figure::PixelPoint& c : markers->centres) {
       add(box_of(c, c).grown(core * markers->size / 2));
     }
   }
-  const auto* line = std::get_if<Polyline>(&primitive);
-  if (line != nullptr && role == Role::error_bar) {
+  const auto* line = std::get_if<figure::Polyline>(&primitive);
+  if (line != nullptr && role == figure::Role::error_bar) {
     add(box_of(line->points.front(), line->points.back()).grown(line->width / 2));
   }
 }
 
-bool DiscreteMarks::touched_by(const PixelBox& box) const {
-  return std::any_of(boxes_.begin(), boxes_.end(),
-                     [&](const PixelBox& one) { return overlap_area(one, box) > 0; });
+bool DiscreteMarks::touched_by(const figure::PixelBox& box) const {
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const figure::PixelBox& one) {
+    return figure::overlap_area(one, box) > 0;
+  });
 }
 
 // White, almost opaque ground behind a text that stands on data.
 
 namespace {
 
-inline void draw_backing(DrawList& list, const PixelBox& box, int panel, int index) {
-  list.primitives.emplace_back(Polygon{
-      {Role::text_backing, panel, index},
+inline void draw_backing(figure::DrawList& list, const figure::PixelBox& box, int panel,
+                         int index) {
+  list.primitives.emplace_back(figure::Polygon{
+      {figure::Role::text_backing, panel, index},
       {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}},
       ink::backing});
 }
@@ -62,19 +65,19 @@ constexpr int rounds = 4;
 
 struct Label {
   int index{};
-  PixelPoint point;
-  TextLine line;
-  PixelPoint start;
-  PixelBox box;
+  figure::PixelPoint point;
+  text::TextLine line;
+  figure::PixelPoint start;
+  figure::PixelBox box;
 };
 
-PixelPoint nearest_in(const PixelBox& box, PixelPoint p) {
+figure::PixelPoint nearest_in(const figure::PixelBox& box, figure::PixelPoint p) {
   return {std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)};
 }
 
 class Placer {
  public:
-  Placer(std::vector<Label>& labels, const PixelBox& plot, const Occupancy& taken,
+  Placer(std::vector<Label>& labels, const figure::PixelBox& plot, const Occupancy& taken,
          const DiscreteMarks& marks, const FigureStyle& style)
       : labels_(labels),
         room_(plot.grown(-0.4 * style.gap)),
@@ -93,13 +96,13 @@ class Placer {
  private:
   bool improve(std::size_t i, bool first) {
     Label& label = labels_[i];
-    const PixelBox before = label.box;
+    const figure::PixelBox before = label.box;
     double best = first ? 1e300 : cost(i, label.box);
     for (const double distance : distances) {
       for (int k = 0; k < directions; ++k) {
-        const PixelPoint start =
+        const figure::PixelPoint start =
             start_beside(label.point, label.line, distance * unit_, k, directions, room_);
-        const PixelBox box = box_of_line(label.line, start, true);
+        const figure::PixelBox box = text::box_of_line(label.line, start, true);
         const double candidate = cost(i, box);
         if (candidate < best - 1e-9) {
           best = candidate;
@@ -111,7 +114,7 @@ class Placer {
     return !(label.box == before);
   }
 
-  [[nodiscard]] double cost(std::size_t i, const PixelBox& box) const {
+  [[nodiscard]] double cost(std::size_t i, const figure::PixelBox& box) const {
     const Label& label = labels_[i];
     const double away = distance_to(box, label.point) / unit_;
     double sum = far_cost * away + data_cost * taken_.share_taken(box.grown(2 * unit_));
@@ -120,7 +123,7 @@ class Placer {
     for (std::size_t j = 0; j < labels_.size(); ++j) {
       if (j == i) continue;
       const Label& other = labels_[j];
-      if (other.box.width() > 0 && overlap_area(box.grown(4 * unit_), other.box) > 0) {
+      if (other.box.width() > 0 && figure::overlap_area(box.grown(4 * unit_), other.box) > 0) {
         sum += clash_cost;
       }
       if (distance_to(box, other.point) < 9 * unit_) sum += clash_cost / 2;
@@ -131,7 +134,7 @@ class Placer {
   }
 
   std::vector<Label>& labels_;
-  PixelBox room_;
+  figure::PixelBox room_;
   const Occupancy& taken_;
   const DiscreteMarks& marks_;
   double unit_;
@@ -139,12 +142,12 @@ class Placer {
 
 }  // namespace
 
-void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& panel,
-                       const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                       const DiscreteMarks& marks, TextFaults& faults) {
+void draw_point_labels(figure::DrawList& list, const PanelFrame& frame, const figure::Panel& panel,
+                       const text::Font& font, const FigureStyle& style, int index,
+                       Occupancy& taken, const DiscreteMarks& marks, text::TextFaults& faults) {
   std::vector<Label> labels;
   for (std::size_t i = 0; i < panel.point_labels.size(); ++i) {
-    const PointLabel& point = panel.point_labels[i];
+    const figure::PointLabel& point = panel.point_labels[i];
     if (!drawable(point.x, frame.x.logarithmic()) || !drawable(point.y, frame.y.logarithmic())) {
       list.warnings.push_back("point '" + point.text + "' is not finite; it was left out");
       continue;
@@ -156,38 +159,40 @@ void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& pan
     }
     bool cut = false;
     label.line =
-        wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults, cut).front();
-    label.line.style.colour = readable_on_paper(point.colour);
+        text::wrap_lines(font, point.text, style.label, 0.6 * frame.plot.width(), 1, faults, cut)
+            .front();
+    label.line.style.colour = figure::readable_on_paper(point.colour);
     labels.push_back(std::move(label));
   }
   Placer(labels, frame.plot, taken, marks, style).run();
 
   const double marker_size = 15 * style.marker;
   for (const Label& label : labels) {
-    const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
+    const figure::PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
     if (distance_to(label.box, label.point) > leader_from * style.unit && !label.line.empty()) {
       list.primitives.emplace_back(
-          Polyline{{Role::label_leader, index, label.index},
-                   {label.point, nearest_in(label.box.grown(2 * style.unit), label.point)},
-                   std::max(1.0, 1.8 * style.stroke),
-                   point.colour,
-                   {}});
+          figure::Polyline{{figure::Role::label_leader, index, label.index},
+                           {label.point, nearest_in(label.box.grown(2 * style.unit), label.point)},
+                           std::max(1.0, 1.8 * style.stroke),
+                           point.colour,
+                           {}});
       taken.mark(list.primitives.back());
     }
   }
   for (const Label& label : labels) {
-    const PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
-    if (point.marker != Marker::none) {
-      list.primitives.emplace_back(Markers{{Role::label_marker, index, label.index},
-                                           point.marker,
-                                           {label.point},
-                                           marker_size,
-                                           point.colour});
+    const figure::PointLabel& point = panel.point_labels[static_cast<std::size_t>(label.index)];
+    if (point.marker != figure::Marker::none) {
+      list.primitives.emplace_back(figure::Markers{{figure::Role::label_marker, index, label.index},
+                                                   point.marker,
+                                                   {label.point},
+                                                   marker_size,
+                                                   point.colour});
       taken.mark(list.primitives.back());
     }
     if (label.line.empty()) continue;
     draw_backing(list, label.box.grown(2 * style.unit), index, label.index);
-    place_line(list, label.line, label.start, true, {Role::label_text, index, label.index});
+    text::place_line(list, label.line, label.start, true,
+                     {figure::Role::label_text, index, label.index});
     taken.mark(label.box.grown(2 * style.unit));
   }
 }
@@ -199,26 +204,27 @@ constexpr double mark_cost = 40.0;
 constexpr double text_cost = 50.0;
 
 struct Candidate {
-  PixelPoint start;
-  PixelBox box;
+  figure::PixelPoint start;
+  figure::PixelBox box;
   double cost{};
 };
 
 /// Start of the baseline so that the line's box has this top left corner.
-PixelPoint start_for(const TextLine& line, double left, double top) {
+figure::PixelPoint start_for(const text::TextLine& line, double left, double top) {
   return {left, top + line.ascent};
 }
 
 }  // namespace
 
-void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& panel,
-                          const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                          DiscreteMarks& marks, TextFaults& faults) {
-  std::vector<PixelBox> placed;
-  const PixelBox room = frame.plot.grown(-0.6 * style.gap);
+void draw_reference_texts(figure::DrawList& list, const PanelFrame& frame,
+                          const figure::Panel& panel, const text::Font& font,
+                          const FigureStyle& style, int index, Occupancy& taken,
+                          DiscreteMarks& marks, text::TextFaults& faults) {
+  std::vector<figure::PixelBox> placed;
+  const figure::PixelBox room = frame.plot.grown(-0.6 * style.gap);
   for (std::size_t i = 0; i < panel.reference_lines.size(); ++i) {
-    const ReferenceLine& reference = panel.reference_lines[i];
-    const bool vertical = reference.direction == ReferenceLine::Direction::vertical;
+    const figure::ReferenceLine& reference = panel.reference_lines[i];
+    const bool vertical = reference.direction == figure::ReferenceLine::Direction::vertical;
     const AxisMap& axis = vertical ? frame.x : frame.y;
     if (reference.text.empty() || !drawable(reference.at, axis.logarithmic())) continue;
     const double at = axis.pixel(reference.at);
@@ -227,18 +233,19 @@ void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& 
       continue;
     }
     bool cut = false;
-    const TextLine line =
-        wrap_lines(font, reference.text, style.reference, room.width(), 1, faults, cut).front();
+    const text::TextLine line =
+        text::wrap_lines(font, reference.text, style.reference, room.width(), 1, faults, cut)
+            .front();
     Candidate best;
     best.cost = std::numeric_limits<double>::max();
     const auto offer = [&](double left, double top, double handicap) {
       left = std::clamp(left, room.left, std::max(room.left, room.right - line.width));
       top = std::clamp(top, room.top, std::max(room.top, room.bottom - line.height()));
       Candidate one{start_for(line, left, top), {}, handicap};
-      one.box = box_of_line(line, one.start, true);
+      one.box = text::box_of_line(line, one.start, true);
       one.cost += 10.0 * taken.share_taken(one.box.grown(3));
-      for (const PixelBox& other : placed)
-        one.cost += overlap_area(one.box, other) > 0 ? text_cost : 0;
+      for (const figure::PixelBox& other : placed)
+        one.cost += figure::overlap_area(one.box, other) > 0 ? text_cost : 0;
       if (marks.touched_by(one.box.grown(3 * style.unit))) one.cost += mark_cost;
       if (one.cost < best.cost) best = one;
     };
@@ -256,14 +263,14 @@ void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& 
       }
     }
     draw_backing(list, best.box.grown(3 * style.unit), index, static_cast<int>(i));
-    TextLine coloured = line;
+    text::TextLine coloured = line;
     coloured.style.colour = ink::text;
-    place_line(list, coloured, best.start, true,
-               {Role::reference_text, index, static_cast<int>(i)});
+    text::place_line(list, coloured, best.start, true,
+                     {figure::Role::reference_text, index, static_cast<int>(i)});
     placed.push_back(best.box);
     taken.mark(best.box);
     marks.add(best.box.grown(3 * style.unit));
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

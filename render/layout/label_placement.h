@@ -12,10 +12,10 @@
 #include "render/layout/panel_frame.h"
 #include "render/text/text_line.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// 0 inside of the box.
-inline double distance_to(const PixelBox& box, PixelPoint p) {
+inline double distance_to(const figure::PixelBox& box, figure::PixelPoint p) {
   const double dx = std::max({box.left - p.x, 0.0, p.x - box.right});
   const double dy = std::max({box.top - p.y, 0.0, p.y - box.bottom});
   return std::hypot(dx, dy);
@@ -24,8 +24,9 @@ inline double distance_to(const PixelBox& box, PixelPoint p) {
 /// Where a line starts (left end, on the baseline) so that the edge of its box lies `distance_px`
 /// from the point in direction `k` of so many around it, the first up right. A box that would stick
 /// out is pulled into the room.
-inline PixelPoint start_beside(PixelPoint point, const TextLine& line, double distance_px, int k,
-                               int directions, const PixelBox& room) {
+inline figure::PixelPoint start_beside(figure::PixelPoint point, const text::TextLine& line,
+                                       double distance_px, int k, int directions,
+                                       const figure::PixelBox& room) {
   const double angle = std::numbers::pi * (2.0 * k / directions + 0.25);
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
@@ -49,24 +50,25 @@ class DiscreteMarks {
  public:
   /// Takes up markers and intervals. Of a cloud of markers no single one matters; curves stay
   /// readable under a text.
-  void add(const Primitive& primitive);
-  void add(const PixelBox& box) { boxes_.push_back(box); }
+  void add(const figure::Primitive& primitive);
+  void add(const figure::PixelBox& box) { boxes_.push_back(box); }
 
-  [[nodiscard]] bool touched_by(const PixelBox& box) const;
+  [[nodiscard]] bool touched_by(const figure::PixelBox& box) const;
 
  private:
-  std::vector<PixelBox> boxes_;
+  std::vector<figure::PixelBox> boxes_;
 };
 
 /// Places the texts of a panel's reference lines, then its point labels, and marks both in
 /// `taken`. Point labels avoid each other, each other's points, the data and the panel's border;
 /// one that ends up away from its point gets a leader line. Neither hides one of `marks` where
 /// there is any other place; the texts of reference lines become marks for the labels.
-void draw_reference_texts(DrawList& list, const PanelFrame& frame, const Panel& panel,
-                          const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                          DiscreteMarks& marks, TextFaults& faults);
-void draw_point_labels(DrawList& list, const PanelFrame& frame, const Panel& panel,
-                       const Font& font, const FigureStyle& style, int index, Occupancy& taken,
-                       const DiscreteMarks& marks, TextFaults& faults);
+void draw_reference_texts(figure::DrawList& list, const PanelFrame& frame,
+                          const figure::Panel& panel, const text::Font& font,
+                          const FigureStyle& style, int index, Occupancy& taken,
+                          DiscreteMarks& marks, text::TextFaults& faults);
+void draw_point_labels(figure::DrawList& list, const PanelFrame& frame, const figure::Panel& panel,
+                       const text::Font& font, const FigureStyle& style, int index,
+                       Occupancy& taken, const DiscreteMarks& marks, text::TextFaults& faults);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -5,7 +5,7 @@
 
 #include "render/figure/marks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
 constexpr double most_of_plot = 0.45;  // share of the plot that a legend inside may take
@@ -13,8 +13,9 @@ constexpr double search_step_px = 8.0;
 
 }  // namespace
 
-Legend::Legend(const Panel& panel, int panel_index, const Font& font, const FigureStyle& style,
-               double most_width, std::vector<std::string>& warnings, TextFaults& faults)
+Legend::Legend(const figure::Panel& panel, int panel_index, const text::Font& font,
+               const FigureStyle& style, double most_width, std::vector<std::string>& warnings,
+               text::TextFaults& faults)
     : style_(style),
       panel_(panel_index),
       row_height_(1.36 * style.legend.size_px),
@@ -22,21 +23,22 @@ Legend::Legend(const Panel& panel, int panel_index, const Font& font, const Figu
       padding_(12 * style.unit) {
   if (!panel.show_legend) return;
   const double text_width = most_width - sample_width_ - 3 * padding_;
-  const auto add = [&](const std::string& text, const Series* series, const Band* band, int index) {
+  const auto add = [&](const std::string& text, const figure::Series* series,
+                       const figure::Band* band, int index) {
     if (text.empty()) return;
     bool cut = false;
-    auto lines = wrap_lines(font, text, style.legend, text_width, 1, faults, cut);
+    auto lines = text::wrap_lines(font, text, style.legend, text_width, 1, faults, cut);
     if (cut) warnings.push_back("a legend text was too long and was cut: " + text.substr(0, 60));
     entries_.push_back({series,
                         band,
-                        {Role::legend_sample, panel_index, index},
-                        {Role::legend_text, panel_index, static_cast<int>(entries_.size())},
+                        {figure::Role::legend_sample, panel_index, index},
+                        {figure::Role::legend_text, panel_index, static_cast<int>(entries_.size())},
                         std::move(lines.front())});
   };
   int index = 0;
-  for (const Series& one : panel.series) add(one.label, &one, nullptr, index++);
+  for (const figure::Series& one : panel.series) add(one.label, &one, nullptr, index++);
   index = 0;
-  for (const Band& one : panel.bands) add(one.label, nullptr, &one, index++);
+  for (const figure::Band& one : panel.bands) add(one.label, nullptr, &one, index++);
 }
 
 Legend::Block Legend::arranged(std::size_t columns) const {
@@ -66,13 +68,14 @@ Legend::Block Legend::widest_block(double width) const {
   return arranged(1);
 }
 
-std::optional<PixelPoint> Legend::free_place(const Block& block, const PixelBox& plot,
-                                             const Occupancy& taken) const {
+std::optional<figure::PixelPoint> Legend::free_place(const Block& block,
+                                                     const figure::PixelBox& plot,
+                                                     const Occupancy& taken) const {
   const double inset = 14 * style_.unit;
-  const PixelBox room = plot.grown(-inset);
+  const figure::PixelBox room = plot.grown(-inset);
   if (block.width > room.width() || block.height > room.height()) return std::nullopt;
   if (block.width * block.height > most_of_plot * plot.area()) return std::nullopt;
-  std::optional<PixelPoint> best;
+  std::optional<figure::PixelPoint> best;
   double best_distance = 1e300;
   const double last_x = room.right - block.width;
   const double last_y = room.bottom - block.height;
@@ -88,16 +91,17 @@ std::optional<PixelPoint> Legend::free_place(const Block& block, const PixelBox&
       const double distance =
           std::min(x - room.left, last_x - x) + std::min(y - room.top, last_y - y);
       if (distance >= best_distance) continue;
-      const PixelBox box{x, y, x + block.width, y + block.height};
+      const figure::PixelBox box{x, y, x + block.width, y + block.height};
       if (taken.taken(box.grown(6 * style_.unit)) > 0) continue;
-      best = PixelPoint{std::round(x), std::round(y)};
+      best = figure::PixelPoint{std::round(x), std::round(y)};
       best_distance = distance;
     }
   }
   return best;
 }
 
-bool Legend::draw_inside(DrawList& list, const PixelBox& plot, const Occupancy& taken) const {
+bool Legend::draw_inside(figure::DrawList& list, const figure::PixelBox& plot,
+                         const Occupancy& taken) const {
   const std::size_t most_columns = std::min<std::size_t>(entries_.size(), 3);
   for (std::size_t columns = 1; columns <= most_columns; ++columns) {
     const Block block = arranged(columns);
@@ -113,7 +117,7 @@ double Legend::strip_height(double width) const {
   return std::ceil(widest_block(width).height + padding_ / 2);
 }
 
-void Legend::draw_strip(DrawList& list, const PixelBox& plot, double top) const {
+void Legend::draw_strip(figure::DrawList& list, const figure::PixelBox& plot, double top) const {
   const double room = std::max(plot.width(), list.width - 2 * style_.margin);
   const Block block = widest_block(room);
   const double centred = plot.centre().x - block.width / 2;
@@ -122,21 +126,21 @@ void Legend::draw_strip(DrawList& list, const PixelBox& plot, double top) const 
   draw_block(list, block, {std::round(left), std::round(top)}, false);
 }
 
-void Legend::draw_block(DrawList& list, const Block& block, PixelPoint top_left,
+void Legend::draw_block(figure::DrawList& list, const Block& block, figure::PixelPoint top_left,
                         bool framed) const {
   const auto [x, y] = top_left;
   if (framed) {
     const double right = x + block.width;
     const double bottom = y + block.height;
-    const Owner owner{Role::legend_box, panel_, 0};
+    const figure::Owner owner{figure::Role::legend_box, panel_, 0};
     list.primitives.emplace_back(
-        Polygon{owner, {{x, y}, {right, y}, {right, bottom}, {x, bottom}}, ink::white});
+        figure::Polygon{owner, {{x, y}, {right, y}, {right, bottom}, {x, bottom}}, ink::white});
     list.primitives.emplace_back(
-        Polyline{owner,
-                 {{x, y}, {right, y}, {right, bottom}, {x, bottom}, {x, y}},
-                 std::max(1.0, 1.5 * style_.stroke),
-                 ink::frame,
-                 {}});
+        figure::Polyline{owner,
+                         {{x, y}, {right, y}, {right, bottom}, {x, bottom}, {x, y}},
+                         std::max(1.0, 1.5 * style_.stroke),
+                         ink::frame,
+                         {}});
   }
   double left = x + padding_;
   for (std::size_t column = 0, i = 0; column < block.columns; ++column) {
@@ -145,40 +149,42 @@ void Legend::draw_block(DrawList& list, const Block& block, PixelPoint top_left,
       const double middle =
           std::round(y + padding_ / 2 + (static_cast<double>(row) + 0.5) * row_height_);
       draw_sample(list, entry, {left, middle});
-      place_line(list, entry.label,
-                 {left + sample_width_ + padding_, middle + 0.36 * style_.legend.size_px}, true,
-                 entry.text);
+      text::place_line(list, entry.label,
+                       {left + sample_width_ + padding_, middle + 0.36 * style_.legend.size_px},
+                       true, entry.text);
     }
     left += std::ceil(block.column_widths[column]) + 2 * padding_;
   }
 }
 
-void Legend::draw_sample(DrawList& list, const Entry& entry, PixelPoint left_middle) const {
+void Legend::draw_sample(figure::DrawList& list, const Entry& entry,
+                         figure::PixelPoint left_middle) const {
   const auto [x, y] = left_middle;
   const double right = x + sample_width_;
   if (entry.band != nullptr) {
     const double half = 0.3 * style_.legend.size_px;
     list.primitives.emplace_back(
-        Polygon{entry.sample,
-                {{x, y - half}, {right, y - half}, {right, y + half}, {x, y + half}},
-                entry.band->colour});
+        figure::Polygon{entry.sample,
+                        {{x, y - half}, {right, y - half}, {right, y + half}, {x, y + half}},
+                        entry.band->colour});
     return;
   }
-  const Series& series = *entry.series;
-  if (series.style != LineStyle::none) {
-    list.primitives.emplace_back(Polyline{entry.sample,
-                                          {{x, y}, {right, y}},
-                                          series.width_px,
-                                          series.colour,
-                                          dash_lengths(series.style, series.width_px)});
+  const figure::Series& series = *entry.series;
+  if (series.style != figure::LineStyle::none) {
+    list.primitives.emplace_back(
+        figure::Polyline{entry.sample,
+                         {{x, y}, {right, y}},
+                         series.width_px,
+                         series.colour,
+                         figure::dash_lengths(series.style, series.width_px)});
   }
-  if (series.marker != Marker::none) {
-    list.primitives.emplace_back(Markers{entry.sample,
-                                         series.marker,
-                                         {{(x + right) / 2, y}},
-                                         std::min(series.marker_size_px, 0.9 * row_height_),
-                                         series.colour});
+  if (series.marker != figure::Marker::none) {
+    list.primitives.emplace_back(figure::Markers{entry.sample,
+                                                 series.marker,
+                                                 {{(x + right) / 2, y}},
+                                                 std::min(series.marker_size_px, 0.9 * row_height_),
+                                                 series.colour});
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

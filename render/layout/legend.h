@@ -9,31 +9,33 @@
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 class Legend {
  public:
   /// Texts wider than `most_width` are cut with an ellipsis and reported.
-  Legend(const Panel& panel, int panel_index, const Font& font, const FigureStyle& style,
-         double most_width, std::vector<std::string>& warnings, TextFaults& faults);
+  Legend(const figure::Panel& panel, int panel_index, const text::Font& font,
+         const FigureStyle& style, double most_width, std::vector<std::string>& warnings,
+         text::TextFaults& faults);
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }
 
   /// Draws it inside the plot where no cell is taken, nearest to a corner. False if there is no
   /// such place.
-  bool draw_inside(DrawList& list, const PixelBox& plot, const Occupancy& taken) const;
+  bool draw_inside(figure::DrawList& list, const figure::PixelBox& plot,
+                   const Occupancy& taken) const;
 
   /// Height of the strip that it needs below the plot, and drawing it there.
   [[nodiscard]] double strip_height(double width) const;
-  void draw_strip(DrawList& list, const PixelBox& plot, double top) const;
+  void draw_strip(figure::DrawList& list, const figure::PixelBox& plot, double top) const;
 
  private:
   struct Entry {
-    const Series* series{};
-    const Band* band{};
-    Owner sample;
-    Owner text;
-    TextLine label;
+    const figure::Series* series{};
+    const figure::Band* band{};
+    figure::Owner sample;
+    figure::Owner text;
+    text::TextLine label;
   };
   struct Block {
     std::size_t columns{1};
@@ -44,10 +46,13 @@ class Legend {
   };
   [[nodiscard]] Block arranged(std::size_t columns) const;
   [[nodiscard]] Block widest_block(double width) const;
-  [[nodiscard]] std::optional<PixelPoint> free_place(const Block& block, const PixelBox& plot,
-                                                     const Occupancy& taken) const;
-  void draw_block(DrawList& list, const Block& block, PixelPoint top_left, bool framed) const;
-  void draw_sample(DrawList& list, const Entry& entry, PixelPoint left_middle) const;
+  [[nodiscard]] std::optional<figure::PixelPoint> free_place(const Block& block,
+                                                             const figure::PixelBox& plot,
+                                                             const Occupancy& taken) const;
+  void draw_block(figure::DrawList& list, const Block& block, figure::PixelPoint top_left,
+                  bool framed) const;
+  void draw_sample(figure::DrawList& list, const Entry& entry,
+                   figure::PixelPoint left_middle) const;
 
   const FigureStyle& style_;
   int panel_;
@@ -57,4 +62,4 @@ class Legend {
   double padding_{};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
 template <typename... Parts>
@@ -16,13 +16,13 @@ Overloaded(Parts...) -> Overloaded<Parts...>;
 
 }  // namespace
 
-Occupancy::Occupancy(const PixelBox& area)
+Occupancy::Occupancy(const figure::PixelBox& area)
     : area_(area),
       columns_(std::max(1, static_cast<int>(std::ceil(area.width() / cell_px)))),
       rows_(std::max(1, static_cast<int>(std::ceil(area.height() / cell_px)))),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-Occupancy::Cells Occupancy::cells_of(const PixelBox& box) const {
+Occupancy::Cells Occupancy::cells_of(const figure::PixelBox& box) const {
   const auto cell = [](double distance, int most, bool upper) {
     const double at = distance / cell_px;
     return static_cast<int>(
@@ -32,7 +32,7 @@ Occupancy::Cells Occupancy::cells_of(const PixelBox& box) const {
           cell(box.right - area_.left, columns_, true), cell(box.bottom - area_.top, rows_, true)};
 }
 
-void Occupancy::mark(const PixelBox& box) {
+void Occupancy::mark(const figure::PixelBox& box) {
   const Cells cells = cells_of(box);
   for (int row = cells.top; row < cells.bottom; ++row) {
     const auto start = cells_.begin() + static_cast<std::ptrdiff_t>(row) * columns_;
@@ -41,7 +41,7 @@ void Occupancy::mark(const PixelBox& box) {
   stale_ = true;
 }
 
-void Occupancy::mark(PixelPoint a, PixelPoint b, double width) {
+void Occupancy::mark(figure::PixelPoint a, figure::PixelPoint b, double width) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const int steps = std::max(1, static_cast<int>(std::ceil(length / cell_px)));
   const double half = width / 2;
@@ -49,40 +49,41 @@ void Occupancy::mark(PixelPoint a, PixelPoint b, double width) {
     const double t = static_cast<double>(i) / steps;
     const double x = a.x + t * (b.x - a.x);
     const double y = a.y + t * (b.y - a.y);
-    mark(PixelBox{x - half, y - half, x + half, y + half});
+    mark(figure::PixelBox{x - half, y - half, x + half, y + half});
   }
 }
 
-void Occupancy::mark(const Primitive& primitive) {
+void Occupancy::mark(const figure::Primitive& primitive) {
   std::visit(
-      Overloaded{[&](const Polyline& line) {
+      Overloaded{[&](const figure::Polyline& line) {
                    for (std::size_t i = 1; i < line.points.size(); ++i) {
                      mark(line.points[i - 1], line.points[i], line.width);
                    }
                  },
-                 [&](const Ribbon& ribbon) {
+                 [&](const figure::Ribbon& ribbon) {
                    for (std::size_t i = 1; i < ribbon.edge_a.size(); ++i) {
                      const auto& [a0, a1] = std::pair(ribbon.edge_a[i - 1], ribbon.edge_a[i]);
                      const auto& [b0, b1] = std::pair(ribbon.edge_b[i - 1], ribbon.edge_b[i]);
-                     mark(PixelBox{std::min(a0.x, a1.x), std::min({a0.y, a1.y, b0.y, b1.y}),
-                                   std::max(a0.x, a1.x), std::max({a0.y, a1.y, b0.y, b1.y})});
+                     mark(figure::PixelBox{std::min(a0.x, a1.x), std::min({a0.y, a1.y, b0.y, b1.y}),
+                                           std::max(a0.x, a1.x),
+                                           std::max({a0.y, a1.y, b0.y, b1.y})});
                    }
                  },
-                 [&](const Polygon& polygon) {
-                   PixelBox box{1e9, 1e9, -1e9, -1e9};
-                   for (const PixelPoint& p : polygon.outline) {
+                 [&](const figure::Polygon& polygon) {
+                   figure::PixelBox box{1e9, 1e9, -1e9, -1e9};
+                   for (const figure::PixelPoint& p : polygon.outline) {
                      box = {std::min(box.left, p.x), std::min(box.top, p.y),
                             std::max(box.right, p.x), std::max(box.bottom, p.y)};
                    }
                    mark(box);
                  },
-                 [&](const Markers& markers) {
+                 [&](const figure::Markers& markers) {
                    const double half = markers.size / 2;
-                   for (const PixelPoint& c : markers.centres) {
-                     mark(PixelBox{c.x - half, c.y - half, c.x + half, c.y + half});
+                   for (const figure::PixelPoint& c : markers.centres) {
+                     mark(figure::PixelBox{c.x - half, c.y - half, c.x + half, c.y + half});
                    }
                  },
-                 [&](const TextRun& run) { mark(run.box); }},
+                 [&](const figure::TextRun& run) { mark(run.box); }},
       primitive);
 }
 
@@ -99,7 +100,7 @@ void Occupancy::sum_up() const {
   stale_ = false;
 }
 
-long Occupancy::taken(const PixelBox& box) const {
+long Occupancy::taken(const figure::PixelBox& box) const {
   if (stale_) sum_up();
   const Cells cells = cells_of(box);
   if (cells.left >= cells.right || cells.top >= cells.bottom) return 0;
@@ -112,9 +113,9 @@ long Occupancy::taken(const PixelBox& box) const {
          at(cells.top, cells.left);
 }
 
-double Occupancy::share_taken(const PixelBox& box) const {
+double Occupancy::share_taken(const figure::PixelBox& box) const {
   const long all = cells_of(box).count();
   return all > 0 ? static_cast<double>(taken(box)) / static_cast<double>(all) : 0.0;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

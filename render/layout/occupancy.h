@@ -6,20 +6,20 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 class Occupancy {
  public:
-  explicit Occupancy(const PixelBox& area);
+  explicit Occupancy(const figure::PixelBox& area);
 
   /// Marks everything that a primitive covers; what lies outside the area is ignored.
-  void mark(const Primitive& primitive);
-  void mark(const PixelBox& box);
-  void mark(PixelPoint a, PixelPoint b, double width);
+  void mark(const figure::Primitive& primitive);
+  void mark(const figure::PixelBox& box);
+  void mark(figure::PixelPoint a, figure::PixelPoint b, double width);
 
   /// Number of taken cells that a box touches, and as a share of all it touches.
-  [[nodiscard]] long taken(const PixelBox& box) const;
-  [[nodiscard]] double share_taken(const PixelBox& box) const;
+  [[nodiscard]] long taken(const figure::PixelBox& box) const;
+  [[nodiscard]] double share_taken(const figure::PixelBox& box) const;
 
   static constexpr double cell_px = 4.0;
 
@@ -28,10 +28,10 @@ class Occupancy {
     int left, top, right, bottom;  // half open
     [[nodiscard]] long count() const { return static_cast<long>(right - left) * (bottom - top); }
   };
-  [[nodiscard]] Cells cells_of(const PixelBox& box) const;
+  [[nodiscard]] Cells cells_of(const figure::PixelBox& box) const;
   void sum_up() const;
 
-  PixelBox area_;
+  figure::PixelBox area_;
   int columns_;
   int rows_;
   std::vector<std::uint8_t> cells_;
@@ -39,4 +39,4 @@ class Occupancy {
   mutable bool stale_{true};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -7,22 +7,22 @@
 #include "render/layout/axis.h"
 #include "render/layout/date_ticks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
 constexpr double x_margin_share = 0.02;
 constexpr double y_margin_share = 0.06;
 constexpr double least_plot_height = 40.0;
 
-TickSet named_ticks(const Axis& axis, const AxisRange& range) {
+TickSet named_ticks(const figure::Axis& axis, const AxisRange& range) {
   TickSet ticks;
-  for (const AxisName& name : axis.names) {
+  for (const figure::AxisName& name : axis.names) {
     if (name.at >= range.low && name.at <= range.high) ticks.major.push_back({name.at, name.text});
   }
   return ticks;
 }
 
-TickSet ticks_of(const Axis& axis, const AxisRange& range, int most) {
+TickSet ticks_of(const figure::Axis& axis, const AxisRange& range, int most) {
   if (!axis.names.empty()) return named_ticks(axis, range);
   if (axis.dates) return date_ticks(range, most);
   if (axis.logarithmic) return logarithmic_ticks(range, most);
@@ -31,8 +31,9 @@ TickSet ticks_of(const Axis& axis, const AxisRange& range, int most) {
 
 class Framer {
  public:
-  Framer(const Figure& figure, const Font& font, const FigureStyle& style,
-         const std::vector<double>& strips, std::vector<std::string>& warnings, TextFaults& faults)
+  Framer(const figure::Figure& figure, const text::Font& font, const FigureStyle& style,
+         const std::vector<double>& strips, std::vector<std::string>& warnings,
+         text::TextFaults& faults)
       : figure_(figure),
         font_(font),
         style_(style),
@@ -51,17 +52,18 @@ class Framer {
   }
 
  private:
-  std::vector<TextLine> wrap(const std::string& text, TextStyle style, double width,
-                             std::size_t most_lines) {
+  std::vector<text::TextLine> wrap(const std::string& text, text::TextStyle style, double width,
+                                   std::size_t most_lines) {
     if (text.empty()) return {};
     bool cut = false;
-    TextFaults found;
-    std::vector<TextLine> lines = wrap_lines(font_, text, style, width, most_lines, found, cut);
+    text::TextFaults found;
+    std::vector<text::TextLine> lines =
+        text::wrap_lines(font_, text, style, width, most_lines, found, cut);
     if (cut) {
       style.size_px = std::max(8, static_cast<int>(std::lround(style.size_px * 0.8)));
       cut = false;
       found = {};
-      lines = wrap_lines(font_, text, style, width, most_lines, found, cut);
+      lines = text::wrap_lines(font_, text, style, width, most_lines, found, cut);
     }
     faults_.malformed += found.malformed;
     faults_.without_glyph += found.without_glyph;
@@ -69,9 +71,9 @@ class Framer {
     return lines;
   }
 
-  static double line_pitch(const TextStyle& style) { return 1.28 * style.size_px; }
+  static double line_pitch(const text::TextStyle& style) { return 1.28 * style.size_px; }
 
-  static double height_of(const std::vector<TextLine>& lines) {
+  static double height_of(const std::vector<text::TextLine>& lines) {
     return lines.empty() ? 0.0
                          : line_pitch(lines.front().style) * static_cast<double>(lines.size());
   }
@@ -82,7 +84,7 @@ class Framer {
     out_.panels.resize(figure_.panels.size());
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
-      const Panel& panel = figure_.panels[i];
+      const figure::Panel& panel = figure_.panels[i];
       frame.shows_x = !figure_.panels_share_x || i + 1 == out_.panels.size();
       frame.title = wrap(panel.title, style_.panel_title, 0.8 * width, 2);
       if (frame.shows_x) frame.x_title = wrap(panel.x.title, style_.axis_title, 0.72 * width, 2);
@@ -91,11 +93,11 @@ class Framer {
 
   void choose_ranges() {
     DataExtent shared(!figure_.panels.empty() && figure_.panels.back().x.logarithmic);
-    for (const Panel& panel : figure_.panels) shared.add(x_extent(panel));
+    for (const figure::Panel& panel : figure_.panels) shared.add(x_extent(panel));
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
-      const Panel& panel = figure_.panels[i];
+      const figure::Panel& panel = figure_.panels[i];
       const bool share = figure_.panels_share_x;
-      const Axis& x = share ? figure_.panels.back().x : panel.x;
+      const figure::Axis& x = share ? figure_.panels.back().x : panel.x;
       std::vector<std::string> repeated;
       ranges_x_.push_back(choose_range(share ? shared : x_extent(panel), x, x_margin_share,
                                        share && i > 0 ? repeated : warnings_));
@@ -142,7 +144,7 @@ class Framer {
   void make_y_axes() {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
-      const Panel& panel = figure_.panels[i];
+      const figure::Panel& panel = figure_.panels[i];
       frame.y = AxisMap(ranges_y_[i], panel.y.logarithmic, frame.plot.bottom, frame.plot.top);
       const int most = std::clamp(
           static_cast<int>(frame.plot.height() / (2.2 * style_.tick.size_px)) + 1, 2, 11);
@@ -155,7 +157,7 @@ class Framer {
   double label_width(const TickSet& ticks) {
     double widest = 0;
     for (const Tick& tick : ticks.major) {
-      widest = std::max(widest, shape_line(font_, tick.label, style_.tick, faults_).width);
+      widest = std::max(widest, text::shape_line(font_, tick.label, style_.tick, faults_).width);
     }
     return widest;
   }
@@ -183,7 +185,7 @@ class Framer {
   bool crowded(const PanelFrame& frame) {
     double previous = -1e9;
     for (const Tick& tick : frame.x_ticks.major) {
-      const double half = shape_line(font_, tick.label, style_.tick, faults_).width / 2;
+      const double half = text::shape_line(font_, tick.label, style_.tick, faults_).width / 2;
       const double at = frame.x.pixel(tick.value);
       if (at - half < previous + 0.8 * style_.tick.size_px) return true;
       previous = at + half;
@@ -194,7 +196,7 @@ class Framer {
   /// A date is wider than the margin that numbers need at the ends of an axis.
   void drop_dates_beyond_the_picture(PanelFrame& frame) {
     std::erase_if(frame.x_ticks.major, [&](const Tick& tick) {
-      const double half = shape_line(font_, tick.label, style_.tick, faults_).width / 2;
+      const double half = text::shape_line(font_, tick.label, style_.tick, faults_).width / 2;
       const double at = frame.x.pixel(tick.value);
       return at - half < 0 || at + half > figure_.width_px;
     });
@@ -203,7 +205,7 @@ class Framer {
   void make_x_axes() {
     for (std::size_t i = 0; i < out_.panels.size(); ++i) {
       PanelFrame& frame = out_.panels[i];
-      const Axis& axis = *x_axes_[i];
+      const figure::Axis& axis = *x_axes_[i];
       frame.x = AxisMap(ranges_x_[i], axis.logarithmic, frame.plot.left, frame.plot.right);
       for (int most = 13; most >= 2; --most) {
         frame.x_ticks = ticks_of(axis, ranges_x_[i], most);
@@ -214,24 +216,24 @@ class Framer {
     }
   }
 
-  const Figure& figure_;
-  const Font& font_;
+  const figure::Figure& figure_;
+  const text::Font& font_;
   const FigureStyle& style_;
   const std::vector<double>& strips_;
   std::vector<std::string>& warnings_;
-  TextFaults& faults_;
+  text::TextFaults& faults_;
   FigureFrame out_;
   std::vector<AxisRange> ranges_x_;
   std::vector<AxisRange> ranges_y_;
-  std::vector<const Axis*> x_axes_;  ///< Of each panel; one for all where it is shared.
+  std::vector<const figure::Axis*> x_axes_;  ///< Of each panel; one for all where it is shared.
 };
 
 }  // namespace
 
-FigureFrame frame_figure(const Figure& figure, const Font& font, const FigureStyle& style,
-                         const std::vector<double>& strip_heights,
-                         std::vector<std::string>& warnings, TextFaults& faults) {
+FigureFrame frame_figure(const figure::Figure& figure, const text::Font& font,
+                         const FigureStyle& style, const std::vector<double>& strip_heights,
+                         std::vector<std::string>& warnings, text::TextFaults& faults) {
   return Framer(figure, font, style, strip_heights, warnings, faults).run();
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -9,38 +9,39 @@
 #include "render/layout/figure_style.h"
 #include "render/layout/ticks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 struct PanelFrame {
-  PixelBox plot;  ///< The axes box.
+  figure::PixelBox plot;  ///< The axes box.
   AxisMap x;
   AxisMap y;
   TickSet x_ticks;
   TickSet y_ticks;
   bool shows_x{true};  ///< Whether x tick labels and title stand below.
-  std::vector<TextLine> title;
-  std::vector<TextLine> x_title;
-  std::vector<TextLine> y_title;
+  std::vector<text::TextLine> title;
+  std::vector<text::TextLine> x_title;
+  std::vector<text::TextLine> y_title;
   double y_title_left{};  ///< Left edge of the turned title.
   double below{};         ///< Where free room for a legend strip starts.
 };
 
 struct FigureFrame {
-  std::vector<TextLine> title;
+  std::vector<text::TextLine> title;
   double title_bottom{};  ///< Where the room below the title starts.
   std::vector<PanelFrame> panels;
 };
 
 /// Divides the picture. `strip_heights` is the room to keep below each panel for its legend.
 /// Complaints (texts cut, no room) go to `warnings`, unprintable text to `faults`.
-FigureFrame frame_figure(const Figure& figure, const Font& font, const FigureStyle& style,
-                         const std::vector<double>& strip_heights,
-                         std::vector<std::string>& warnings, TextFaults& faults);
+FigureFrame frame_figure(const figure::Figure& figure, const text::Font& font,
+                         const FigureStyle& style, const std::vector<double>& strip_heights,
+                         std::vector<std::string>& warnings, text::TextFaults& faults);
 
 /// Draws grid, and (after the data) box, ticks and titles.
-void draw_grid(DrawList& list, const PanelFrame& frame, const FigureStyle& style, int panel);
-void draw_axes(DrawList& list, const PanelFrame& frame, const Font& font, const FigureStyle& style,
+void draw_grid(figure::DrawList& list, const PanelFrame& frame, const FigureStyle& style,
                int panel);
-void draw_figure_title(DrawList& list, const FigureFrame& frame, const FigureStyle& style);
+void draw_axes(figure::DrawList& list, const PanelFrame& frame, const text::Font& font,
+               const FigureStyle& style, int panel);
+void draw_figure_title(figure::DrawList& list, const FigureFrame& frame, const FigureStyle& style);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

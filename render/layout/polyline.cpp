@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace {
 
@@ -14,18 +14,18 @@ constexpr double noise_travel = 2.0;  // times the reach; a line that just passe
 constexpr double sector_tolerance = 0.1;  // finer than promised: bends of smooth curves show
 
 /// Up and down added up.
-double travel(const std::vector<PixelPoint>& points) {
+double travel(const std::vector<figure::PixelPoint>& points) {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += std::abs(points[i].y - points[i - 1].y);
   return sum;
 }
 
-double cross(PixelPoint a, PixelPoint b) { return a.x * b.y - a.y * b.x; }
-double dot(PixelPoint a, PixelPoint b) { return a.x * b.x + a.y * b.y; }
+double cross(figure::PixelPoint a, figure::PixelPoint b) { return a.x * b.y - a.y * b.x; }
+double dot(figure::PixelPoint a, figure::PixelPoint b) { return a.x * b.x + a.y * b.y; }
 
 }  // namespace
 
-void PolylineSimplifier::add(PixelPoint point) {
+void PolylineSimplifier::add(figure::PixelPoint point) {
   const double column = std::floor(point.x / column_width);
   if (column != column_) flush_column(false);
   column_ = column;
@@ -34,18 +34,18 @@ void PolylineSimplifier::add(PixelPoint point) {
 
 void PolylineSimplifier::flush_column(bool line_ends) {
   if (in_this_column_.empty()) return;
-  const std::vector<PixelPoint>& points = in_this_column_;
-  const auto move_to = [this](PixelPoint to) {
+  const std::vector<figure::PixelPoint>& points = in_this_column_;
+  const auto move_to = [this](figure::PixelPoint to) {
     if (has_pen_ && to == pen_) return;
     add_to_sector(to);
     pen_ = to;
     has_pen_ = true;
   };
-  const auto [lowest, highest] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const PixelPoint& a, const PixelPoint& b) { return a.y < b.y; });
+  const auto [lowest, highest] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const figure::PixelPoint& a, const figure::PixelPoint& b) { return a.y < b.y; });
   if (travel(points) <= noise_travel * (highest->y - lowest->y)) {
-    for (const PixelPoint& point : points) move_to(point);
+    for (const figure::PixelPoint& point : points) move_to(point);
   } else {
     // Entering at the nearer end lets each column be drawn in a single stroke.
     if (!has_pen_) move_to(points.front());
@@ -57,20 +57,20 @@ void PolylineSimplifier::flush_column(bool line_ends) {
   in_this_column_.clear();
 }
 
-void PolylineSimplifier::restart_sector(PixelPoint anchor) {
+void PolylineSimplifier::restart_sector(figure::PixelPoint anchor) {
   kept_.push_back(anchor);
   has_candidate_ = false;
   open_ = true;
   reach_ = 0;
 }
 
-void PolylineSimplifier::add_to_sector(PixelPoint point) {
+void PolylineSimplifier::add_to_sector(figure::PixelPoint point) {
   if (kept_.empty()) {
     restart_sector(point);
     return;
   }
-  const PixelPoint anchor = kept_.back();
-  PixelPoint step{point.x - anchor.x, point.y - anchor.y};
+  const figure::PixelPoint anchor = kept_.back();
+  figure::PixelPoint step{point.x - anchor.x, point.y - anchor.y};
   double distance = std::hypot(step.x, step.y);
   const bool turned_back = has_candidate_ && distance < reach_;
   const bool outside = !open_ && distance > sector_tolerance &&
@@ -88,14 +88,14 @@ void PolylineSimplifier::add_to_sector(PixelPoint point) {
   const double angle = std::asin(sector_tolerance / distance);
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
-  const PixelPoint left{step.x * cosine - step.y * sine, step.x * sine + step.y * cosine};
-  const PixelPoint right{step.x * cosine + step.y * sine, -step.x * sine + step.y * cosine};
+  const figure::PixelPoint left{step.x * cosine - step.y * sine, step.x * sine + step.y * cosine};
+  const figure::PixelPoint right{step.x * cosine + step.y * sine, -step.x * sine + step.y * cosine};
   if (open_ || cross(bound_left_, left) < 0) bound_left_ = left;
   if (open_ || cross(bound_right_, right) > 0) bound_right_ = right;
   open_ = false;
 }
 
-std::vector<PixelPoint> PolylineSimplifier::take() {
+std::vector<figure::PixelPoint> PolylineSimplifier::take() {
   flush_column(true);
   has_pen_ = false;
   if (has_candidate_) kept_.push_back(candidate_);
@@ -105,13 +105,13 @@ std::vector<PixelPoint> PolylineSimplifier::take() {
   return std::exchange(kept_, {});
 }
 
-std::vector<PixelPoint> simplified(const std::vector<PixelPoint>& line) {
+std::vector<figure::PixelPoint> simplified(const std::vector<figure::PixelPoint>& line) {
   PolylineSimplifier simplifier;
-  for (const PixelPoint& point : line) simplifier.add(point);
+  for (const figure::PixelPoint& point : line) simplifier.add(point);
   return simplifier.take();
 }
 
-std::optional<PixelSegment> clipped(const PixelSegment& segment, const PixelBox& box) {
+std::optional<PixelSegment> clipped(const PixelSegment& segment, const figure::PixelBox& box) {
   const auto [a, b] = segment;
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -132,13 +132,13 @@ std::optional<PixelSegment> clipped(const PixelSegment& segment, const PixelBox&
     return std::nullopt;
   }
   const auto at = [&, &a = a](double t) {
-    return PixelPoint{std::clamp(a.x + t * dx, box.left, box.right),
-                      std::clamp(a.y + t * dy, box.top, box.bottom)};
+    return figure::PixelPoint{std::clamp(a.x + t * dx, box.left, box.right),
+                              std::clamp(a.y + t * dy, box.top, box.bottom)};
   };
   return PixelSegment{enters == 0.0 ? a : at(enters), leaves == 1.0 ? b : at(leaves)};
 }
 
-void LineCollector::add(PixelPoint point) {
+void LineCollector::add(figure::PixelPoint point) {
   if (!has_previous_) {
     has_previous_ = true;
     previous_ = point;
@@ -169,14 +169,14 @@ void LineCollector::lift() {
   has_previous_ = false;
 }
 
-std::vector<std::vector<PixelPoint>> LineCollector::take() {
+std::vector<std::vector<figure::PixelPoint>> LineCollector::take() {
   lift();
   return std::move(lines_);
 }
 
 namespace {
 
-double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
+double distance(figure::PixelPoint p, figure::PixelPoint a, figure::PixelPoint b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double square = dx * dx + dy * dy;
@@ -187,7 +187,7 @@ double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
 
 }  // namespace
 
-bool lies_on(const std::vector<PixelPoint>& line, PixelPoint p, double reach) {
+bool lies_on(const std::vector<figure::PixelPoint>& line, figure::PixelPoint p, double reach) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (distance(p, line[i - 1], line[i]) <= reach) return true;
   }
@@ -195,9 +195,9 @@ bool lies_on(const std::vector<PixelPoint>& line, PixelPoint p, double reach) {
 }
 
 // Liang and Barsky's clipping.
-bool enters(const std::vector<PixelPoint>& line, const PixelBox& box) {
+bool enters(const std::vector<figure::PixelPoint>& line, const figure::PixelBox& box) {
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const PixelPoint& a = line[i - 1];
+    const figure::PixelPoint& a = line[i - 1];
     const double dx = line[i].x - a.x;
     const double dy = line[i].y - a.y;
     double from = 0;
@@ -220,4 +220,4 @@ bool enters(const std::vector<PixelPoint>& line, const PixelBox& box) {
   return false;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

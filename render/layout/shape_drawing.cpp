@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 namespace {
 
 constexpr double branch_dot_radius_mm = 0.65;
@@ -14,9 +14,9 @@ constexpr double dimension_line_px = 2.0;
 constexpr double beside_heads_mm = 0.6;
 
 /// A line with heads at its ends; the line stops inside them.
-void draw_arrowed(DiagramCanvas& canvas, Role line_role, Role head_role, int index,
-                  std::vector<PixelPoint> points, double width, Colour colour, LineStyle style,
-                  bool at_start, bool at_end) {
+void draw_arrowed(DiagramCanvas& canvas, figure::Role line_role, figure::Role head_role, int index,
+                  std::vector<figure::PixelPoint> points, double width, figure::Colour colour,
+                  figure::LineStyle style, bool at_start, bool at_end) {
   if (points.size() < 2) return;
   const std::size_t last = points.size() - 1;
   if (at_start) canvas.head({head_role, 0, index}, points[1], points[0], width, colour);
@@ -25,15 +25,15 @@ void draw_arrowed(DiagramCanvas& canvas, Role line_role, Role head_role, int ind
 }
 
 /// The head is aligned with the chord that it covers.
-void draw_arc(DiagramCanvas& canvas, const Arc& arc, int index) {
-  const Owner owner{Role::shape, 0, index};
-  Arc line = arc;
-  std::vector<PixelPoint> points = arc_points(canvas, arc);
+void draw_arc(DiagramCanvas& canvas, const figure::Arc& arc, int index) {
+  const figure::Owner owner{figure::Role::shape, 0, index};
+  figure::Arc line = arc;
+  std::vector<figure::PixelPoint> points = arc_points(canvas, arc);
   if (arc.arrow_at_end) {
     const double covered_deg =
         canvas.head_length(arc.width_px) / canvas.length(arc.radius) * 180.0 / std::numbers::pi;
     line.to_deg += arc.to_deg > arc.from_deg ? -covered_deg : covered_deg;
-    PixelPoint tip = points.back();
+    figure::PixelPoint tip = points.back();
     points = arc_points(canvas, line);
     canvas.head(owner, points.back(), tip, arc.width_px, arc.colour);
     points.push_back(tip);
@@ -45,12 +45,12 @@ void draw_arc(DiagramCanvas& canvas, const Arc& arc, int index) {
 
 }  // namespace
 
-std::vector<PixelPoint> arc_points(const DiagramCanvas& canvas, const Arc& arc) {
-  const PixelPoint c = canvas.pixel(arc.centre);
+std::vector<figure::PixelPoint> arc_points(const DiagramCanvas& canvas, const figure::Arc& arc) {
+  const figure::PixelPoint c = canvas.pixel(arc.centre);
   const double radius = canvas.length(arc.radius);
   const double sweep = arc.to_deg - arc.from_deg;
   const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / step_deg)));
-  std::vector<PixelPoint> out;
+  std::vector<figure::PixelPoint> out;
   for (int i = 0; i <= steps; ++i) {
     const double angle = (arc.from_deg + sweep * i / steps) * std::numbers::pi / 180.0;
     out.push_back({c.x + radius * std::cos(angle), c.y + radius * std::sin(angle)});
@@ -58,61 +58,64 @@ std::vector<PixelPoint> arc_points(const DiagramCanvas& canvas, const Arc& arc) 
   return out;
 }
 
-void draw_wire(DiagramCanvas& canvas, const Wire& wire, int index) {
-  draw_arrowed(canvas, Role::wire, Role::wire_head, index, canvas.pixels(wire.points),
-               diagram_line_px, wire.colour, LineStyle::solid, false, wire.arrow);
-  for (const DiagramPoint& dot : wire.branch_dots) {
-    Arc circle;
+void draw_wire(DiagramCanvas& canvas, const figure::Wire& wire, int index) {
+  draw_arrowed(canvas, figure::Role::wire, figure::Role::wire_head, index,
+               canvas.pixels(wire.points), diagram_line_px, wire.colour, figure::LineStyle::solid,
+               false, wire.arrow);
+  for (const figure::DiagramPoint& dot : wire.branch_dots) {
+    figure::Arc circle;
     circle.centre = dot;
     circle.radius = branch_dot_radius_mm;
-    canvas.filled({Role::branch_dot, 0, index}, arc_points(canvas, circle), wire.colour);
+    canvas.filled({figure::Role::branch_dot, 0, index}, arc_points(canvas, circle), wire.colour);
   }
 }
 
-void draw_shape_fills(DiagramCanvas& canvas, const Diagram& diagram) {
+void draw_shape_fills(DiagramCanvas& canvas, const figure::Diagram& diagram) {
   int index = 0;
-  for (const Area& area : diagram.areas) {
-    canvas.filled({Role::shape_fill, 0, index++}, canvas.pixels(area.outline), area.colour);
+  for (const figure::Area& area : diagram.areas) {
+    canvas.filled({figure::Role::shape_fill, 0, index++}, canvas.pixels(area.outline), area.colour);
   }
-  for (const Arc& arc : diagram.arcs) {
+  for (const figure::Arc& arc : diagram.arcs) {
     if (!arc.fill) continue;
-    Arc whole = arc;
+    figure::Arc whole = arc;
     whole.from_deg = 0;
     whole.to_deg = 360;
-    canvas.filled({Role::shape_fill, 0, index++}, arc_points(canvas, whole), *arc.fill);
+    canvas.filled({figure::Role::shape_fill, 0, index++}, arc_points(canvas, whole), *arc.fill);
   }
 }
 
-void draw_shapes(DiagramCanvas& canvas, const Diagram& diagram) {
+void draw_shapes(DiagramCanvas& canvas, const figure::Diagram& diagram) {
   int index = 0;
-  for (const Stroke& one : diagram.strokes) {
-    draw_arrowed(canvas, Role::shape, Role::shape, index++, canvas.pixels(one.points), one.width_px,
-                 one.colour, one.style, one.arrow_at_start, one.arrow_at_end);
+  for (const figure::Stroke& one : diagram.strokes) {
+    draw_arrowed(canvas, figure::Role::shape, figure::Role::shape, index++,
+                 canvas.pixels(one.points), one.width_px, one.colour, one.style, one.arrow_at_start,
+                 one.arrow_at_end);
   }
-  for (const Arc& arc : diagram.arcs) draw_arc(canvas, arc, index++);
-  for (const Dimension& one : diagram.dimensions) {
-    draw_arrowed(canvas, Role::shape, Role::shape, index++, canvas.pixels({one.from, one.to}),
-                 dimension_line_px, one.colour, LineStyle::solid, true, true);
+  for (const figure::Arc& arc : diagram.arcs) draw_arc(canvas, arc, index++);
+  for (const figure::Dimension& one : diagram.dimensions) {
+    draw_arrowed(canvas, figure::Role::shape, figure::Role::shape, index++,
+                 canvas.pixels({one.from, one.to}), dimension_line_px, one.colour,
+                 figure::LineStyle::solid, true, true);
   }
 }
 
-void draw_diagram_texts(DiagramCanvas& canvas, const Diagram& diagram) {
+void draw_diagram_texts(DiagramCanvas& canvas, const figure::Diagram& diagram) {
   int index = 0;
-  const auto draw = [&](const DiagramText& one) {
-    const TextLine line = canvas.shape(one.text, letter::label_mm, one.bold, one.colour);
-    canvas.text({Role::shape_text, 0, index++}, line, canvas.pixel(one.at), one.place, one.text,
-                -1);
+  const auto draw = [&](const figure::DiagramText& one) {
+    const text::TextLine line = canvas.shape(one.text, letter::label_mm, one.bold, one.colour);
+    canvas.text({figure::Role::shape_text, 0, index++}, line, canvas.pixel(one.at), one.place,
+                one.text, -1);
   };
-  for (const Wire& wire : diagram.wires) {
+  for (const figure::Wire& wire : diagram.wires) {
     if (wire.label) draw(*wire.label);
   }
-  for (const Dimension& one : diagram.dimensions) {
-    DiagramPoint middle{(one.from.x + one.to.x) / 2, (one.from.y + one.to.y) / 2};
-    if (one.place == TextPlace::above) middle.y -= beside_heads_mm;
-    if (one.place == TextPlace::below) middle.y += beside_heads_mm;
+  for (const figure::Dimension& one : diagram.dimensions) {
+    figure::DiagramPoint middle{(one.from.x + one.to.x) / 2, (one.from.y + one.to.y) / 2};
+    if (one.place == figure::TextPlace::above) middle.y -= beside_heads_mm;
+    if (one.place == figure::TextPlace::below) middle.y += beside_heads_mm;
     draw({one.text, middle, one.place, false, one.colour});
   }
-  for (const DiagramText& one : diagram.texts) draw(one);
+  for (const figure::DiagramText& one : diagram.texts) draw(one);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 namespace {
 
@@ -175,4 +175,4 @@ TickSet logarithmic_ticks(const AxisRange& range, int most) {
   return out;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

@@ -6,7 +6,7 @@
 
 #include "render/layout/axis.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout {
 
 /// Exact text of multiple * 10^exponent: decimal_text(-25, -1) is "−2.5".
 std::string decimal_text(long long multiple, int exponent);
@@ -48,4 +48,4 @@ TickSet linear_ticks(const AxisRange& range, int most, double least_step = 0.0);
 /// Decades; where the range is short also their 2- and 5-fold, or linear ticks.
 TickSet logarithmic_ticks(const AxisRange& range, int most);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout

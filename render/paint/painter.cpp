@@ -5,9 +5,9 @@
 #include "base/error.h"
 #include "base/program_module.h"
 
-namespace tribolog::render {
+namespace tribolog::render::paint {
 
-std::unique_ptr<Painter> make_painter(const Font& font, PainterThreads threads) {
+std::unique_ptr<Painter> make_painter(const text::Font& font, PainterThreads threads) {
   try {
     void* const make =
         function_of({"tribolog_vtk", TRIBOLOG_GRAPHICS_PACKAGES}, "tribolog_vtk_painter");
@@ -18,4 +18,4 @@ std::unique_ptr<Painter> make_painter(const Font& font, PainterThreads threads) 
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::paint

@@ -8,7 +8,7 @@
 #include "render/figure/picture.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::paint {
 
 class Painter {
  public:
@@ -22,12 +22,12 @@ class Painter {
   /// of a whole picture would take a few hundred megabytes, and clearing their pages a quarter of
   /// the time
   /// @throw tribolog::FigureError if VTK reports an error.
-  virtual Picture paint(const DrawList& list, int strip_rows) = 0;
-  Picture paint(const DrawList& list) { return paint(list, usual_strip_rows); }
+  virtual figure::Picture paint(const figure::DrawList& list, int strip_rows) = 0;
+  figure::Picture paint(const figure::DrawList& list) { return paint(list, usual_strip_rows); }
 
   static constexpr int usual_strip_rows = 512;
 
-  [[nodiscard]] virtual RendererInfo info() const = 0;
+  [[nodiscard]] virtual figure::RendererInfo info() const = 0;
 };
 
 /// VTK's own threads. A process with more threads than one cannot be forked safely.
@@ -36,13 +36,14 @@ enum class PainterThreads { as_many_as_it_likes, one };
 /// @param font lives as long as the painter.
 /// @throw tribolog::FigureError if a library is missing or no context can be made: the package to
 /// install.
-std::unique_ptr<Painter> make_painter(const Font& font,
+std::unique_ptr<Painter> make_painter(const text::Font& font,
                                       PainterThreads threads = PainterThreads::as_many_as_it_likes);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::paint
 
 // What the module tribolog_vtk gives to the program.
 
 /// The caller owns it. @throw tribolog::FigureError if no context can be made.
-extern "C" __attribute__((visibility("default"))) tribolog::render::Painter* tribolog_vtk_painter(
-    const tribolog::render::Font& font, tribolog::render::PainterThreads threads);
+extern "C" __attribute__((visibility("default"))) tribolog::render::paint::Painter*
+tribolog_vtk_painter(const tribolog::render::text::Font& font,
+                     tribolog::render::paint::PainterThreads threads);

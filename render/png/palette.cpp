@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace tribolog::render {
+namespace tribolog::render::png {
 namespace {
 
 using Key = std::uint32_t;
@@ -144,7 +144,7 @@ class PaletteChoice {
 
 }  // namespace
 
-std::optional<IndexedPicture> indexed(const Picture& picture) {
+std::optional<IndexedPicture> indexed(const figure::Picture& picture) {
   ColourTable table;
   std::vector<std::uint16_t> numbers(picture.rgb.size() / 3);
   constexpr Key none = 0xFFFFFFFF;
@@ -178,4 +178,4 @@ std::optional<IndexedPicture> indexed(const Picture& picture) {
   return out;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::png

@@ -7,7 +7,7 @@
 
 #include "render/figure/picture.h"
 
-namespace tribolog::render {
+namespace tribolog::render::png {
 
 struct IndexedPicture {
   std::vector<std::uint8_t> palette;  ///< Three bytes a colour, at most 256 colours.
@@ -20,6 +20,6 @@ inline constexpr int largest_colour_error = 8;
 /// Exact where the picture has at most 256 colours. A chart has some more, mixed at the edges of
 /// lines and letters: those that differ least from another one take its place. Nothing if one would
 /// be off by more than largest_colour_error, or if there are more than 1024 colours.
-std::optional<IndexedPicture> indexed(const Picture& picture);
+std::optional<IndexedPicture> indexed(const figure::Picture& picture);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::png

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "render/png/palette.h"
 
-namespace tribolog::render {
+namespace tribolog::render::png {
 
 namespace {
 
@@ -77,7 +77,7 @@ Bytes filtered(const Bytes& pixels, std::size_t row, std::uint8_t filter) {
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const Picture& picture) {
+std::vector<std::byte> encode_png(const figure::Picture& picture) {
   const auto palette = indexed(picture);
   Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   Bytes header;
@@ -107,4 +107,4 @@ std::vector<std::byte> encode_png(const Picture& picture) {
   return bytes;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::png

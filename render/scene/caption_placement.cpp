@@ -8,7 +8,7 @@
 #include "render/figure/drawing_style.h"
 #include "render/layout/label_placement.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 namespace {
 
 constexpr int directions = 24;
@@ -26,32 +26,33 @@ constexpr int rounds = 6;
 
 struct Placed {
   std::size_t index{};
-  PixelPoint anchor;
-  TextLine line;
-  PixelPoint start;
-  PixelBox box;
-  PixelPoint leader_end;
+  figure::PixelPoint anchor;
+  text::TextLine line;
+  figure::PixelPoint start;
+  figure::PixelBox box;
+  figure::PixelPoint leader_end;
   bool has_leader{false};
 };
 
 /// Where a leader ends: beside the middle of the text, or above or below its nearest letter.
-PixelPoint leader_end(const PixelBox& box, PixelPoint from) {
+figure::PixelPoint leader_end(const figure::PixelBox& box, figure::PixelPoint from) {
   if (from.x < box.left || from.x > box.right) {
     return {std::clamp(from.x, box.left, box.right), box.centre().y};
   }
   return {from.x, std::clamp(from.y, box.top, box.bottom)};
 }
 
-double side_of(PixelPoint a, PixelPoint b, PixelPoint p) {
+double side_of(figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-bool cross_each_other(PixelPoint a, PixelPoint b, PixelPoint c, PixelPoint d) {
+bool cross_each_other(figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint c,
+                      figure::PixelPoint d) {
   return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
 }
 
-bool meets(PixelPoint a, PixelPoint b, const PixelBox& box) {
-  const PixelPoint corners[] = {
+bool meets(figure::PixelPoint a, figure::PixelPoint b, const figure::PixelBox& box) {
+  const figure::PixelPoint corners[] = {
       {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
   if (box.contains(a) || box.contains(b)) return true;
   for (int i = 0; i < 4; ++i) {
@@ -62,7 +63,8 @@ bool meets(PixelPoint a, PixelPoint b, const PixelBox& box) {
 
 class Placer {
  public:
-  Placer(std::vector<Placed>& all, const PixelBox& room, const Obstacles& obstacles, double unit)
+  Placer(std::vector<Placed>& all, const figure::PixelBox& room, const Obstacles& obstacles,
+         double unit)
       : all_(all), room_(room), obstacles_(obstacles), unit_(unit) {}
 
   void run() {
@@ -74,7 +76,7 @@ class Placer {
   }
 
   [[nodiscard]] bool collide(const Placed& a, const Placed& b) const {
-    return overlap_area(a.box.grown(3 * unit_), b.box) > 0 ||
+    return figure::overlap_area(a.box.grown(3 * unit_), b.box) > 0 ||
            (a.has_leader && meets(a.anchor, a.leader_end, b.box)) ||
            (b.has_leader && meets(b.anchor, b.leader_end, a.box));
   }
@@ -99,16 +101,17 @@ class Placer {
   /// The caption `distance` from its anchor in direction `k`.
   [[nodiscard]] Placed at(const Placed& caption, double distance, int k) const {
     Placed moved = caption;
-    moved.start = start_beside(caption.anchor, caption.line, distance, k, directions, room_);
-    moved.box = box_of_line(caption.line, moved.start, true);
-    moved.has_leader = distance_to(moved.box, moved.anchor) > leader_from * unit_;
+    moved.start =
+        layout::start_beside(caption.anchor, caption.line, distance, k, directions, room_);
+    moved.box = text::box_of_line(caption.line, moved.start, true);
+    moved.has_leader = layout::distance_to(moved.box, moved.anchor) > leader_from * unit_;
     moved.leader_end = leader_end(moved.box.grown(3 * unit_), moved.anchor);
     return moved;
   }
 
   [[nodiscard]] double cost(std::size_t i, const Placed& one) const {
-    const double away = distance_to(one.box, one.anchor) / unit_;
-    const PixelBox box = one.box.grown(3 * unit_);
+    const double away = layout::distance_to(one.box, one.anchor) / unit_;
+    const figure::PixelBox box = one.box.grown(3 * unit_);
     double sum = far_cost * away + solid_cost * obstacles_.solid.share_taken(box);
     if (obstacles_.lines.taken(box) > 0) {
       sum += line_cost + lines_cost * obstacles_.lines.share_taken(box);
@@ -117,7 +120,7 @@ class Placer {
     for (std::size_t j = 0; j < all_.size(); ++j) {
       const Placed& other = all_[j];
       if (j == i) continue;
-      const double to_other = distance_to(one.box, other.anchor);
+      const double to_other = layout::distance_to(one.box, other.anchor);
       if (to_other < 6 * unit_) sum += clash_cost / 4;
       if (to_other < away * unit_) sum += misleading_cost;
       if (other.box.width() <= 0) continue;
@@ -131,40 +134,43 @@ class Placer {
   }
 
   std::vector<Placed>& all_;
-  PixelBox room_;
+  figure::PixelBox room_;
   const Obstacles& obstacles_;
   double unit_;
 };
 
-void draw_leader(DrawList& list, const Placed& one, Colour colour, const FigureStyle& style) {
-  const Owner owner{Role::label_leader, 0, static_cast<int>(one.index)};
+void draw_leader(figure::DrawList& list, const Placed& one, figure::Colour colour,
+                 const layout::FigureStyle& style) {
+  const figure::Owner owner{figure::Role::label_leader, 0, static_cast<int>(one.index)};
   const double width = std::max(1.0, 1.8 * style.unit);
+  list.primitives.emplace_back(figure::Polyline{
+      owner, {one.anchor, one.leader_end}, width + 3 * style.unit, layout::ink::white, {}});
   list.primitives.emplace_back(
-      Polyline{owner, {one.anchor, one.leader_end}, width + 3 * style.unit, ink::white, {}});
-  list.primitives.emplace_back(Polyline{owner, {one.anchor, one.leader_end}, width, colour, {}});
+      figure::Polyline{owner, {one.anchor, one.leader_end}, width, colour, {}});
   list.primitives.emplace_back(
-      Markers{owner, Marker::circle, {one.anchor}, 9 * style.unit, colour});
+      figure::Markers{owner, figure::Marker::circle, {one.anchor}, 9 * style.unit, colour});
 }
 
-void draw_with_halo(DrawList& list, const Placed& one, const FigureStyle& style) {
-  TextLine halo = one.line;
-  halo.style.colour = ink::white;
+void draw_with_halo(figure::DrawList& list, const Placed& one, const layout::FigureStyle& style) {
+  text::TextLine halo = one.line;
+  halo.style.colour = layout::ink::white;
   const double reach = std::max(1.0, std::round(2.5 * style.unit));
   for (const double dy : {-reach, 0.0, reach}) {
     for (const double dx : {-reach, 0.0, reach}) {
       if (dx == 0 && dy == 0) continue;
-      place_line(list, halo, {one.start.x + dx, one.start.y + dy}, true,
-                 {Role::text_backing, 0, static_cast<int>(one.index)});
+      text::place_line(list, halo, {one.start.x + dx, one.start.y + dy}, true,
+                       {figure::Role::text_backing, 0, static_cast<int>(one.index)});
     }
   }
-  place_line(list, one.line, one.start, true, {Role::label_text, 0, static_cast<int>(one.index)});
+  text::place_line(list, one.line, one.start, true,
+                   {figure::Role::label_text, 0, static_cast<int>(one.index)});
 }
 
 }  // namespace
 
-void draw_captions(DrawList& list, const std::vector<Caption>& captions, const PixelBox& room,
-                   const Obstacles& obstacles, const Font& font, const FigureStyle& style,
-                   TextFaults& faults) {
+void draw_captions(figure::DrawList& list, const std::vector<Caption>& captions,
+                   const figure::PixelBox& room, const Obstacles& obstacles, const text::Font& font,
+                   const layout::FigureStyle& style, text::TextFaults& faults) {
   std::vector<Placed> all;
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const Caption& caption = captions[i];
@@ -172,15 +178,15 @@ void draw_captions(DrawList& list, const std::vector<Caption>& captions, const P
       list.warnings.push_back("what '" + caption.text + "' names lies outside the picture");
     }
     bool cut = false;
-    const auto lines =
-        wrap_lines(font, caption.text, style.label, widest_share * room.width(), 1, faults, cut);
+    const auto lines = text::wrap_lines(font, caption.text, style.label,
+                                        widest_share * room.width(), 1, faults, cut);
     if (lines.empty() || lines.front().empty()) continue;
     if (cut) list.warnings.push_back("the text '" + caption.text + "' was too long and was cut");
     Placed one;
     one.index = i;
     one.anchor = caption.anchor;
     one.line = lines.front();
-    one.line.style.colour = readable_on_paper(caption.colour);
+    one.line.style.colour = figure::readable_on_paper(caption.colour);
     all.push_back(std::move(one));
   }
   Placer placer(all, room, obstacles, style.unit);
@@ -198,4 +204,4 @@ void draw_captions(DrawList& list, const std::vector<Caption>& captions, const P
   for (const Placed& one : all) draw_with_halo(list, one, style);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

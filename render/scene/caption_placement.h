@@ -8,25 +8,25 @@
 #include "render/layout/figure_style.h"
 #include "render/layout/occupancy.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 struct Caption {
   std::string text;
-  PixelPoint anchor;
-  Colour colour;
+  figure::PixelPoint anchor;
+  figure::Colour colour;
 };
 
 /// What texts keep off.
 struct Obstacles {
-  Occupancy solid;  ///< Parts of the scene.
-  Occupancy lines;  ///< Arcs, dimensions and lines.
+  layout::Occupancy solid;  ///< Parts of the scene.
+  layout::Occupancy lines;  ///< Arcs, dimensions and lines.
 };
 
 /// Places the captions inside `room`, on as few obstacles as can be, off each other and off each
 /// other's leader lines, and draws them with a white halo; one that ends up away from its
 /// anchor gets a leader. What still collides, or is cut, is said in the list's warnings.
-void draw_captions(DrawList& list, const std::vector<Caption>& captions, const PixelBox& room,
-                   const Obstacles& obstacles, const Font& font, const FigureStyle& style,
-                   TextFaults& faults);
+void draw_captions(figure::DrawList& list, const std::vector<Caption>& captions,
+                   const figure::PixelBox& room, const Obstacles& obstacles, const text::Font& font,
+                   const layout::FigureStyle& style, text::TextFaults& faults);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

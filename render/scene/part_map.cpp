@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 namespace {
 
 /// The pixels of a row, counted from its left end, in which a triangle may lie: a pixel more at
@@ -22,18 +22,18 @@ struct RowSpan {
 
 }  // namespace
 
-PartMap::PartMap(const SceneGeometry& scene, int width, int height)
+PartMap::PartMap(const figure::SceneGeometry& scene, int width, int height)
     : width_(width),
       height_(height),
       parts_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       nearness_(parts_.size()) {
-  const SceneView& view = scene.view;
+  const figure::SceneView& view = scene.view;
   std::vector<Corner> corners;
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    const SceneMesh& mesh = scene.meshes[m];
+    const figure::SceneMesh& mesh = scene.meshes[m];
     corners.clear();
-    for (const Point3& p : mesh.points) {
-      const PixelPoint at = view.pixel(p);
+    for (const figure::Point3& p : mesh.points) {
+      const figure::PixelPoint at = view.pixel(p);
       // Both are linear over the picture of a flat triangle.
       const double distance = view.distance(p);
       corners.push_back(
@@ -99,4 +99,4 @@ bool PartMap::inside(int x, int y, int reach) const {
   return true;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

@@ -7,11 +7,11 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 class PartMap {
  public:
-  PartMap(const SceneGeometry& scene, int width, int height);
+  PartMap(const figure::SceneGeometry& scene, int width, int height);
 
   /// Index into SceneGeometry::meshes plus one, or 0 where the paper is blank.
   [[nodiscard]] std::uint16_t at(int x, int y) const {
@@ -35,4 +35,4 @@ class PartMap {
   std::vector<float> nearness_;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

@@ -9,7 +9,7 @@
 #include "render/figure/draw_list.h"
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 // Surfaces of revolution, of which drums, arrows, balls and round links are made.
 
@@ -35,16 +35,16 @@ constexpr double pi = std::numbers::pi;
 
 /// Adds the surface about the axis from `origin` in the direction `axis` (a unit vector). Pieces
 /// run from back to front along the axis.
-void add_turned_surface(SceneMesh& mesh, Point3 origin, Point3 axis,
+void add_turned_surface(figure::SceneMesh& mesh, figure::Point3 origin, figure::Point3 axis,
                         const std::vector<ProfilePiece>& pieces) {
-  const Point3 across = any_across(axis);
-  const Point3 third = cross(axis, across);
+  const figure::Point3 across = figure::any_across(axis);
+  const figure::Point3 third = figure::cross(axis, across);
   for (const ProfilePiece& piece : pieces) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (const ProfilePoint& p : piece) {
       for (int i = 0; i < segments; ++i) {
         const double angle = 2 * pi * i / segments;
-        const Point3 out = std::cos(angle) * across + std::sin(angle) * third;
+        const figure::Point3 out = std::cos(angle) * across + std::sin(angle) * third;
         mesh.points.push_back(origin + p.along * axis + p.away * out);
         mesh.normals.push_back(p.normal_along * axis + p.normal_away * out);
         mesh.spread.push_back(p.spread_along * axis + p.spread_away * out);
@@ -63,8 +63,8 @@ void add_turned_surface(SceneMesh& mesh, Point3 origin, Point3 axis,
 }
 
 /// Straight pieces with sharp edges through (along, away) corners.
-std::vector<ProfilePiece> sharp_profile(const std::vector<PixelPoint>& corners) {
-  std::vector<PixelPoint> normals;
+std::vector<ProfilePiece> sharp_profile(const std::vector<figure::PixelPoint>& corners) {
+  std::vector<figure::PixelPoint> normals;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double along = corners[i].x - corners[i - 1].x;
     const double away = corners[i].y - corners[i - 1].y;
@@ -75,8 +75,8 @@ std::vector<ProfilePiece> sharp_profile(const std::vector<PixelPoint>& corners) 
   for (std::size_t i = 0; i < normals.size(); ++i) {
     ProfilePiece piece;
     for (const std::size_t end : {i, i + 1}) {
-      const PixelPoint n = normals[i];
-      PixelPoint spread = n;
+      const figure::PixelPoint n = normals[i];
+      figure::PixelPoint spread = n;
       if (corners[end].y == 0) {
         // All points of a tip must move alike, or the outline gapes there.
         constexpr double farthest = 3.0;
@@ -85,7 +85,7 @@ std::vector<ProfilePiece> sharp_profile(const std::vector<PixelPoint>& corners) 
       }
       const bool has_neighbour = end > 0 && end < normals.size();
       if (has_neighbour) {
-        const PixelPoint other = normals[end == i ? i - 1 : i + 1];
+        const figure::PixelPoint other = normals[end == i ? i - 1 : i + 1];
         const double share = 1.0 / std::max(0.5, 1.0 + n.x * other.x + n.y * other.y);
         spread = {(n.x + other.x) * share, (n.y + other.y) * share};
       }
@@ -118,11 +118,11 @@ ProfilePiece round_profile(double distance, double radius_back, double radius_fr
   return profile;
 }
 
-constexpr Colour grid_colour{214, 214, 214};
+constexpr figure::Colour grid_colour{214, 214, 214};
 constexpr double grid_line_px = 1.6;
 
 /// What is left of a colour on white paper.
-Colour on_paper(Colour colour) {
+figure::Colour on_paper(figure::Colour colour) {
   const auto mixed = [&](std::uint8_t part) {
     const double share = colour.alpha / 255.0;
     return static_cast<std::uint8_t>(std::lround(255.0 + (part - 255.0) * share));
@@ -130,9 +130,9 @@ Colour on_paper(Colour colour) {
   return {mixed(colour.red), mixed(colour.green), mixed(colour.blue)};
 }
 
-SceneMesh start(const std::string& label, Colour colour,
-                SceneMesh::Finish finish = SceneMesh::Finish::lit) {
-  SceneMesh mesh;
+figure::SceneMesh start(const std::string& label, figure::Colour colour,
+                        figure::SceneMesh::Finish finish = figure::SceneMesh::Finish::lit) {
+  figure::SceneMesh mesh;
   mesh.label = label;
   mesh.colour = on_paper(colour);
   mesh.finish = finish;
@@ -140,8 +140,8 @@ SceneMesh start(const std::string& label, Colour colour,
 }
 
 /// A convex, flat area.
-void add_fan(SceneMesh& mesh, const std::vector<Point3>& outline, Point3 normal,
-             const std::vector<Point3>& spread) {
+void add_fan(figure::SceneMesh& mesh, const std::vector<figure::Point3>& outline,
+             figure::Point3 normal, const std::vector<figure::Point3>& spread) {
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t i = 0; i < outline.size(); ++i) {
     mesh.points.push_back(outline[i]);
@@ -154,18 +154,19 @@ void add_fan(SceneMesh& mesh, const std::vector<Point3>& outline, Point3 normal,
 }
 
 /// The hull of two circles, as thick as the bar.
-void add_bar(SceneMesh& mesh, const SceneBody& body, Point3 along, Point3 normal) {
-  const Point3 side = cross(normal, along);
-  const double span = length(body.to - body.from);
+void add_bar(figure::SceneMesh& mesh, const figure::SceneBody& body, figure::Point3 along,
+             figure::Point3 normal) {
+  const figure::Point3 side = figure::cross(normal, along);
+  const double span = figure::length(body.to - body.from);
   const double seam =
       std::acos(std::clamp((body.from_radius_m - body.to_radius_m) / span, -1.0, 1.0));
-  std::vector<Point3> rim;
-  std::vector<Point3> outwards;
+  std::vector<figure::Point3> rim;
+  std::vector<figure::Point3> outwards;
   constexpr int steps = 32;
-  const auto arc = [&](Point3 centre, double radius, double from, double to) {
+  const auto arc = [&](figure::Point3 centre, double radius, double from, double to) {
     for (int i = 0; i <= steps; ++i) {
       const double angle = from + (to - from) * i / steps;
-      const Point3 out = std::cos(angle) * along + std::sin(angle) * side;
+      const figure::Point3 out = std::cos(angle) * along + std::sin(angle) * side;
       rim.push_back(centre + radius * out);
       outwards.push_back(out);
     }
@@ -173,7 +174,7 @@ void add_bar(SceneMesh& mesh, const SceneBody& body, Point3 along, Point3 normal
   arc(body.to, body.to_radius_m, -seam, seam);
   arc(body.from, body.from_radius_m, seam, 2 * pi - seam);
 
-  const Point3 half = 0.5 * body.thickness_m * normal;
+  const figure::Point3 half = 0.5 * body.thickness_m * normal;
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
   const auto count = static_cast<std::uint32_t>(rim.size());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -188,8 +189,8 @@ void add_bar(SceneMesh& mesh, const SceneBody& body, Point3 along, Point3 normal
     mesh.triangles.push_back({b, b + 1, a + 1});
   }
   for (const double face : {1.0, -1.0}) {
-    std::vector<Point3> outline;
-    std::vector<Point3> spread;
+    std::vector<figure::Point3> outline;
+    std::vector<figure::Point3> spread;
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t k = face > 0 ? i : count - 1 - i;
       outline.push_back(rim[k] + face * half);
@@ -199,14 +200,14 @@ void add_bar(SceneMesh& mesh, const SceneBody& body, Point3 along, Point3 normal
   }
 }
 
-SceneMesh mesh_of(const SceneBody& body) {
-  SceneMesh mesh = start(body.label, body.colour);
-  const Point3 span = body.to - body.from;
-  const double size = length(span);
-  const Point3 along = size > 0 ? unit(span) : Point3{0, 0, 1};
-  const Point3 normal = body.normal - dot(body.normal, along) * along;
-  if (body.thickness_m > 0 && size > 0 && length(normal) > 0) {
-    add_bar(mesh, body, along, unit(normal));
+figure::SceneMesh mesh_of(const figure::SceneBody& body) {
+  figure::SceneMesh mesh = start(body.label, body.colour);
+  const figure::Point3 span = body.to - body.from;
+  const double size = figure::length(span);
+  const figure::Point3 along = size > 0 ? figure::unit(span) : figure::Point3{0, 0, 1};
+  const figure::Point3 normal = body.normal - figure::dot(body.normal, along) * along;
+  if (body.thickness_m > 0 && size > 0 && figure::length(normal) > 0) {
+    add_bar(mesh, body, along, figure::unit(normal));
   } else {
     add_turned_surface(mesh, body.from, along,
                        {round_profile(size, body.from_radius_m, body.to_radius_m)});
@@ -214,11 +215,11 @@ SceneMesh mesh_of(const SceneBody& body) {
   return mesh;
 }
 
-SceneMesh mesh_of(const SceneDrum& drum) {
-  SceneMesh mesh = start(drum.label, drum.colour);
+figure::SceneMesh mesh_of(const figure::SceneDrum& drum) {
+  figure::SceneMesh mesh = start(drum.label, drum.colour);
   const double half = drum.length_m / 2;
   const double chamfer = 0.12 * std::min(drum.radius_m, drum.length_m);
-  add_turned_surface(mesh, drum.centre, unit(drum.axis),
+  add_turned_surface(mesh, drum.centre, figure::unit(drum.axis),
                      sharp_profile({{-half, 0},
                                     {-half, drum.radius_m - chamfer},
                                     {-half + chamfer, drum.radius_m},
@@ -228,11 +229,11 @@ SceneMesh mesh_of(const SceneDrum& drum) {
   return mesh;
 }
 
-SceneMesh mesh_of(const SceneArrow& arrow) {
-  SceneMesh mesh = start(arrow.label, arrow.colour);
-  const double size = length(arrow.to - arrow.from);
+figure::SceneMesh mesh_of(const figure::SceneArrow& arrow) {
+  figure::SceneMesh mesh = start(arrow.label, arrow.colour);
+  const double size = figure::length(arrow.to - arrow.from);
   const double head = std::min(0.45 * size, 7.0 * arrow.radius_m);
-  add_turned_surface(mesh, arrow.from, unit(arrow.to - arrow.from),
+  add_turned_surface(mesh, arrow.from, figure::unit(arrow.to - arrow.from),
                      sharp_profile({{0, 0},
                                     {0, arrow.radius_m},
                                     {size - head, arrow.radius_m},
@@ -241,48 +242,50 @@ SceneMesh mesh_of(const SceneArrow& arrow) {
   return mesh;
 }
 
-SceneMesh mesh_of(const SceneBall& ball, const SceneView& view) {
-  SceneMesh mesh = start(ball.label, ball.colour);
+figure::SceneMesh mesh_of(const figure::SceneBall& ball, const figure::SceneView& view) {
+  figure::SceneMesh mesh = start(ball.label, ball.colour);
   const double shown_m = ball.inside ? view.front_m() : view.distance(ball.centre);
-  const Point3 centre = view.moved_to(ball.centre, shown_m);
+  const figure::Point3 centre = view.moved_to(ball.centre, shown_m);
   const double radius =
       view.parallel ? ball.radius_m : ball.radius_m * shown_m / view.distance(ball.centre);
-  add_turned_surface(mesh, centre, unit(view.up), {round_profile(0, radius, radius)});
+  add_turned_surface(mesh, centre, figure::unit(view.up), {round_profile(0, radius, radius)});
   return mesh;
 }
 
 /// Behind everything: in its own plane it would cut the parts that lie across it, and their
 /// outlines.
-SceneMesh mesh_of(const SceneSector& sector, const SceneView& view) {
-  SceneMesh mesh = start("", sector.fill, SceneMesh::Finish::flat);
-  const Point3 normal = unit(sector.normal);
+figure::SceneMesh mesh_of(const figure::SceneSector& sector, const figure::SceneView& view) {
+  figure::SceneMesh mesh = start("", sector.fill, figure::SceneMesh::Finish::flat);
+  const figure::Point3 normal = figure::unit(sector.normal);
   constexpr double step_rad = pi / 90;
   const double span = sector.to_rad - sector.from_rad;
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(span) / step_rad)));
-  std::vector<Point3> outline{sector.centre};
+  std::vector<figure::Point3> outline{sector.centre};
   for (int i = 0; i <= steps; ++i) {
     const double angle = sector.from_rad + span * i / steps;
-    outline.push_back(sector.centre + sector.radius_m * turned(unit(sector.zero), normal, angle));
+    outline.push_back(sector.centre +
+                      sector.radius_m * figure::turned(figure::unit(sector.zero), normal, angle));
   }
-  for (Point3& p : outline) p = view.moved_to(p, view.back_m());
+  for (figure::Point3& p : outline) p = view.moved_to(p, view.back_m());
   add_fan(mesh, outline, normal, {});
   return mesh;
 }
 
-SceneMesh mesh_of(const SceneGround& ground, const SceneView& view, double line_px) {
-  SceneMesh mesh = start("", grid_colour, SceneMesh::Finish::flat);
-  const Point3 up{0, 0, 1};
+figure::SceneMesh mesh_of(const figure::SceneGround& ground, const figure::SceneView& view,
+                          double line_px) {
+  figure::SceneMesh mesh = start("", grid_colour, figure::SceneMesh::Finish::flat);
+  const figure::Point3 up{0, 0, 1};
   const int lines = static_cast<int>(std::floor(ground.half_size_m / ground.spacing_m + 1e-9));
   for (int i = -lines; i <= lines; ++i) {
     for (const bool along_x : {true, false}) {
-      const Point3 run = along_x ? Point3{1, 0, 0} : Point3{0, 1, 0};
-      const Point3 side = along_x ? Point3{0, 1, 0} : Point3{1, 0, 0};
-      const Point3 middle = ground.centre + (i * ground.spacing_m) * side;
+      const figure::Point3 run = along_x ? figure::Point3{1, 0, 0} : figure::Point3{0, 1, 0};
+      const figure::Point3 side = along_x ? figure::Point3{0, 1, 0} : figure::Point3{1, 0, 0};
+      const figure::Point3 middle = ground.centre + (i * ground.spacing_m) * side;
       const double reach = lines * ground.spacing_m;
       const double half = 0.5 * line_px * view.metres_per_pixel(middle);
       // Seen at a slant, a line across the view would be thinner than one along it.
-      const Point3 in_view = side - dot(side, view.forward) * view.forward;
-      const double wide = half / std::max(0.2, length(in_view));
+      const figure::Point3 in_view = side - figure::dot(side, view.forward) * view.forward;
+      const double wide = half / std::max(0.2, figure::length(in_view));
       add_fan(mesh,
               {middle - reach * run - wide * side, middle + reach * run - wide * side,
                middle + reach * run + wide * side, middle - reach * run + wide * side},
@@ -294,27 +297,28 @@ SceneMesh mesh_of(const SceneGround& ground, const SceneView& view, double line_
 
 }  // namespace
 
-std::vector<SceneMesh> part_meshes(const Scene& scene, const SceneView& view, double unit_px) {
-  std::vector<SceneMesh> meshes;
+std::vector<figure::SceneMesh> part_meshes(const figure::Scene& scene,
+                                           const figure::SceneView& view, double unit_px) {
+  std::vector<figure::SceneMesh> meshes;
   if (scene.ground && scene.ground->spacing_m > 0) {
     meshes.push_back(mesh_of(*scene.ground, view, grid_line_px * unit_px));
   }
-  for (const SceneSector& one : scene.sectors) {
+  for (const figure::SceneSector& one : scene.sectors) {
     if (one.filled && one.radius_m > 0) meshes.push_back(mesh_of(one, view));
   }
-  for (const SceneBody& one : scene.bodies) {
+  for (const figure::SceneBody& one : scene.bodies) {
     if (one.from_radius_m > 0 && one.to_radius_m > 0) meshes.push_back(mesh_of(one));
   }
-  for (const SceneDrum& one : scene.drums) {
+  for (const figure::SceneDrum& one : scene.drums) {
     if (one.radius_m > 0 && one.length_m > 0) meshes.push_back(mesh_of(one));
   }
-  for (const SceneArrow& one : scene.arrows) {
-    if (length(one.to - one.from) > 0 && one.radius_m > 0) meshes.push_back(mesh_of(one));
+  for (const figure::SceneArrow& one : scene.arrows) {
+    if (figure::length(one.to - one.from) > 0 && one.radius_m > 0) meshes.push_back(mesh_of(one));
   }
-  for (const SceneBall& one : scene.balls) {
+  for (const figure::SceneBall& one : scene.balls) {
     if (one.radius_m > 0) meshes.push_back(mesh_of(one, view));
   }
   return meshes;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

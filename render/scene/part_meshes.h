@@ -5,9 +5,10 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 /// One mesh for each part, the ground first. Parts without a size are left out.
-std::vector<SceneMesh> part_meshes(const Scene& scene, const SceneView& view, double unit_px);
+std::vector<figure::SceneMesh> part_meshes(const figure::Scene& scene,
+                                           const figure::SceneView& view, double unit_px);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

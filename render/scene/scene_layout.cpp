@@ -12,93 +12,96 @@
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 namespace {
 
-void require_direction(Point3 direction, const std::string& label, const char* what) {
-  const double size = length(direction);
+void require_direction(figure::Point3 direction, const std::string& label, const char* what) {
+  const double size = figure::length(direction);
   if (std::isfinite(size) && size > 0) return;
   throw FigureError("the part '" + label + "' of the scene has no direction: its " + what +
                     " is zero or not finite");
 }
 
-void check_parts(const Scene& scene) {
-  for (const SceneDrum& one : scene.drums) require_direction(one.axis, one.label, "axis");
-  for (const SceneArrow& one : scene.arrows) {
+void check_parts(const figure::Scene& scene) {
+  for (const figure::SceneDrum& one : scene.drums) require_direction(one.axis, one.label, "axis");
+  for (const figure::SceneArrow& one : scene.arrows) {
     require_direction(one.to - one.from, one.label, "length");
   }
-  for (const SceneSector& one : scene.sectors) {
+  for (const figure::SceneSector& one : scene.sectors) {
     require_direction(one.normal, one.label, "normal");
     require_direction(one.zero, one.label, "zero line");
   }
 }
 
 /// In the order in which texts are placed: those that have the least choice first.
-std::vector<Caption> captions_of(const Scene& scene, const SceneView& view) {
+std::vector<Caption> captions_of(const figure::Scene& scene, const figure::SceneView& view) {
   std::vector<Caption> captions;
-  const auto add = [&](const std::string& text, Point3 at, Colour colour) {
+  const auto add = [&](const std::string& text, figure::Point3 at, figure::Colour colour) {
     if (!text.empty()) captions.push_back({text, view.pixel(at), colour});
   };
-  for (const SceneDimension& one : scene.dimensions) add(one.label, middle_of(one), one.colour);
-  for (const SceneSector& one : scene.sectors) add(one.label, middle_of(one), one.colour);
-  for (const SceneBall& one : scene.balls) add(one.label, one.centre, one.colour);
-  for (const SceneArrow& one : scene.arrows) add(one.label, one.to, one.colour);
-  for (const SceneLine& one : scene.lines) add(one.label, middle_of(one), one.colour);
-  for (const SceneText& one : scene.texts) add(one.text, one.at, one.colour);
-  for (const SceneDrum& one : scene.drums) add(one.label, one.centre, ink::text);
-  for (const SceneBody& one : scene.bodies) add(one.label, 0.5 * (one.from + one.to), ink::text);
+  for (const figure::SceneDimension& one : scene.dimensions)
+    add(one.label, middle_of(one), one.colour);
+  for (const figure::SceneSector& one : scene.sectors) add(one.label, middle_of(one), one.colour);
+  for (const figure::SceneBall& one : scene.balls) add(one.label, one.centre, one.colour);
+  for (const figure::SceneArrow& one : scene.arrows) add(one.label, one.to, one.colour);
+  for (const figure::SceneLine& one : scene.lines) add(one.label, middle_of(one), one.colour);
+  for (const figure::SceneText& one : scene.texts) add(one.text, one.at, one.colour);
+  for (const figure::SceneDrum& one : scene.drums) add(one.label, one.centre, layout::ink::text);
+  for (const figure::SceneBody& one : scene.bodies)
+    add(one.label, 0.5 * (one.from + one.to), layout::ink::text);
   return captions;
 }
 
 /// Texts keep off solid parts and lines, but may stand on the floor and in a filled sector.
-Obstacles obstacles_of(const DrawList& list, const PixelBox& room) {
-  Obstacles taken{Occupancy(room), Occupancy(room)};
+Obstacles obstacles_of(const figure::DrawList& list, const figure::PixelBox& room) {
+  Obstacles taken{layout::Occupancy(room), layout::Occupancy(room)};
   if (!list.scene) return taken;
-  const std::vector<SceneMesh>& meshes = list.scene->meshes;
+  const std::vector<figure::SceneMesh>& meshes = list.scene->meshes;
   const PartMap parts(*list.scene, list.width, list.height);
-  constexpr int step = static_cast<int>(Occupancy::cell_px);
+  constexpr int step = static_cast<int>(layout::Occupancy::cell_px);
   for (int y = 0; y < list.height; y += step) {
     for (int x = 0; x < list.width; x += step) {
       const std::uint16_t part = parts.at(x, y);
-      if (part == 0 || meshes[part - 1U].finish == SceneMesh::Finish::flat) continue;
-      taken.solid.mark(PixelBox{x + 0.0, y + 0.0, x + 1.0, y + 1.0});
+      if (part == 0 || meshes[part - 1U].finish == figure::SceneMesh::Finish::flat) continue;
+      taken.solid.mark(figure::PixelBox{x + 0.0, y + 0.0, x + 1.0, y + 1.0});
     }
   }
-  for (const Primitive& primitive : list.primitives) {
-    if (owner_of(primitive).role == Role::scene_line) taken.lines.mark(primitive);
+  for (const figure::Primitive& primitive : list.primitives) {
+    if (figure::owner_of(primitive).role == figure::Role::scene_line) taken.lines.mark(primitive);
   }
   return taken;
 }
 
 }  // namespace
 
-DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& faults) {
+figure::DrawList lay_out_scene(const figure::Figure& figure, const text::Font& font,
+                               text::TextFaults& faults) {
   if (!figure.scene) throw std::logic_error("a figure without a scene is laid out as one");
-  const Scene& scene = *figure.scene;
-  const FigureStyle style(figure);
-  DrawList list;
+  const figure::Scene& scene = *figure.scene;
+  const layout::FigureStyle style(figure);
+  figure::DrawList list;
   list.width = figure.width_px;
   list.height = figure.height_px;
   list.width_mm = figure.width_mm;
   check_parts(scene);
 
-  FigureFrame frame;
+  layout::FigureFrame frame;
   bool cut = false;
   const double width = figure.width_px - 2 * style.margin;
-  frame.title = wrap_lines(font, figure.title, style.figure_title, width, 3, faults, cut);
+  frame.title = text::wrap_lines(font, figure.title, style.figure_title, width, 3, faults, cut);
   if (cut) list.warnings.push_back("a title was too long and was cut: " + figure.title);
   const double title_height =
       1.28 * style.figure_title.size_px * static_cast<double>(frame.title.size());
-  const PixelBox room{style.margin, style.margin + title_height + style.gap,
-                      figure.width_px - style.margin, figure.height_px - style.margin};
+  const figure::PixelBox room{style.margin, style.margin + title_height + style.gap,
+                              figure.width_px - style.margin, figure.height_px - style.margin};
   const double free_x = scene.camera.margin * room.width();
   const double free_y = scene.camera.margin * room.height();
   std::vector<Sphere> shown;
-  for (const Point3& p : scene.camera.fit) shown.push_back({p, 0.0});
+  for (const figure::Point3& p : scene.camera.fit) shown.push_back({p, 0.0});
   if (shown.empty()) shown = reach_of(scene);
   if (shown.empty()) throw FigureError("the scene is empty");
 
-  SceneGeometry geometry;
+  figure::SceneGeometry geometry;
   geometry.view =
       fit_view(scene.camera, shown,
                {room.left + free_x, room.top + free_y, room.right - free_x, room.bottom - free_y});
@@ -107,8 +110,8 @@ DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& fault
   draw_annotations(list, scene, list.scene->view, style);
   const Obstacles taken = obstacles_of(list, room);
   draw_captions(list, captions_of(scene, list.scene->view), room, taken, font, style, faults);
-  draw_figure_title(list, frame, style);
+  layout::draw_figure_title(list, frame, style);
   return list;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

@@ -6,11 +6,12 @@
 #include "render/layout/figure_style.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 /// @pre the figure has a scene.
 /// @throw tribolog::FigureError for a camera or a scene that cannot be shown (see fit_view()), or a
 /// part that has no direction.
-DrawList lay_out_scene(const Figure& figure, const Font& font, TextFaults& faults);
+figure::DrawList lay_out_scene(const figure::Figure& figure, const text::Font& font,
+                               text::TextFaults& faults);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

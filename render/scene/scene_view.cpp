@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 namespace {
 
 struct Extent {
@@ -20,12 +20,13 @@ struct Extent {
   }
 };
 
-bool is_finite(Point3 p) { return std::isfinite(dot(p, p)); }
+bool is_finite(figure::Point3 p) { return std::isfinite(figure::dot(p, p)); }
 
-void check(const SceneCamera& camera) {
-  const Point3 side = cross(camera.towards, camera.up);
-  if (!is_finite(side) || length(side) < 1e-6 * length(camera.towards) * length(camera.up) ||
-      length(side) == 0) {
+void check(const figure::SceneCamera& camera) {
+  const figure::Point3 side = figure::cross(camera.towards, camera.up);
+  if (!is_finite(side) ||
+      figure::length(side) < 1e-6 * figure::length(camera.towards) * figure::length(camera.up) ||
+      figure::length(side) == 0) {
     throw FigureError("the scene's camera has no direction, or its 'up' lies along it");
   }
   if (!(camera.opening_deg >= 0 && camera.opening_deg < 90)) {
@@ -40,68 +41,69 @@ void check(const SceneCamera& camera) {
 
 }  // namespace
 
-std::vector<Sphere> reach_of(const Scene& scene) {
+std::vector<Sphere> reach_of(const figure::Scene& scene) {
   std::vector<Sphere> all;
-  for (const SceneBody& body : scene.bodies) {
+  for (const figure::SceneBody& body : scene.bodies) {
     all.push_back({body.from, body.from_radius_m});
     all.push_back({body.to, body.to_radius_m});
   }
-  for (const SceneDrum& drum : scene.drums) {
-    if (length(drum.axis) == 0) continue;
-    const Point3 half = 0.5 * drum.length_m * unit(drum.axis);
+  for (const figure::SceneDrum& drum : scene.drums) {
+    if (figure::length(drum.axis) == 0) continue;
+    const figure::Point3 half = 0.5 * drum.length_m * figure::unit(drum.axis);
     all.push_back({drum.centre + half, drum.radius_m});
     all.push_back({drum.centre - half, drum.radius_m});
   }
-  for (const SceneArrow& arrow : scene.arrows) {
+  for (const figure::SceneArrow& arrow : scene.arrows) {
     all.push_back({arrow.from, arrow.radius_m});
     all.push_back({arrow.to, arrow.radius_m});
   }
-  for (const SceneBall& ball : scene.balls) all.push_back({ball.centre, ball.radius_m});
-  for (const SceneSector& sector : scene.sectors) {
-    if (length(sector.normal) == 0 || length(sector.zero) == 0) continue;
+  for (const figure::SceneBall& ball : scene.balls) all.push_back({ball.centre, ball.radius_m});
+  for (const figure::SceneSector& sector : scene.sectors) {
+    if (figure::length(sector.normal) == 0 || figure::length(sector.zero) == 0) continue;
     constexpr int steps = 24;
     for (int i = 0; i <= steps; ++i) {
       const double angle = sector.from_rad + (sector.to_rad - sector.from_rad) * i / steps;
-      const Point3 arm = turned(unit(sector.zero), unit(sector.normal), angle);
+      const figure::Point3 arm =
+          figure::turned(figure::unit(sector.zero), figure::unit(sector.normal), angle);
       all.push_back({sector.centre + sector.radius_m * arm, 0.0});
     }
   }
-  for (const SceneDimension& one : scene.dimensions) {
-    for (const Point3 end : {one.from, one.to}) all.push_back({end + one.shift, 0.0});
+  for (const figure::SceneDimension& one : scene.dimensions) {
+    for (const figure::Point3 end : {one.from, one.to}) all.push_back({end + one.shift, 0.0});
   }
-  for (const SceneLine& line : scene.lines) {
-    for (const Point3 p : line.points) all.push_back({p, 0.0});
+  for (const figure::SceneLine& line : scene.lines) {
+    for (const figure::Point3 p : line.points) all.push_back({p, 0.0});
   }
-  for (const SceneText& text : scene.texts) all.push_back({text.at, 0.0});
+  for (const figure::SceneText& text : scene.texts) all.push_back({text.at, 0.0});
   if (scene.ground) {
     const double half = scene.ground->half_size_m;
     for (const double x : {-half, half}) {
       for (const double y : {-half, half}) {
-        all.push_back({scene.ground->centre + Point3{x, y, 0}, 0.0});
+        all.push_back({scene.ground->centre + figure::Point3{x, y, 0}, 0.0});
       }
     }
   }
   return all;
 }
 
-SceneView fit_view(const SceneCamera& camera, const std::vector<Sphere>& shown,
-                   const PixelBox& room) {
+figure::SceneView fit_view(const figure::SceneCamera& camera, const std::vector<Sphere>& shown,
+                           const figure::PixelBox& room) {
   check(camera);
-  SceneView view;
-  view.forward = unit(camera.towards);
-  view.right = unit(cross(view.forward, camera.up));
-  view.up = cross(view.right, view.forward);
-  Point3 low = shown.front().centre;
-  Point3 high = low;
+  figure::SceneView view;
+  view.forward = figure::unit(camera.towards);
+  view.right = figure::unit(figure::cross(view.forward, camera.up));
+  view.up = figure::cross(view.right, view.forward);
+  figure::Point3 low = shown.front().centre;
+  figure::Point3 high = low;
   for (const Sphere& one : shown) {
-    const Point3 p = one.centre;
+    const figure::Point3 p = one.centre;
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const Point3 centre = 0.5 * (low + high);
+  const figure::Point3 centre = 0.5 * (low + high);
   double reach = 0;
   for (const Sphere& one : shown) {
-    reach = std::max(reach, length(one.centre - centre) + one.radius_m);
+    reach = std::max(reach, figure::length(one.centre - centre) + one.radius_m);
   }
   if (!std::isfinite(reach) || !(reach > 0)) {
     throw FigureError("the scene has no size, or is not finite");
@@ -115,9 +117,10 @@ SceneView fit_view(const SceneCamera& camera, const std::vector<Sphere>& shown,
 
   Extent extent;
   for (const Sphere& one : shown) {
-    const Point3 p = one.centre - view.eye;
-    const double shrink = view.parallel ? 1.0 : 1.0 / dot(p, view.forward);
-    extent.add(dot(p, view.right) * shrink, dot(p, view.up) * shrink, one.radius_m * shrink);
+    const figure::Point3 p = one.centre - view.eye;
+    const double shrink = view.parallel ? 1.0 : 1.0 / figure::dot(p, view.forward);
+    extent.add(figure::dot(p, view.right) * shrink, figure::dot(p, view.up) * shrink,
+               one.radius_m * shrink);
   }
   const double width = std::max(extent.right - extent.left, 1e-9);
   const double height = std::max(extent.high - extent.low, 1e-9);
@@ -127,4 +130,4 @@ SceneView fit_view(const SceneCamera& camera, const std::vector<Sphere>& shown,
   return view;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

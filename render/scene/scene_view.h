@@ -5,20 +5,20 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene {
 
 struct Sphere {
-  Point3 centre;
+  figure::Point3 centre;
   double radius_m{};
 };
 
 /// What the parts of a scene reach; labels are not counted.
-std::vector<Sphere> reach_of(const Scene& scene);
+std::vector<Sphere> reach_of(const figure::Scene& scene);
 
 /// The view in which all of `shown` (not empty) fits into `room` as large as it can, centred.
 /// @throw tribolog::FigureError for a camera without direction, with `up` along it, or with an
 /// opening or margin outside its range; for a scene that has no size or is not finite.
-SceneView fit_view(const SceneCamera& camera, const std::vector<Sphere>& shown,
-                   const PixelBox& room);
+figure::SceneView fit_view(const figure::SceneCamera& camera, const std::vector<Sphere>& shown,
+                           const figure::PixelBox& room);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 namespace {
 
 constexpr char32_t dot_above = 0x0307;
@@ -59,4 +59,4 @@ std::optional<char32_t> free_standing(char32_t mark) {
   return std::nullopt;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

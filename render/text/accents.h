@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 
 /// The one code point that stands for letter and mark ("z" + U+0307 -> U+017C), if Unicode has one
 /// among the letters that figures use.
@@ -15,4 +15,4 @@ std::optional<char32_t> composed(char32_t letter, char32_t mark);
 /// the letter; nothing for a character that is no such mark.
 std::optional<char32_t> free_standing(char32_t mark);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

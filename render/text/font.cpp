@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 namespace {
 
 constexpr std::array<const char*, 2> file_names{"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
@@ -132,4 +132,4 @@ std::string Font::freetype_version() {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

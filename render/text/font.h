@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 
 enum class Weight { regular, bold };
 
@@ -42,4 +42,4 @@ class Font {
   std::unique_ptr<Faces> faces_;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

@@ -7,7 +7,7 @@
 #include "render/text/accents.h"
 #include "render/text/utf8.h"
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 
 namespace {
 
@@ -169,26 +169,26 @@ TextLine shape_line(const Font& font, std::string_view markup, const TextStyle& 
   return shaper.take();
 }
 
-PixelBox box_of_line(const TextLine& line, PixelPoint start, bool upright) {
+figure::PixelBox box_of_line(const TextLine& line, figure::PixelPoint start, bool upright) {
   const double x = std::round(start.x);
   const double y = std::round(start.y);
   if (upright) return {x, y - line.ascent, x + line.width, y + line.descent};
   return {x - line.ascent, y - line.width, x + line.descent, y};
 }
 
-PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool upright,
-                    Owner owner) {
+figure::PixelBox place_line(figure::DrawList& list, const TextLine& line, figure::PixelPoint start,
+                            bool upright, figure::Owner owner) {
   const double x = std::round(start.x);
   const double y = std::round(start.y);
   for (const TextPiece& piece : line.pieces) {
-    TextRun run{owner,
-                piece.text,
-                line.style.weight == Weight::bold,
-                piece.size_px,
-                {},
-                upright,
-                line.style.colour,
-                {}};
+    figure::TextRun run{owner,
+                        piece.text,
+                        line.style.weight == Weight::bold,
+                        piece.size_px,
+                        {},
+                        upright,
+                        line.style.colour,
+                        {}};
     const double along = std::round(piece.offset);
     if (upright) {
       run.baseline = {x + along, y - piece.raise};
@@ -269,4 +269,4 @@ std::vector<TextLine> wrap_lines(const Font& font, const std::string& markup,
   return out;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

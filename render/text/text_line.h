@@ -9,7 +9,7 @@
 #include "render/figure/draw_list.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 
 enum class Shift { none, subscript, superscript };
 
@@ -29,7 +29,7 @@ MarkupText parse_markup(std::string_view utf8);
 struct TextStyle {
   int size_px{26};
   Weight weight{Weight::regular};
-  Colour colour{30, 30, 30};
+  figure::Colour colour{30, 30, 30};
 };
 
 /// Runs relative to the start of the baseline; `raise` is upwards.
@@ -72,10 +72,10 @@ std::vector<TextLine> wrap_lines(const Font& font, const std::string& markup,
 
 /// Puts a line with the start of its baseline at `start`, rounded to whole pixels; from bottom to
 /// top if not `upright`. Returns the box that it takes.
-PixelBox place_line(DrawList& list, const TextLine& line, PixelPoint start, bool upright,
-                    Owner owner);
+figure::PixelBox place_line(figure::DrawList& list, const TextLine& line, figure::PixelPoint start,
+                            bool upright, figure::Owner owner);
 
 /// The box that place_line would return.
-PixelBox box_of_line(const TextLine& line, PixelPoint start, bool upright);
+figure::PixelBox box_of_line(const TextLine& line, figure::PixelPoint start, bool upright);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 namespace {
 
 struct Sequence {
@@ -79,4 +79,4 @@ std::string encode_utf8(std::u32string_view text) {
   return out;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog::render {
+namespace tribolog::render::text {
 
 struct DecodedText {
   std::u32string text;
@@ -18,4 +18,4 @@ DecodedText decode_utf8(std::string_view bytes);
 
 std::string encode_utf8(std::u32string_view text);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text

@@ -8,12 +8,14 @@
 #include "base/error.h"
 #include "render/text/utf8.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 namespace {
 
-Weight weight_of(const TextRun& run) { return run.bold ? Weight::bold : Weight::regular; }
+text::Weight weight_of(const figure::TextRun& run) {
+  return run.bold ? text::Weight::bold : text::Weight::regular;
+}
 
-std::map<char32_t, unsigned> glyphs_of(const Font& font, Weight weight,
+std::map<char32_t, unsigned> glyphs_of(const text::Font& font, text::Weight weight,
                                        const std::set<char32_t>& characters) {
   std::map<char32_t, unsigned> out;
   for (const char32_t c : characters) out.emplace(c, font.glyph(weight, c));
@@ -37,11 +39,13 @@ std::string tag_of(const std::map<char32_t, unsigned>& glyphs) {
 
 }  // namespace
 
-DocumentFace::DocumentFace(const Font& font, Weight weight, const std::set<char32_t>& characters)
+DocumentFace::DocumentFace(const text::Font& font, text::Weight weight,
+                           const std::set<char32_t>& characters)
     : weight_(weight),
       file_(std::make_unique<TrueTypeFile>(font.file(weight))),
       originals_(glyphs_of(font, weight, characters)) {
-  name_ = fmt::format("{}+DejaVuSans{}", tag_of(originals_), weight == Weight::bold ? "Bold" : "");
+  name_ = fmt::format("{}+DejaVuSans{}", tag_of(originals_),
+                      weight == text::Weight::bold ? "Bold" : "");
   subset_ = true_type_subset(*file_, originals_, name_);
 }
 
@@ -49,10 +53,10 @@ double DocumentFace::advance_em(char32_t c) const {
   return static_cast<double>(file_->advance(original(c))) / file_->units_per_em();
 }
 
-std::vector<SetGlyph> DocumentFace::set(const TextRun& run) const {
+std::vector<SetGlyph> DocumentFace::set(const figure::TextRun& run) const {
   std::vector<SetGlyph> out;
   unsigned previous = 0;
-  for (const char32_t c : decode_utf8(run.text).text) {
+  for (const char32_t c : text::decode_utf8(run.text).text) {
     const unsigned glyph = original(c);
     const double kerning =
         out.empty() ? 0.0
@@ -63,10 +67,10 @@ std::vector<SetGlyph> DocumentFace::set(const TextRun& run) const {
   return out;
 }
 
-double DocumentFace::letter_spacing(const TextRun& run) const {
+double DocumentFace::letter_spacing(const figure::TextRun& run) const {
   constexpr double most_em = 0.1;
   double natural_em = 0;
-  const std::u32string text = decode_utf8(run.text).text;
+  const std::u32string text = text::decode_utf8(run.text).text;
   for (const char32_t c : text) natural_em += advance_em(c);
   for (const SetGlyph& one : set(run)) natural_em += one.kerning_em;
   if (text.empty()) return 0.0;
@@ -76,19 +80,20 @@ double DocumentFace::letter_spacing(const TextRun& run) const {
                     most);
 }
 
-std::vector<DocumentFace> document_faces(const DrawList& list, const Font& font) {
-  std::map<Weight, std::set<char32_t>> characters;
-  for (const Primitive& primitive : list.primitives) {
-    const auto* run = std::get_if<TextRun>(&primitive);
+std::vector<DocumentFace> document_faces(const figure::DrawList& list, const text::Font& font) {
+  std::map<text::Weight, std::set<char32_t>> characters;
+  for (const figure::Primitive& primitive : list.primitives) {
+    const auto* run = std::get_if<figure::TextRun>(&primitive);
     if (run == nullptr) continue;
-    for (const char32_t c : decode_utf8(run->text).text) characters[weight_of(*run)].insert(c);
+    for (const char32_t c : text::decode_utf8(run->text).text)
+      characters[weight_of(*run)].insert(c);
   }
   std::vector<DocumentFace> faces;
   for (const auto& [weight, used] : characters) faces.emplace_back(font, weight, used);
   return faces;
 }
 
-const DocumentFace& face_of(const std::vector<DocumentFace>& faces, const TextRun& run) {
+const DocumentFace& face_of(const std::vector<DocumentFace>& faces, const figure::TextRun& run) {
   const auto found = std::find_if(faces.begin(), faces.end(), [&](const DocumentFace& face) {
     return face.weight() == weight_of(run);
   });
@@ -96,4 +101,4 @@ const DocumentFace& face_of(const std::vector<DocumentFace>& faces, const TextRu
   return *found;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

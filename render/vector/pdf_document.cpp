@@ -12,7 +12,7 @@
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 // A draw list as the content of a PDF page.
 
@@ -23,10 +23,10 @@ class PdfCanvas : public VectorCanvas {
  public:
   explicit PdfCanvas(const std::vector<DocumentFace>& faces) : faces_(faces) {}
 
-  void fill(const std::vector<Points>& outlines, Colour colour) override;
-  void fill_discs(const Points& centres, double radius, Colour colour) override;
+  void fill(const std::vector<Points>& outlines, figure::Colour colour) override;
+  void fill_discs(const Points& centres, double radius, figure::Colour colour) override;
   void stroke(const std::vector<Points>& lines, const StrokeLook& look) override;
-  void text(const TextRun& run) override;
+  void text(const figure::TextRun& run) override;
 
   [[nodiscard]] const std::string& content() const { return out_; }
   /// What the page needs as graphics state "/A50" for each.
@@ -41,13 +41,13 @@ class PdfCanvas : public VectorCanvas {
   int alpha_{255};
 };
 
-std::string colour_of(Colour colour, const char* fill_or_stroke) {
+std::string colour_of(figure::Colour colour, const char* fill_or_stroke) {
   const auto part = [](std::uint8_t value) { return short_number(value / 255.0, 4); };
   return fmt::format("{} {} {} {}\n", part(colour.red), part(colour.green), part(colour.blue),
                      fill_or_stroke);
 }
 
-std::string place_of(PixelPoint p) {
+std::string place_of(figure::PixelPoint p) {
   return fmt::format("{} {}", short_number(p.x), short_number(p.y));
 }
 
@@ -61,9 +61,9 @@ void put_points(std::string& out, const VectorCanvas::Points& points, bool close
 }
 
 /// Four curves, nowhere farther from the circle than a 3,000th of its radius.
-void put_disc(std::string& out, PixelPoint c, double r) {
+void put_disc(std::string& out, figure::PixelPoint c, double r) {
   const double k = r * 4.0 / 3.0 * (std::sqrt(2.0) - 1.0);
-  const auto curve = [&](PixelPoint a, PixelPoint b, PixelPoint end) {
+  const auto curve = [&](figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint end) {
     out += fmt::format("{} {} {} c\n", place_of(a), place_of(b), place_of(end));
   };
   out += fmt::format("{} m\n", place_of({c.x + r, c.y}));
@@ -75,7 +75,9 @@ void put_disc(std::string& out, PixelPoint c, double r) {
 }
 
 /// "/F0" for the regular weight, "/F1" for the bold one.
-const char* pdf_font_name(Weight weight) { return weight == Weight::bold ? "/F1" : "/F0"; }
+const char* pdf_font_name(text::Weight weight) {
+  return weight == text::Weight::bold ? "/F1" : "/F0";
+}
 
 void PdfCanvas::use_alpha(int alpha) {
   if (alpha == alpha_) return;
@@ -84,17 +86,17 @@ void PdfCanvas::use_alpha(int alpha) {
   alpha_ = alpha;
 }
 
-void PdfCanvas::fill(const std::vector<Points>& outlines, Colour colour) {
+void PdfCanvas::fill(const std::vector<Points>& outlines, figure::Colour colour) {
   use_alpha(colour.alpha);
   out_ += colour_of(colour, "rg");
   for (const Points& outline : outlines) put_points(out_, outline, true);
   out_ += "f\n";
 }
 
-void PdfCanvas::fill_discs(const Points& centres, double radius, Colour colour) {
+void PdfCanvas::fill_discs(const Points& centres, double radius, figure::Colour colour) {
   use_alpha(colour.alpha);
   out_ += colour_of(colour, "rg");
-  for (const PixelPoint& centre : centres) put_disc(out_, centre, radius);
+  for (const figure::PixelPoint& centre : centres) put_disc(out_, centre, radius);
   out_ += "f\n";
 }
 
@@ -108,7 +110,7 @@ void PdfCanvas::stroke(const std::vector<Points>& lines, const StrokeLook& look)
   out_ += "S\n";
 }
 
-void PdfCanvas::text(const TextRun& run) {
+void PdfCanvas::text(const figure::TextRun& run) {
   const DocumentFace& face = face_of(faces_, run);
   use_alpha(255);  // as the painter of pictures has it
   out_ += colour_of(run.colour, "rg");
@@ -149,8 +151,8 @@ std::string resources_of(PdfFile& file, const std::vector<DocumentFace>& faces,
 
 }  // namespace
 
-std::string pdf_document(const DrawList& list, const DocumentTexts& texts, const Font& font,
-                         const std::vector<std::byte>& solid_parts) {
+std::string pdf_document(const figure::DrawList& list, const DocumentTexts& texts,
+                         const text::Font& font, const std::vector<std::byte>& solid_parts) {
   if (list.scene && solid_parts.empty()) {
     throw FigureError("the solid parts of a scene have to be drawn before they are put into PDF");
   }
@@ -197,4 +199,4 @@ std::string pdf_document(const DrawList& list, const DocumentTexts& texts, const
   return file.finish(catalogue, information);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

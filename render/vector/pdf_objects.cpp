@@ -12,7 +12,7 @@
 #include "render/text/utf8.h"
 #include "render/vector/true_type_file.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 int PdfFile::reserve() {
   objects_.emplace_back();
@@ -29,7 +29,7 @@ int PdfFile::add(const std::string& body) {
 }
 
 int PdfFile::add_stream(const std::string& data, const std::string& entries) {
-  const std::vector<std::uint8_t> packed = zlib_compressed({data.begin(), data.end()});
+  const std::vector<std::uint8_t> packed = png::zlib_compressed({data.begin(), data.end()});
   return add_compressed(std::string(packed.begin(), packed.end()), entries);
 }
 
@@ -58,7 +58,7 @@ std::string pdf_reference(int number) { return fmt::format("{} 0 R", number); }
 std::string pdf_text(const std::string& utf8) {
   constexpr char32_t first_of_pairs = 0x10000;
   std::string out = "<FEFF";
-  for (char32_t c : decode_utf8(utf8).text) {
+  for (char32_t c : text::decode_utf8(utf8).text) {
     if (c < first_of_pairs) {
       out += fmt::format("{:04X}", static_cast<std::uint32_t>(c));
       continue;
@@ -99,7 +99,7 @@ int add_descriptor(PdfFile& file, const DocumentFace& face) {
       "<< /Type /FontDescriptor /FontName /{} /Flags {} /FontBBox [{} {} {} {}] /ItalicAngle 0 "
       "/Ascent {} /Descent {} /CapHeight {} /StemV {} /FontFile2 {} >>",
       face.name(), symbolic, of_head(36), of_head(38), of_head(40), of_head(42), of_hhea(4),
-      of_hhea(6), capital_height(face), face.weight() == Weight::bold ? 150 : 80,
+      of_hhea(6), capital_height(face), face.weight() == text::Weight::bold ? 150 : 80,
       pdf_reference(program)));
 }
 
@@ -114,7 +114,7 @@ std::string widths(const DocumentFace& face) {
 
 /// The codes of a character in UTF-16, without the mark at the front.
 std::string utf16_digits(char32_t c) {
-  const std::string text = pdf_text(encode_utf8(std::u32string(1, c)));
+  const std::string text = pdf_text(text::encode_utf8(std::u32string(1, c)));
   return text.substr(5, text.size() - 6);
 }
 
@@ -213,4 +213,4 @@ int add_picture(PdfFile& file, const std::vector<std::byte>& png) {
                   parts.width));
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -7,7 +7,7 @@
 
 #include "render/vector/document_face.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 class PdfFile {
  public:
@@ -47,4 +47,4 @@ int add_font(PdfFile& file, const DocumentFace& face);
 /// @throw tribolog::FigureError if it is not such a picture.
 int add_picture(PdfFile& file, const std::vector<std::byte>& png);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 namespace {
 
 void set_u16(std::string& table, std::size_t at, std::uint16_t value) {
@@ -247,4 +247,4 @@ std::string kern_table(const TrueTypeFile& font, const std::vector<unsigned>& or
   return out + pairs;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

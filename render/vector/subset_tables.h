@@ -8,7 +8,7 @@
 
 #include "render/vector/true_type_file.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 void put_u16(std::string& out, std::uint16_t value);
 void put_u32(std::string& out, std::uint32_t value);
@@ -29,4 +29,4 @@ std::string post_table(const TrueTypeFile& font);
 std::string kern_table(const TrueTypeFile& font, const std::vector<unsigned>& originals,
                        std::size_t characters);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

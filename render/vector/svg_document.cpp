@@ -12,12 +12,12 @@
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 namespace {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : encode_utf8(decode_utf8(text).text)) {
+  for (const char c : text::encode_utf8(text::decode_utf8(text).text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -38,7 +38,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string paint_of(const char* what, Colour colour) {
+std::string paint_of(const char* what, figure::Colour colour) {
   std::string out =
       fmt::format(" {}=\"#{:02x}{:02x}{:02x}\"", what, colour.red, colour.green, colour.blue);
   if (colour.alpha < 255) {
@@ -47,7 +47,7 @@ std::string paint_of(const char* what, Colour colour) {
   return out;
 }
 
-std::string place_of(PixelPoint p) {
+std::string place_of(figure::PixelPoint p) {
   return fmt::format("{} {}", short_number(p.x), short_number(p.y));
 }
 
@@ -66,19 +66,19 @@ class SvgCanvas : public VectorCanvas {
  public:
   SvgCanvas(std::string& out, const std::vector<DocumentFace>& faces) : out_(out), faces_(faces) {}
 
-  void fill(const std::vector<Points>& outlines, Colour colour) override {
+  void fill(const std::vector<Points>& outlines, figure::Colour colour) override {
     finish();
     std::string path;
     for (const Points& outline : outlines) put_points(path, outline, true);
     out_ += fmt::format("<path{} d=\"{}\"/>\n", paint_of("fill", colour), path);
   }
 
-  void fill_discs(const Points& centres, double radius, Colour colour) override {
+  void fill_discs(const Points& centres, double radius, figure::Colour colour) override {
     finish();
     const std::string r = short_number(radius);
     const std::string across = short_number(2 * radius);
     std::string path;
-    for (const PixelPoint& c : centres) {
+    for (const figure::PixelPoint& c : centres) {
       path += fmt::format("M{}a{} {} 0 1 0 {} 0a{} {} 0 1 0 -{} 0Z", place_of({c.x - radius, c.y}),
                           r, r, across, r, r, across);
     }
@@ -98,9 +98,9 @@ class SvgCanvas : public VectorCanvas {
                         paint_of("stroke", look.colour), short_number(look.width), dashes, path);
   }
 
-  void text(const TextRun& run) override {
+  void text(const figure::TextRun& run) override {
     if (continues(run)) {
-      const PixelPoint at = along_first(run.baseline);
+      const figure::PixelPoint at = along_first(run.baseline);
       out_ += fmt::format("<tspan x=\"{}\" y=\"{}\"{}>{}</tspan>", short_number(at.x),
                           short_number(at.y), look_of(run), escaped(run.text));
     } else {
@@ -125,7 +125,7 @@ class SvgCanvas : public VectorCanvas {
 
  private:
   /// Runs of one line become one text, which can be searched and copied as such.
-  [[nodiscard]] bool continues(const TextRun& run) const {
+  [[nodiscard]] bool continues(const figure::TextRun& run) const {
     if (!last_ || !(last_->owner == run.owner) || last_->upright != run.upright) return false;
     constexpr double rounding_px = 1.5;
     const double gap =
@@ -136,13 +136,13 @@ class SvgCanvas : public VectorCanvas {
   }
 
   /// In the axes of a text that is turned, which begin at its first run.
-  [[nodiscard]] PixelPoint along_first(PixelPoint p) const {
+  [[nodiscard]] figure::PixelPoint along_first(figure::PixelPoint p) const {
     if (first_.upright) return p;
     return {first_.baseline.y - p.y, p.x - first_.baseline.x};
   }
 
-  [[nodiscard]] std::string look_of(const TextRun& run) const {
-    Colour colour = run.colour;
+  [[nodiscard]] std::string look_of(const figure::TextRun& run) const {
+    figure::Colour colour = run.colour;
     colour.alpha = 255;  // as the painter of pictures has it
     return fmt::format("{} font-size=\"{}\"{} letter-spacing=\"{}\"", paint_of("fill", colour),
                        run.size, run.bold ? " font-weight=\"bold\"" : "",
@@ -151,8 +151,8 @@ class SvgCanvas : public VectorCanvas {
 
   std::string& out_;
   const std::vector<DocumentFace>& faces_;
-  TextRun first_;
-  std::optional<TextRun> last_;
+  figure::TextRun first_;
+  std::optional<figure::TextRun> last_;
 };
 
 std::string in_base64(std::string_view bytes) {
@@ -171,7 +171,7 @@ std::string font_style(const std::vector<DocumentFace>& faces) {
   for (const DocumentFace& face : faces) {
     out += fmt::format(
         "@font-face{{font-family:\"{}\";font-weight:{};src:url(data:font/ttf;base64,{})}}\n",
-        family_of(faces), face.weight() == Weight::bold ? "bold" : "normal",
+        family_of(faces), face.weight() == text::Weight::bold ? "bold" : "normal",
         in_base64(face.subset().bytes));
   }
   return out;
@@ -179,8 +179,8 @@ std::string font_style(const std::vector<DocumentFace>& faces) {
 
 }  // namespace
 
-std::string svg_document(const DrawList& list, const DocumentTexts& texts, const Font& font,
-                         const std::vector<std::byte>& solid_parts) {
+std::string svg_document(const figure::DrawList& list, const DocumentTexts& texts,
+                         const text::Font& font, const std::vector<std::byte>& solid_parts) {
   if (list.scene && solid_parts.empty()) {
     throw FigureError("the solid parts of a scene have to be drawn before they are put into SVG");
   }
@@ -209,4 +209,4 @@ std::string svg_document(const DrawList& list, const DocumentTexts& texts, const
   return out + "</g>\n</svg>\n";
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 namespace {
 
 constexpr std::uint32_t true_type_outlines = 0x00010000;
@@ -130,4 +130,4 @@ void TrueTypeFile::read_kerning() {
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

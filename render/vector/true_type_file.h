@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 /// Numbers in a font are big-endian. @throw tribolog::FigureError beyond the end of the bytes.
 std::uint16_t u16_at(std::string_view bytes, std::size_t at);
@@ -48,4 +48,4 @@ class TrueTypeFile {
   bool long_offsets_{};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "render/vector/subset_tables.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 namespace {
 
@@ -169,4 +169,4 @@ TrueTypeSubset true_type_subset(const TrueTypeFile& font,
   return out;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -8,7 +8,7 @@
 
 #include "render/vector/true_type_file.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 struct GlyphTables {
   std::string glyf;
@@ -60,4 +60,4 @@ TrueTypeSubset true_type_subset(const TrueTypeFile& font,
                                 const std::map<char32_t, unsigned>& characters,
                                 const std::string& family);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

@@ -7,7 +7,7 @@
 
 #include "render/figure/marks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 std::string short_number(double value, int digits) {
   if (!std::isfinite(value)) return "0";
@@ -23,7 +23,7 @@ namespace {
 
 using Points = VectorCanvas::Points;
 
-Points outline_of(const Ribbon& ribbon, std::size_t from, std::size_t to) {
+Points outline_of(const figure::Ribbon& ribbon, std::size_t from, std::size_t to) {
   const auto part = [&](const Points& edge) {
     return Points(edge.begin() + static_cast<std::ptrdiff_t>(from),
                   edge.begin() + static_cast<std::ptrdiff_t>(to) + 1);
@@ -38,14 +38,14 @@ class ListPainter {
  public:
   explicit ListPainter(VectorCanvas& canvas) : canvas_(canvas) {}
 
-  void operator()(const Polyline& line) {
+  void operator()(const figure::Polyline& line) {
     if (line.points.size() > 1) {
       canvas_.stroke({line.points}, {line.width, line.colour, line.dashes});
     }
   }
 
   /// A band that turns back covers itself; each stretch between two turns is filled alone.
-  void operator()(const Ribbon& ribbon) {
+  void operator()(const figure::Ribbon& ribbon) {
     const Points& edge = ribbon.edge_a;
     if (edge.size() < 2) return;
     std::size_t from = 0;
@@ -58,26 +58,26 @@ class ListPainter {
     canvas_.fill({outline_of(ribbon, from, edge.size() - 1)}, ribbon.colour);
   }
 
-  void operator()(const Polygon& polygon) {
+  void operator()(const figure::Polygon& polygon) {
     if (polygon.outline.size() > 2) canvas_.fill({polygon.outline}, polygon.colour);
   }
 
-  void operator()(const Markers& markers) {
-    if (markers.shape == Marker::none || markers.centres.empty()) return;
-    if (has_rim(markers)) paint(markers, marker_rim_colour, marker_rim_px);
+  void operator()(const figure::Markers& markers) {
+    if (markers.shape == figure::Marker::none || markers.centres.empty()) return;
+    if (figure::has_rim(markers)) paint(markers, figure::marker_rim_colour, figure::marker_rim_px);
     paint(markers, markers.colour, 0.0);
   }
 
-  void operator()(const TextRun& run) {
+  void operator()(const figure::TextRun& run) {
     if (run.text.find_first_not_of(' ') != std::string::npos) canvas_.text(run);
   }
 
  private:
-  void paint(const Markers& markers, Colour colour, double grow) {
-    const double radius = marker_radius(markers, grow);
+  void paint(const figure::Markers& markers, figure::Colour colour, double grow) {
+    const double radius = figure::marker_radius(markers, grow);
     if (colour.alpha < 255) {  // where two lie on each other, both are seen
-      for (const PixelPoint& centre : markers.centres) {
-        Markers one = markers;
+      for (const figure::PixelPoint& centre : markers.centres) {
+        figure::Markers one = markers;
         one.centres = {centre};
         paint_as_one(one, colour, radius, grow);
       }
@@ -86,23 +86,24 @@ class ListPainter {
     paint_as_one(markers, colour, radius, grow);
   }
 
-  void paint_as_one(const Markers& markers, Colour colour, double radius, double grow) {
-    if (markers.shape == Marker::circle) {
+  void paint_as_one(const figure::Markers& markers, figure::Colour colour, double radius,
+                    double grow) {
+    if (markers.shape == figure::Marker::circle) {
       canvas_.fill_discs(markers.centres, radius, colour);
       return;
     }
     std::vector<Points> parts;
-    for (const PixelPoint& centre : markers.centres) {
-      if (!is_stroked(markers.shape)) {
-        parts.push_back(marker_corners(markers.shape, centre, radius));
+    for (const figure::PixelPoint& centre : markers.centres) {
+      if (!figure::is_stroked(markers.shape)) {
+        parts.push_back(figure::marker_corners(markers.shape, centre, radius));
         continue;
       }
-      for (const auto& [from, to] : marker_strokes(markers, centre, grow).lines) {
+      for (const auto& [from, to] : figure::marker_strokes(markers, centre, grow).lines) {
         parts.push_back({from, to});
       }
     }
-    if (is_stroked(markers.shape)) {
-      canvas_.stroke(parts, {marker_strokes(markers, {}, grow).thickness, colour, {}});
+    if (figure::is_stroked(markers.shape)) {
+      canvas_.stroke(parts, {figure::marker_strokes(markers, {}, grow).thickness, colour, {}});
     } else {
       canvas_.fill(parts, colour);
     }
@@ -113,9 +114,9 @@ class ListPainter {
 
 }  // namespace
 
-void paint_on(VectorCanvas& canvas, const DrawList& list) {
+void paint_on(VectorCanvas& canvas, const figure::DrawList& list) {
   ListPainter painter(canvas);
-  for (const Primitive& primitive : list.primitives) std::visit(painter, primitive);
+  for (const figure::Primitive& primitive : list.primitives) std::visit(painter, primitive);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

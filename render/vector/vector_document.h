@@ -12,7 +12,7 @@
 #include "render/figure/draw_list.h"
 #include "render/text/font.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vector {
 
 /// Plain UTF-8 text, which may be broken; shown by readers of documents and read out by others.
 struct DocumentTexts {
@@ -25,11 +25,11 @@ struct DocumentTexts {
 /// over the whole figure; empty: white paper.
 /// @throw tribolog::FigureError if the font cannot be embedded, or if the list has solid parts and
 /// there is no picture of them.
-std::string svg_document(const DrawList& list, const DocumentTexts& texts, const Font& font,
-                         const std::vector<std::byte>& solid_parts = {});
+std::string svg_document(const figure::DrawList& list, const DocumentTexts& texts,
+                         const text::Font& font, const std::vector<std::byte>& solid_parts = {});
 
 /// One page as large as the figure is in print. As svg_document().
-std::string pdf_document(const DrawList& list, const DocumentTexts& texts, const Font& font,
-                         const std::vector<std::byte>& solid_parts = {});
+std::string pdf_document(const figure::DrawList& list, const DocumentTexts& texts,
+                         const text::Font& font, const std::vector<std::byte>& solid_parts = {});
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vector

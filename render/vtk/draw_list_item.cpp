@@ -13,7 +13,7 @@
 
 #include "render/figure/marks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 namespace {
 
 constexpr int dots_per_inch = 72;
@@ -22,7 +22,8 @@ constexpr int dots_per_inch = 72;
 
 vtkStandardNewMacro(DrawListItem);
 
-void DrawListItem::show(const DrawList* list, const Font* font, int top, int window_height) {
+void DrawListItem::show(const figure::DrawList* list, const text::Font* font, int top,
+                        int window_height) {
   list_ = list;
   font_ = font;
   top_ = top;
@@ -40,36 +41,36 @@ float DrawListItem::vtk_y(double y) const {
   return static_cast<float>(0.5 + above_bottom * (window_height_ - 1.0) / window_height_);
 }
 
-bool DrawListItem::is_in_window(const PixelBox& box) const {
+bool DrawListItem::is_in_window(const figure::PixelBox& box) const {
   constexpr double reach = 8;  // ink may lie a little outside of a text's box
   return box.bottom + reach > top_ && box.top - reach < top_ + window_height_;
 }
 
 bool DrawListItem::Paint(vtkContext2D* context) {
   context->GetPen()->SetLineType(vtkPen::NO_PEN);
-  Colour pending{};
-  const auto use = [&](Colour colour) {
+  figure::Colour pending{};
+  const auto use = [&](figure::Colour colour) {
     if (!(colour == pending)) fill(context, pending);
     pending = colour;
   };
-  for (const Primitive& primitive : list_->primitives) {
-    if (const auto* run = std::get_if<TextRun>(&primitive)) {
+  for (const figure::Primitive& primitive : list_->primitives) {
+    if (const auto* run = std::get_if<figure::TextRun>(&primitive)) {
       if (!is_in_window(run->box)) continue;
       fill(context, pending);
       draw_text(context, *run);
-    } else if (const auto* line = std::get_if<Polyline>(&primitive)) {
+    } else if (const auto* line = std::get_if<figure::Polyline>(&primitive)) {
       use(line->colour);
       strip_.add(*line);
-    } else if (const auto* ribbon = std::get_if<Ribbon>(&primitive)) {
+    } else if (const auto* ribbon = std::get_if<figure::Ribbon>(&primitive)) {
       use(ribbon->colour);
       strip_.add(*ribbon);
-    } else if (const auto* polygon = std::get_if<Polygon>(&primitive)) {
+    } else if (const auto* polygon = std::get_if<figure::Polygon>(&primitive)) {
       use(polygon->colour);
       strip_.add(*polygon);
-    } else if (const auto* markers = std::get_if<Markers>(&primitive)) {
-      if (has_rim(*markers)) {
-        use(marker_rim_colour);
-        strip_.add(*markers, marker_rim_px);
+    } else if (const auto* markers = std::get_if<figure::Markers>(&primitive)) {
+      if (figure::has_rim(*markers)) {
+        use(figure::marker_rim_colour);
+        strip_.add(*markers, figure::marker_rim_px);
       }
       use(markers->colour);
       strip_.add(*markers);
@@ -79,12 +80,12 @@ bool DrawListItem::Paint(vtkContext2D* context) {
   return true;
 }
 
-void DrawListItem::fill(vtkContext2D* context, Colour colour) {
-  const std::vector<PixelPoint>& points = strip_.points();
+void DrawListItem::fill(vtkContext2D* context, figure::Colour colour) {
+  const std::vector<figure::PixelPoint>& points = strip_.points();
   if (points.size() >= 4) {
     std::vector<float> vertices;
     vertices.reserve(2 * points.size());
-    for (const PixelPoint& p : points) {
+    for (const figure::PixelPoint& p : points) {
       vertices.push_back(vtk_x(p.x));
       vertices.push_back(vtk_y(p.y));
     }
@@ -94,11 +95,11 @@ void DrawListItem::fill(vtkContext2D* context, Colour colour) {
   strip_.clear();
 }
 
-void DrawListItem::draw_text(vtkContext2D* context, const TextRun& run) {
+void DrawListItem::draw_text(vtkContext2D* context, const figure::TextRun& run) {
   if (run.text.find_first_not_of(' ') == std::string::npos) return;
   vtkTextProperty* property = property_;
   property->SetFontFamily(VTK_FONT_FILE);
-  property->SetFontFile(font_->file(run.bold ? Weight::bold : Weight::regular).c_str());
+  property->SetFontFile(font_->file(run.bold ? text::Weight::bold : text::Weight::regular).c_str());
   property->SetFontSize(run.size);
   property->SetBold(0);
   property->SetItalic(0);
@@ -119,7 +120,7 @@ void DrawListItem::draw_text(vtkContext2D* context, const TextRun& run) {
     return;
   }
   const double space =
-      font_->measure(run.bold ? Weight::bold : Weight::regular, run.size, U' ').advance;
+      font_->measure(run.bold ? text::Weight::bold : text::Weight::regular, run.size, U' ').advance;
   // VTK places the image of the text by its lower left corner; its baseline starts inside.
   const int inside_x = metrics.BottomLeft.GetX() - metrics.Descent.GetX() - metrics.BoundingBox[0];
   const int inside_y = metrics.BottomLeft.GetY() - metrics.Descent.GetY() - metrics.BoundingBox[2];
@@ -135,4 +136,4 @@ void DrawListItem::draw_text(vtkContext2D* context, const TextRun& run) {
   context->PopMatrix();
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -9,7 +9,7 @@
 #include "render/text/font.h"
 #include "render/vtk/strip_builder.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 class DrawListItem : public vtkContextItem {
  public:
@@ -18,7 +18,7 @@ class DrawListItem : public vtkContextItem {
 
       /// Shows the part of the picture from row `top` on, as high as the window. Both must live
       /// while the item paints.
-      void show(const DrawList* list, const Font* font, int top, int window_height);
+      void show(const figure::DrawList* list, const text::Font* font, int top, int window_height);
 
   bool Paint(vtkContext2D* context) override;
 
@@ -30,18 +30,18 @@ class DrawListItem : public vtkContextItem {
   ~DrawListItem() override = default;
 
  private:
-  void fill(vtkContext2D* context, Colour colour);
-  void draw_text(vtkContext2D* context, const TextRun& run);
-  [[nodiscard]] bool is_in_window(const PixelBox& box) const;
+  void fill(vtkContext2D* context, figure::Colour colour);
+  void draw_text(vtkContext2D* context, const figure::TextRun& run);
+  [[nodiscard]] bool is_in_window(const figure::PixelBox& box) const;
   [[nodiscard]] float vtk_x(double x) const;
   [[nodiscard]] float vtk_y(double y) const;
 
-  const DrawList* list_{};
-  const Font* font_{};
+  const figure::DrawList* list_{};
+  const text::Font* font_{};
   int top_{};
   int window_height_{};
   StripBuilder strip_;
   vtkNew<vtkTextProperty> property_;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

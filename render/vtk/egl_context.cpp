@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "render/vtk/gl_context.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 namespace {
 
 constexpr const char* packages = "; install the packages libegl1 and libgl1-mesa-dri";
@@ -109,4 +109,4 @@ class EglContext final : public GlContext {
 
 std::unique_ptr<GlContext> make_gl_context() { return std::make_unique<EglContext>(); }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 /// One per process, and only in a worker.
 class GlContext {
@@ -27,4 +27,4 @@ class GlContext {
 /// stands in the way (an LD_PRELOADed libGL would draw white figures without any error).
 std::unique_ptr<GlContext> make_gl_context();
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -11,7 +11,7 @@
 #include <vtk_glew.h>
 #endif
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 vtkStandardNewMacro(HeadlessWindow);
 
@@ -85,4 +85,4 @@ void HeadlessWindow::OpenGLInitContext() {
 #endif
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

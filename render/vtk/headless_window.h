@@ -5,7 +5,7 @@
 
 #include "render/vtk/gl_context.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
  public:
@@ -38,4 +38,4 @@ class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
   bool has_depth_{true};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

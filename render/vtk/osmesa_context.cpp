@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "render/vtk/gl_context.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 namespace {
 
 std::string gl_text(GLenum name) {
@@ -87,4 +87,4 @@ class OsmesaContext final : public GlContext {
 
 std::unique_ptr<GlContext> make_gl_context() { return std::make_unique<OsmesaContext>(); }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -12,13 +12,13 @@
 
 #include "render/figure/scene.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 namespace {
 
 constexpr double ambient = 0.46;
 constexpr double key_light = 0.50;   // from above and the left, in front of the scene
 constexpr double fill_light = 0.20;  // from the eye
-constexpr Colour outline_colour{45, 45, 45};
+constexpr figure::Colour outline_colour{45, 45, 45};
 
 /// Collects meshes as one set of triangles.
 class TriangleSet {
@@ -28,12 +28,13 @@ class TriangleSet {
     colours_->SetNumberOfComponents(3);
   }
 
-  void add(const SceneMesh& mesh, Colour colour, double outwards_px, const SceneView& view) {
+  void add(const figure::SceneMesh& mesh, figure::Colour colour, double outwards_px,
+           const figure::SceneView& view) {
     const vtkIdType first = points_->GetNumberOfPoints();
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-      Point3 p = mesh.points[i];
+      figure::Point3 p = mesh.points[i];
       if (outwards_px > 0) p = p + (outwards_px * view.metres_per_pixel(p)) * mesh.spread[i];
-      const Point3& n = mesh.normals[i];
+      const figure::Point3& n = mesh.normals[i];
       points_->InsertNextPoint(p.x, p.y, p.z);
       normals_->InsertNextTuple3(n.x, n.y, n.z);
       colours_->InsertNextTuple3(colour.red, colour.green, colour.blue);
@@ -77,13 +78,14 @@ void add_light(vtkRenderer* renderer, double x, double y, double z, double inten
 
 }  // namespace
 
-ScenePainter::ScenePainter(vtkRenderer* renderer, const SceneGeometry& scene, double outline_px)
+ScenePainter::ScenePainter(vtkRenderer* renderer, const figure::SceneGeometry& scene,
+                           double outline_px)
     : renderer_(renderer), view_(scene.view) {
   add_flat_areas(scene);
   add_outlines(scene, outline_px);
   add_surfaces(scene);
   add_lights();
-  const Point3 target = view_.eye + view_.farthest_m * view_.forward;
+  const figure::Point3 target = view_.eye + view_.farthest_m * view_.forward;
   camera_->SetPosition(view_.eye.x, view_.eye.y, view_.eye.z);
   camera_->SetFocalPoint(target.x, target.y, target.z);
   camera_->SetViewUp(view_.up.x, view_.up.y, view_.up.z);
@@ -109,10 +111,10 @@ void ScenePainter::show_rows(int width, int top, int rows) {
   camera_->Modified();
 }
 
-void ScenePainter::add_surfaces(const SceneGeometry& scene) {
+void ScenePainter::add_surfaces(const figure::SceneGeometry& scene) {
   TriangleSet set;
-  for (const SceneMesh& mesh : scene.meshes) {
-    if (mesh.finish == SceneMesh::Finish::lit) set.add(mesh, mesh.colour, 0, view_);
+  for (const figure::SceneMesh& mesh : scene.meshes) {
+    if (mesh.finish == figure::SceneMesh::Finish::lit) set.add(mesh, mesh.colour, 0, view_);
   }
   set.show(surfaces_, renderer_);
   vtkProperty* look = surfaces_->GetProperty();
@@ -123,20 +125,21 @@ void ScenePainter::add_surfaces(const SceneGeometry& scene) {
   look->BackfaceCullingOn();
 }
 
-void ScenePainter::add_flat_areas(const SceneGeometry& scene) {
+void ScenePainter::add_flat_areas(const figure::SceneGeometry& scene) {
   TriangleSet set;
-  for (const SceneMesh& mesh : scene.meshes) {
-    if (mesh.finish == SceneMesh::Finish::flat) set.add(mesh, mesh.colour, 0, view_);
+  for (const figure::SceneMesh& mesh : scene.meshes) {
+    if (mesh.finish == figure::SceneMesh::Finish::flat) set.add(mesh, mesh.colour, 0, view_);
   }
   set.show(flat_areas_, renderer_);
   flat_areas_->GetProperty()->LightingOff();
 }
 
 /// What can be seen of the far side of a slightly larger part is its outline.
-void ScenePainter::add_outlines(const SceneGeometry& scene, double outline_px) {
+void ScenePainter::add_outlines(const figure::SceneGeometry& scene, double outline_px) {
   TriangleSet set;
-  for (const SceneMesh& mesh : scene.meshes) {
-    if (mesh.finish == SceneMesh::Finish::lit) set.add(mesh, outline_colour, outline_px, view_);
+  for (const figure::SceneMesh& mesh : scene.meshes) {
+    if (mesh.finish == figure::SceneMesh::Finish::lit)
+      set.add(mesh, outline_colour, outline_px, view_);
   }
   set.show(outlines_, renderer_);
   outlines_->GetProperty()->LightingOff();
@@ -149,4 +152,4 @@ void ScenePainter::add_lights() {
   add_light(renderer_, 0.0, 0.0, 1.0, fill_light);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -9,13 +9,13 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 /// Puts a scene into a renderer and takes it away again when it ends.
 class ScenePainter {
  public:
   /// Both must live as long as this. @param outline_px width of the outlines in pixels
-  ScenePainter(vtkRenderer* renderer, const SceneGeometry& scene, double outline_px);
+  ScenePainter(vtkRenderer* renderer, const figure::SceneGeometry& scene, double outline_px);
   ~ScenePainter();
   ScenePainter(const ScenePainter&) = delete;
   ScenePainter& operator=(const ScenePainter&) = delete;
@@ -24,17 +24,17 @@ class ScenePainter {
   void show_rows(int width, int top, int rows);
 
  private:
-  void add_surfaces(const SceneGeometry& scene);
-  void add_flat_areas(const SceneGeometry& scene);
-  void add_outlines(const SceneGeometry& scene, double outline_px);
+  void add_surfaces(const figure::SceneGeometry& scene);
+  void add_flat_areas(const figure::SceneGeometry& scene);
+  void add_outlines(const figure::SceneGeometry& scene, double outline_px);
   void add_lights();
 
   vtkRenderer* renderer_;
-  const SceneView& view_;
+  const figure::SceneView& view_;
   vtkNew<vtkCamera> camera_;
   vtkNew<vtkActor> surfaces_;
   vtkNew<vtkActor> flat_areas_;
   vtkNew<vtkActor> outlines_;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -6,12 +6,12 @@
 
 #include "render/figure/marks.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 namespace {
 
 constexpr double flatness = 0.2;  // pixels between a round join and its polygon
 
-PixelPoint direction(PixelPoint from, PixelPoint to) {
+figure::PixelPoint direction(figure::PixelPoint from, figure::PixelPoint to) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
@@ -24,37 +24,38 @@ int circle_corners(double radius) {
       fewest, static_cast<int>(std::ceil(std::numbers::pi / std::acos(1.0 - flatness / radius))));
 }
 
-std::vector<PixelPoint> marker_outline(Marker shape, PixelPoint c, double radius) {
-  if (shape != Marker::circle) return marker_corners(shape, c, radius);
-  return regular_polygon(c, radius, circle_corners(radius), 0.0);
+std::vector<figure::PixelPoint> marker_outline(figure::Marker shape, figure::PixelPoint c,
+                                               double radius) {
+  if (shape != figure::Marker::circle) return figure::marker_corners(shape, c, radius);
+  return figure::regular_polygon(c, radius, circle_corners(radius), 0.0);
 }
 
 }  // namespace
 
-void StripBuilder::pair(PixelPoint a, PixelPoint b) {
+void StripBuilder::pair(figure::PixelPoint a, figure::PixelPoint b) {
   points_.push_back(a);
   points_.push_back(b);
 }
 
-void StripBuilder::begin_part(PixelPoint at) {
+void StripBuilder::begin_part(figure::PixelPoint at) {
   if (!points_.empty()) pair(at, at);
 }
 
-void StripBuilder::end_part(PixelPoint at) { pair(at, at); }
+void StripBuilder::end_part(figure::PixelPoint at) { pair(at, at); }
 
-void StripBuilder::stroke(const std::vector<PixelPoint>& line, double width) {
+void StripBuilder::stroke(const std::vector<figure::PixelPoint>& line, double width) {
   const double half = width / 2;
   const double widest_turn = 2.0 * std::acos(std::max(0.0, 1.0 - flatness / half));
-  const auto across = [&](PixelPoint p, double angle) {
-    const PixelPoint normal{-std::sin(angle) * half, std::cos(angle) * half};
+  const auto across = [&](figure::PixelPoint p, double angle) {
+    const figure::PixelPoint normal{-std::sin(angle) * half, std::cos(angle) * half};
     pair({p.x + normal.x, p.y + normal.y}, {p.x - normal.x, p.y - normal.y});
   };
   double angle = 0;
   bool started = false;
-  PixelPoint end = line.front();
+  figure::PixelPoint end = line.front();
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (line[i] == end) continue;
-    const PixelPoint along = direction(end, line[i]);
+    const figure::PixelPoint along = direction(end, line[i]);
     const double next = std::atan2(along.y, along.x);
     if (!started) {
       begin_part(end);
@@ -72,7 +73,7 @@ void StripBuilder::stroke(const std::vector<PixelPoint>& line, double width) {
   if (started) end_part(end);
 }
 
-void StripBuilder::convex(const std::vector<PixelPoint>& outline) {
+void StripBuilder::convex(const std::vector<figure::PixelPoint>& outline) {
   if (outline.size() < 3) return;
   begin_part(outline.front());
   pair(outline.front(), outline.front());
@@ -83,34 +84,35 @@ void StripBuilder::convex(const std::vector<PixelPoint>& outline) {
   end_part(points_.back());
 }
 
-void StripBuilder::add(const Polyline& line) {
+void StripBuilder::add(const figure::Polyline& line) {
   if (line.points.size() < 2) return;
-  for (const auto& dash : cut_into_dashes(line.points, line.dashes)) {
+  for (const auto& dash : figure::cut_into_dashes(line.points, line.dashes)) {
     if (dash.size() > 1) stroke(dash, line.width);
   }
 }
 
-void StripBuilder::add(const Ribbon& ribbon) {
+void StripBuilder::add(const figure::Ribbon& ribbon) {
   if (ribbon.edge_a.size() < 2) return;
   begin_part(ribbon.edge_a.front());
   for (std::size_t i = 0; i < ribbon.edge_a.size(); ++i) pair(ribbon.edge_a[i], ribbon.edge_b[i]);
   end_part(ribbon.edge_b.back());
 }
 
-void StripBuilder::add(const Polygon& polygon) { convex(polygon.outline); }
+void StripBuilder::add(const figure::Polygon& polygon) { convex(polygon.outline); }
 
-void StripBuilder::add(const Markers& markers, double grow) {
-  const double radius = marker_radius(markers, grow);
-  const double reach_of_any_shape = 1.5 * radius + marker_strokes(markers, {}, grow).thickness;
-  for (const PixelPoint& c : markers.centres) {
+void StripBuilder::add(const figure::Markers& markers, double grow) {
+  const double radius = figure::marker_radius(markers, grow);
+  const double reach_of_any_shape =
+      1.5 * radius + figure::marker_strokes(markers, {}, grow).thickness;
+  for (const figure::PixelPoint& c : markers.centres) {
     if (c.y + reach_of_any_shape < top_ || c.y - reach_of_any_shape > bottom_) continue;
-    if (is_stroked(markers.shape)) {
-      const MarkerStrokes strokes = marker_strokes(markers, c, grow);
+    if (figure::is_stroked(markers.shape)) {
+      const figure::MarkerStrokes strokes = figure::marker_strokes(markers, c, grow);
       for (const auto& [from, to] : strokes.lines) stroke({from, to}, strokes.thickness);
-    } else if (markers.shape != Marker::none) {
+    } else if (markers.shape != figure::Marker::none) {
       convex(marker_outline(markers.shape, c, radius));
     }
   }
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

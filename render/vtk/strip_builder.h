@@ -9,7 +9,7 @@
 
 #include "render/figure/draw_list.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 /// Collects pairs of points (left edge, right edge). Parts are tied by quads without area.
 class StripBuilder {
@@ -19,26 +19,26 @@ class StripBuilder {
     top_ = top;
     bottom_ = bottom;
   }
-  void add(const Polyline& line);  ///< Cut into its dashes.
-  void add(const Ribbon& ribbon);
-  void add(const Polygon& polygon);
+  void add(const figure::Polyline& line);  ///< Cut into its dashes.
+  void add(const figure::Ribbon& ribbon);
+  void add(const figure::Polygon& polygon);
   /// `grow` widens every marker by so many pixels on each side (for its rim).
-  void add(const Markers& markers, double grow = 0.0);
+  void add(const figure::Markers& markers, double grow = 0.0);
 
   /// Pixel coordinates, two points to a pair.
-  [[nodiscard]] const std::vector<PixelPoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<figure::PixelPoint>& points() const { return points_; }
   void clear() { points_.clear(); }
 
  private:
-  void pair(PixelPoint a, PixelPoint b);
-  void begin_part(PixelPoint at);
-  void end_part(PixelPoint at);
-  void stroke(const std::vector<PixelPoint>& line, double width);
-  void convex(const std::vector<PixelPoint>& outline);
+  void pair(figure::PixelPoint a, figure::PixelPoint b);
+  void begin_part(figure::PixelPoint at);
+  void end_part(figure::PixelPoint at);
+  void stroke(const std::vector<figure::PixelPoint>& line, double width);
+  void convex(const std::vector<figure::PixelPoint>& outline);
 
-  std::vector<PixelPoint> points_;
+  std::vector<figure::PixelPoint> points_;
   double top_{-std::numeric_limits<double>::infinity()};
   double bottom_{std::numeric_limits<double>::infinity()};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

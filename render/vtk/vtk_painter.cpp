@@ -22,7 +22,7 @@
 #include "render/vtk/scene_painter.h"
 #include "render/vtk/vtk_threads.h"
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 // Keeps what VTK has to say, instead of letting it print.
 
@@ -74,17 +74,17 @@ std::string VtkMessages::take_error() { return std::exchange(first_error_, {}); 
 constexpr int samples_per_pixel = 4;          // llvmpipe has no more
 constexpr double outline_share = 1.8 / 1600;  // of the picture's width: outlines of solid parts
 
-class VtkPainter final : public Painter {
+class VtkPainter final : public paint::Painter {
  public:
-  explicit VtkPainter(const Font& font);
-  using Painter::paint;
-  Picture paint(const DrawList& list, int strip_rows) override;
-  [[nodiscard]] RendererInfo info() const override;
+  explicit VtkPainter(const text::Font& font);
+  using paint::Painter::paint;
+  figure::Picture paint(const figure::DrawList& list, int strip_rows) override;
+  [[nodiscard]] figure::RendererInfo info() const override;
 
  private:
-  void paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture);
+  void paint_strip(const figure::DrawList& list, int top, int strip_rows, figure::Picture& picture);
 
-  const Font& font_;
+  const text::Font& font_;
   std::unique_ptr<GlContext> context_;  // outlives the window below
   vtkNew<VtkMessages> messages_;
   vtkNew<HeadlessWindow> window_;
@@ -93,7 +93,7 @@ class VtkPainter final : public Painter {
   vtkNew<DrawListItem> item_;
 };
 
-VtkPainter::VtkPainter(const Font& font) : font_(font), context_(make_gl_context()) {
+VtkPainter::VtkPainter(const text::Font& font) : font_(font), context_(make_gl_context()) {
   vtkOutputWindow::SetInstance(messages_);
   // FreeType's glyph cache may start out believing that it is full and reload every glyph.
   vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfBytes(~0UL);
@@ -107,8 +107,8 @@ VtkPainter::VtkPainter(const Font& font) : font_(font), context_(make_gl_context
   actor_->GetScene()->AddItem(item_);
 }
 
-Picture VtkPainter::paint(const DrawList& list, int strip_rows) {
-  Picture picture{list.width, list.height, {}, list.width_mm};
+figure::Picture VtkPainter::paint(const figure::DrawList& list, int strip_rows) {
+  figure::Picture picture{list.width, list.height, {}, list.width_mm};
   picture.rgb.resize(3 * static_cast<std::size_t>(list.width) *
                      static_cast<std::size_t>(list.height));
   window_->SetSize(list.width, strip_rows);
@@ -127,7 +127,8 @@ Picture VtkPainter::paint(const DrawList& list, int strip_rows) {
   return picture;
 }
 
-void VtkPainter::paint_strip(const DrawList& list, int top, int strip_rows, Picture& picture) {
+void VtkPainter::paint_strip(const figure::DrawList& list, int top, int strip_rows,
+                             figure::Picture& picture) {
   item_->show(&list, &font_, top, strip_rows);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -145,17 +146,22 @@ void VtkPainter::paint_strip(const DrawList& list, int top, int strip_rows, Pict
   }
 }
 
-RendererInfo VtkPainter::info() const {
-  return {vtkVersion::GetVTKVersion(), context_->back_end(),        context_->gl_version(),
-          context_->gl_renderer(),     font_.file(Weight::regular), Font::freetype_version()};
+figure::RendererInfo VtkPainter::info() const {
+  return {vtkVersion::GetVTKVersion(),
+          context_->back_end(),
+          context_->gl_version(),
+          context_->gl_renderer(),
+          font_.file(text::Weight::regular),
+          text::Font::freetype_version()};
 }
 
 }  // namespace
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk
 
-extern "C" tribolog::render::Painter* tribolog_vtk_painter(
-    const tribolog::render::Font& font, tribolog::render::PainterThreads threads) {
-  if (threads == tribolog::render::PainterThreads::one) tribolog::render::keep_vtk_to_one_thread();
-  return new tribolog::render::VtkPainter(font);
+extern "C" tribolog::render::paint::Painter* tribolog_vtk_painter(
+    const tribolog::render::text::Font& font, tribolog::render::paint::PainterThreads threads) {
+  if (threads == tribolog::render::paint::PainterThreads::one)
+    tribolog::render::vtk::keep_vtk_to_one_thread();
+  return new tribolog::render::vtk::VtkPainter(font);
 }

@@ -3,8 +3,8 @@
 
 #include <vtkSMPTools.h>
 
-namespace tribolog::render {
+namespace tribolog::render::vtk {
 
 void keep_vtk_to_one_thread() { vtkSMPTools::SetBackend("Sequential"); }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::vtk

@@ -21,7 +21,7 @@
 #include "render/text/utf8.h"
 #include "render/workers/figure_message.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 namespace {
 
 void prepare_driver() {
@@ -59,59 +59,61 @@ auto texts_of(Info& info) {
                     &info.gl_renderer, &info.font,     &info.freetype_version};
 }
 
-void put_info(Message& message, const RendererInfo& info) {
+void put_info(Message& message, const figure::RendererInfo& info) {
   for (const std::string* text : texts_of(info)) message.put(*text);
 }
 
-RendererInfo take_info(Message& message) {
-  RendererInfo info;
+figure::RendererInfo take_info(Message& message) {
+  figure::RendererInfo info;
   for (std::string* text : texts_of(info)) *text = message.take_text();
   return info;
 }
 
-std::string printable_text(const std::string& text) { return encode_utf8(decode_utf8(text).text); }
+std::string printable_text(const std::string& text) {
+  return text::encode_utf8(text::decode_utf8(text).text);
+}
 
 /// One of each kind of thing that figures are made of.
-Figure every_kind() {
-  Figure figure;
+figure::Figure every_kind() {
+  figure::Figure figure;
   figure.id = "warm-up";
   figure.title = "Every kind, T_{f}";
   figure.height_px = 480;  // a single strip
-  Panel panel;
+  figure::Panel panel;
   panel.x.title = "q [rad]";
   panel.y.title = "T [N·m]";
-  Series line;
+  figure::Series line;
   line.label = "line";
   line.x = {0, 1, 2, 3};
   line.y = {0, 1, 0, 1};
-  line.style = LineStyle::dash;
+  line.style = figure::LineStyle::dash;
   line.direction_arrows_at = {0.5};
-  Series markers = line;
+  figure::Series markers = line;
   markers.label = "markers";
-  markers.style = LineStyle::none;
-  markers.marker = Marker::circle;
+  markers.style = figure::LineStyle::none;
+  markers.marker = figure::Marker::circle;
   panel.bands.push_back({"band", {0, 3}, {0.2, 0.2}, {0.4, 0.4}});
   panel.error_bars.push_back({1.5, 0.2, 0.8});
   panel.point_labels.push_back({1, 1, "A"});
-  panel.reference_lines.push_back({ReferenceLine::Direction::vertical, 2.5, "q_{c}"});
+  panel.reference_lines.push_back({figure::ReferenceLine::Direction::vertical, 2.5, "q_{c}"});
   panel.series = {std::move(line), std::move(markers)};
   figure.panels.push_back(std::move(panel));
   return figure;
 }
 
 /// The same for scenes: lit and flat surfaces with their outlines, and a line over them.
-Figure every_kind_of_part() {
-  Figure figure;
+figure::Figure every_kind_of_part() {
+  figure::Figure figure;
   figure.id = "warm-up-scene";
   figure.title = "Every part";
   figure.width_px = 320;
   figure.height_px = 240;
-  Scene& scene = figure.scene.emplace();
+  figure::Scene& scene = figure.scene.emplace();
   scene.ground.emplace();
-  SceneBody body;
+  figure::SceneBody body;
   body.to = {0, 0, 0.5};
   scene.bodies.push_back(body);
-  SceneSector sector;
+  figure::SceneSector sector;
   sector.normal = {0, -1, 0};
   sector.zero = {1, 0, 0};
   sector.to_rad = 1;
@@ -134,9 +136,9 @@ Message drawn_figure_message(const DrawnFigure& drawn) {
 }  // namespace
 
 struct DrawingWorker::Stack {
-  std::unique_ptr<Font> font;
-  std::unique_ptr<Painter> painter;
-  PainterThreads threads{PainterThreads::as_many_as_it_likes};
+  std::unique_ptr<text::Font> font;
+  std::unique_ptr<paint::Painter> painter;
+  paint::PainterThreads threads{paint::PainterThreads::as_many_as_it_likes};
   std::string start_error;
 };
 
@@ -150,8 +152,8 @@ DrawingWorker::~DrawingWorker() = default;
 void DrawingWorker::start() {
   if (!stack_->start_error.empty()) throw FigureError(stack_->start_error);
   try {
-    if (!stack_->font) stack_->font = std::make_unique<Font>();
-    if (!stack_->painter) stack_->painter = make_painter(*stack_->font, stack_->threads);
+    if (!stack_->font) stack_->font = std::make_unique<text::Font>();
+    if (!stack_->painter) stack_->painter = paint::make_painter(*stack_->font, stack_->threads);
   } catch (const std::exception& problem) {
     stack_->start_error = problem.what();
     throw;
@@ -162,21 +164,22 @@ void DrawingWorker::warm_up(Prepared prepared) {
   try {
     // Scenes go through filters that would start threads, and workers are forked after this.
     const bool scenes = prepared == Prepared::charts_and_scenes;
-    if (scenes) stack_->threads = PainterThreads::one;
+    if (scenes) stack_->threads = paint::PainterThreads::one;
     start();
-    std::vector<Figure> figures{every_kind()};
+    std::vector<figure::Figure> figures{every_kind()};
     if (scenes) figures.push_back(every_kind_of_part());
-    for (const Figure& figure : figures) {
+    for (const figure::Figure& figure : figures) {
       obey_test_hooks(figure.id);
-      const Picture picture = stack_->painter->paint(lay_out(figure, *stack_->font));
-      static_cast<void>(encode_png(picture));
+      const figure::Picture picture =
+          stack_->painter->paint(composition::lay_out(figure, *stack_->font));
+      static_cast<void>(png::encode_png(picture));
     }
   } catch (const std::exception&) {
     // The first figure meets the same problem and reports it.
   }
 }
 
-DrawnFigure DrawingWorker::draw(const Figure& figure, bool solid_parts_only) {
+DrawnFigure DrawingWorker::draw(const figure::Figure& figure, bool solid_parts_only) {
   DrawnFigure drawn;
   drawn.id = figure.id;
   drawn.width_px = figure.width_px;
@@ -184,20 +187,20 @@ DrawnFigure DrawingWorker::draw(const Figure& figure, bool solid_parts_only) {
   obey_test_hooks(figure.id);
   try {
     start();
-    Painter& painter = *stack_->painter;
+    paint::Painter& painter = *stack_->painter;
     drawn.drawn_by = painter.info();
-    DrawList list = lay_out(figure, *stack_->font);
+    figure::DrawList list = composition::lay_out(figure, *stack_->font);
     if (solid_parts_only) list.primitives.clear();
     drawn.warnings = list.warnings;
-    const Picture picture = painter.paint(list);
-    PictureFindings findings = check_picture(list, figure, picture);
+    const figure::Picture picture = painter.paint(list);
+    check::PictureFindings findings = check::check_picture(list, figure, picture);
     drawn.warnings.insert(drawn.warnings.end(), findings.warnings.begin(), findings.warnings.end());
     if (drawn.drawn_by.gl_renderer.find("llvmpipe") == std::string::npos) {
       drawn.warnings.push_back("drawn by '" + drawn.drawn_by.gl_renderer +
                                "' instead of llvmpipe; pictures may differ between machines");
     }
     drawn.error = std::move(findings.error);
-    if (drawn.error.empty()) drawn.png = encode_png(picture);
+    if (drawn.error.empty()) drawn.png = png::encode_png(picture);
   } catch (const std::exception& problem) {
     drawn.error = problem.what();
   }
@@ -209,13 +212,13 @@ DrawnFigure DrawingWorker::draw(const Figure& figure, bool solid_parts_only) {
 
 void DrawingWorker::serve(int socket) {
   while (auto request = receive_message(socket)) {
-    const Figure figure = take_figure(*request);
+    const figure::Figure figure = take_figure(*request);
     const DrawnFigure drawn = draw(figure, request->take_number() != 0);
     if (!send_message(socket, drawn_figure_message(drawn))) return;
   }
 }
 
-void put_request(Message& message, const Figure& figure, bool solid_parts_only) {
+void put_request(Message& message, const figure::Figure& figure, bool solid_parts_only) {
   put_figure(message, figure);
   message.put(std::uint32_t{solid_parts_only ? 1U : 0U});
 }
@@ -234,8 +237,8 @@ void serve_info(int socket) {
   prepare_driver();
   Message answer;
   try {
-    const Font font;
-    const RendererInfo info = make_painter(font)->info();
+    const text::Font font;
+    const figure::RendererInfo info = paint::make_painter(font)->info();
     answer.put(std::string());
     put_info(answer, info);
   } catch (const std::exception& problem) {
@@ -245,10 +248,10 @@ void serve_info(int socket) {
   send_message(socket, answer);
 }
 
-RendererInfo read_info(Message& message) {
+figure::RendererInfo read_info(Message& message) {
   const std::string problem = message.take_text();
   if (!problem.empty()) throw FigureError(problem);
   return take_info(message);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

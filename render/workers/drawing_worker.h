@@ -7,7 +7,7 @@
 #include "render/workers/message_channel.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 /// The graphics stack of one process, and what it draws with it.
 class DrawingWorker {
@@ -24,7 +24,7 @@ class DrawingWorker {
 
   /// A figure that cannot be drawn has its `error` set.
   /// @param solid_parts_only see DrawOptions
-  DrawnFigure draw(const Figure& figure, bool solid_parts_only = false);
+  DrawnFigure draw(const figure::Figure& figure, bool solid_parts_only = false);
 
   /// Draws what arrives on the socket until the other side closes it.
   void serve(int socket);
@@ -37,7 +37,7 @@ class DrawingWorker {
 };
 
 /// What DrawingWorker::serve is asked for.
-void put_request(Message& message, const Figure& figure, bool solid_parts_only);
+void put_request(Message& message, const figure::Figure& figure, bool solid_parts_only);
 
 /// The answer to one figure, as DrawingWorker::serve sends it.
 DrawnFigure read_drawn_figure(Message& message);
@@ -46,6 +46,6 @@ DrawnFigure read_drawn_figure(Message& message);
 void serve_info(int socket);
 
 /// The answer of serve_info. @throw tribolog::FigureError with the worker's reason.
-RendererInfo read_info(Message& message);
+figure::RendererInfo read_info(Message& message);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -4,11 +4,11 @@
 #include "render/figure/figure.h"
 #include "render/workers/message_channel.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
-void put_figure(Message& message, const Figure& figure);
+void put_figure(Message& message, const figure::Figure& figure);
 
 /// @throw std::runtime_error if the message ends before the figure does.
-Figure take_figure(Message& message);
+figure::Figure take_figure(Message& message);
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -18,7 +18,7 @@
 #include "base/error.h"
 #include "render/workers/message_channel.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 // Handing an open file descriptor to the process at the other end of a local socket.
 
@@ -199,4 +199,4 @@ ForkServer::Worker::~Worker() { close(socket_); }
 
 std::string ForkServer::Worker::end_and_explain() { return server_.end_worker(number_); }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

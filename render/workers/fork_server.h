@@ -15,7 +15,7 @@
 
 #include "render/workers/worker_process.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 class ForkServer {
  public:
@@ -68,4 +68,4 @@ class ForkServer {
   std::uint32_t started_{0};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -10,7 +10,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 namespace {
 
 constexpr std::size_t length_bytes = sizeof(std::uint32_t);
@@ -132,4 +132,4 @@ Message MessageReader::take() {
   return message;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 /// Writes values one after the other; reads them back in the same order.
 class Message {
@@ -51,4 +51,4 @@ class MessageReader {
   std::vector<std::byte> received_;
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -18,7 +18,7 @@
 #include "render/workers/message_channel.h"
 #include "render/workers/worker_process.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 // Where drawing processes come from: one process that has started the graphics stack already.
 
@@ -93,7 +93,7 @@ using Clock = std::chrono::steady_clock;
 /// Hands figures out to workers one by one, and replaces a worker that is lost.
 class DrawingCrew {
  public:
-  DrawingCrew(DrawingServer& server, int processes, const std::vector<Figure>& figures,
+  DrawingCrew(DrawingServer& server, int processes, const std::vector<figure::Figure>& figures,
               const DrawOptions& options)
       : server_(server),
         figures_(figures),
@@ -214,7 +214,7 @@ class DrawingCrew {
   }
 
   DrawingServer& server_;
-  const std::vector<Figure>& figures_;
+  const std::vector<figure::Figure>& figures_;
   const DrawOptions& options_;
   std::vector<DrawnFigure> drawn_;
   std::vector<Member> members_;
@@ -236,21 +236,21 @@ FigureRenderer::FigureRenderer(int processes, Prepared prepared)
 
 FigureRenderer::~FigureRenderer() = default;
 
-std::vector<DrawnFigure> FigureRenderer::draw(const std::vector<Figure>& figures,
+std::vector<DrawnFigure> FigureRenderer::draw(const std::vector<figure::Figure>& figures,
                                               const DrawOptions& options) {
   return DrawingCrew(parts_->server, parts_->processes, figures, options).run();
 }
 
-RendererInfo built_renderer() {
-  RendererInfo info;
+figure::RendererInfo built_renderer() {
+  figure::RendererInfo info;
   info.vtk_version = TRIBOLOG_VTK_VERSION;
   info.back_end = TRIBOLOG_GL_NAME;
-  info.font = Font().file(Weight::regular);
-  info.freetype_version = Font::freetype_version();
+  info.font = text::Font().file(text::Weight::regular);
+  info.freetype_version = text::Font::freetype_version();
   return info;
 }
 
-RendererInfo renderer_info() {
+figure::RendererInfo renderer_info() {
   WorkerProcess worker([](int socket) { serve_info(socket); });
   auto answer = receive_message(worker.socket());
   if (!answer) {
@@ -259,4 +259,4 @@ RendererInfo renderer_info() {
   return read_info(*answer);
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -11,7 +11,7 @@
 #include "render/figure/figure.h"
 #include "render/figure/picture.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 /// One drawn figure, or why it could not be drawn.
 struct DrawnFigure {
@@ -21,7 +21,7 @@ struct DrawnFigure {
   int height_px{};
   std::vector<std::string> warnings;  ///< E.g. "dropped 3 samples that are not finite".
   std::string error;                  ///< One sentence; empty if drawn and found whole.
-  RendererInfo drawn_by;              ///< Empty texts if the graphics stack could not be started.
+  figure::RendererInfo drawn_by;      ///< Empty texts if the graphics stack could not be started.
 };
 
 struct DrawOptions {
@@ -53,7 +53,7 @@ class FigureRenderer {
   /// or in which a series is not visible has `error` set; the others are unaffected. A crash of
   /// the graphics stack is confined to the worker and reported the same way, and so is a stack that
   /// does not start.
-  std::vector<DrawnFigure> draw(const std::vector<Figure>& figures,
+  std::vector<DrawnFigure> draw(const std::vector<figure::Figure>& figures,
                                 const DrawOptions& options = {});
 
  private:
@@ -63,11 +63,11 @@ class FigureRenderer {
 
 /// What figures are drawn with, as the program was built: VTK, the back end, the font and FreeType.
 /// Loads and starts nothing. @throw tribolog::FigureError without the font.
-RendererInfo built_renderer();
+figure::RendererInfo built_renderer();
 
 /// Starts the graphics stack in a worker and asks it what it is.
 /// @throw tribolog::FigureError if no off-screen context can be made (one sentence, names the
 /// package to install).
-RendererInfo renderer_info();
+figure::RendererInfo renderer_info();
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

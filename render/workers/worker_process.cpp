@@ -16,7 +16,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 namespace {
 
 void take_default_signals() {
@@ -138,4 +138,4 @@ std::string WorkerProcess::end_and_explain() {
   return text;
 }
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -7,7 +7,7 @@
 
 #include <sys/types.h>
 
-namespace tribolog::render {
+namespace tribolog::render::workers {
 
 /// Ends and reaps its process when it goes, so that none outlives its owner. The process prints
 /// nothing: its standard output goes nowhere, what it writes to standard error is kept.
@@ -42,4 +42,4 @@ class WorkerProcess {
   int status_{0};
 };
 
-}  // namespace tribolog::render
+}  // namespace tribolog::render::workers

@@ -1,6 +1,6 @@
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 
 const char* to_string(Review::Decision decision) {
   return decision == Review::Decision::approved ? "approved" : "rejected";
@@ -11,4 +11,4 @@ Review::Decision decision_of(const std::string& word) {
                                                        : Review::Decision::rejected;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

@@ -10,7 +10,7 @@
 #include "calibration/quantity_verdict.h"
 #include "statistics/estimate.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 
 /// A joint is one by these three texts, as the manifests state them. They are shown, compared and
 /// never used as a path or a part of a statement.
@@ -49,7 +49,7 @@ struct Quantity {
   std::string words;  ///< "Coulomb torque".
   std::string unit;   ///< Empty for a curve.
   Verdict verdict{Verdict::not_identifiable};
-  std::optional<Estimate> estimate;
+  std::optional<statistics::Estimate> estimate;
 };
 
 /// A file that the calibration was made from.
@@ -113,4 +113,4 @@ using Decisions = std::map<std::string, Review::Decision>;
 /// Hex digits of an id that are shown; a command takes any that are enough.
 inline constexpr std::size_t shown_digits = 10;
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

@@ -28,7 +28,7 @@
 #include "method/viscous/model_choice.h"
 #include "method/viscous/viscous_curves.h"
 
-namespace tribolog {
+namespace tribolog::calibration {
 
 /// One number that was put in, over the runs.
 struct ReturnedQuantity {
@@ -74,38 +74,41 @@ struct Judgement {
 };
 
 struct Calibration {
-  Manifest manifest;
-  std::vector<InputFile> inputs;
+  joint::Manifest manifest;
+  std::vector<joint::InputFile> inputs;
   std::vector<std::string> notes;  ///< From reading the input.
-  std::vector<SpeedSource> speed_sources;
+  std::vector<method::motion::SpeedSource> speed_sources;
 
-  DataChecksResult data_checks;
-  CogSweepResult rough;
-  CogSweepResult precise;
-  std::optional<Estimate> q_peak_rad;  ///< The one of the two with the narrower interval.
-  std::string q_peak_source;           ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
-  HysteresisResult hysteresis;
-  RunGravityResult run_gravity;
-  SurrogateMassesResult masses;
-  ViscousCurvesResult viscous;
-  QualityErrorsResult quality;
-  SelectionResult selection;
-  FrictionParametersResult friction;
-  DirectionLinesResult direction_lines;
-  LoadDependenceResult load_dependence;
-  DirectionAsymmetryResult direction_asymmetry;
-  CurveModelChoice curve_model;
-  std::vector<LoopShape> loop_shapes;  ///< Of the oscillations, without any model.
-  BreakAwayResult break_away;
-  IntervalsResult intervals;
-  CrossChecksResult cross_checks;
-  std::optional<PositionPlan> position_plan;  ///< Where to oscillate next, if ripple asks for it.
+  method::checks::DataChecksResult data_checks;
+  method::gravity::CogSweepResult rough;
+  method::gravity::CogSweepResult precise;
+  std::optional<statistics::Estimate>
+      q_peak_rad;             ///< The one of the two with the narrower interval.
+  std::string q_peak_source;  ///< "cog_rough", "cog_precise" or, without a sweep, "runs"
+  method::hysteresis::HysteresisResult hysteresis;
+  method::gravity::RunGravityResult run_gravity;
+  method::hysteresis::SurrogateMassesResult masses;
+  method::viscous::ViscousCurvesResult viscous;
+  method::selection::QualityErrorsResult quality;
+  method::selection::SelectionResult selection;
+  method::selection::FrictionParametersResult friction;
+  method::viscous::DirectionLinesResult direction_lines;
+  method::viscous::LoadDependenceResult load_dependence;
+  method::viscous::DirectionAsymmetryResult direction_asymmetry;
+  method::viscous::CurveModelChoice curve_model;
+  std::vector<method::hysteresis::LoopShape>
+      loop_shapes;  ///< Of the oscillations, without any model.
+  method::hysteresis::BreakAwayResult break_away;
+  method::intervals::IntervalsResult intervals;
+  method::intervals::CrossChecksResult cross_checks;
+  std::optional<method::hysteresis::PositionPlan>
+      position_plan;  ///< Where to oscillate next, if ripple asks for it.
   Judgement judgement;
   TruthCheckResult truth_check;
 
   /// All stages' reports in the order of the method; break-away ramps, which the paper has not,
   /// only where there are some.
-  [[nodiscard]] std::vector<StageReport> stages() const;
+  [[nodiscard]] std::vector<statistics::StageReport> stages() const;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

@@ -3,16 +3,15 @@
 #include "base/shown_text.h"
 #include "calibration/parts.h"
 
-namespace tribolog {
+namespace tribolog::calibration {
 namespace {
-
-using namespace json;
 
 Json stage_list(const Calibration& c) {
   Json list = Json::array();
-  for (const StageReport& s : c.stages()) {
-    list.push_back(
-        {{"name", s.name}, {"status", to_string(s.state)}, {"reason", text_or_null(s.reason)}});
+  for (const statistics::StageReport& s : c.stages()) {
+    list.push_back({{"name", s.name},
+                    {"status", statistics::to_string(s.state)},
+                    {"reason", text_or_null(s.reason)}});
   }
   return list;
 }
@@ -67,4 +66,4 @@ std::string calibration_json(const Calibration& c, const Provenance& provenance)
   return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

@@ -12,9 +12,9 @@
 #include "calibration/calibration.h"
 #include "calibration/provenance.h"
 
-namespace tribolog {
+namespace tribolog::calibration {
 
 /// Indented by two spaces, ends with a line feed. Same calibration and provenance, same bytes.
 std::string calibration_json(const Calibration& calibration, const Provenance& provenance);
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

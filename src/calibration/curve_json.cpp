@@ -5,11 +5,11 @@
 
 #include "calibration/parts.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
 namespace {
 
-Json waiboer(const WaiboerFit& w, double n) {
+Json waiboer(const method::viscous::WaiboerFit& w, double n) {
   const double coefficient_to_joint = std::pow(n, 2.0 - w.viscous_power.value);
   return {{"converged", w.converged},
           {"asperity_torque_Nm", both_sides(w.asperity_torque_Nm, n)},
@@ -20,7 +20,7 @@ Json waiboer(const WaiboerFit& w, double n) {
           {"residual_Nm", number(w.residual_Nm)}};
 }
 
-Json coulomb_viscous(const CoulombViscousFit& f, double n) {
+Json coulomb_viscous(const method::selection::CoulombViscousFit& f, double n) {
   return {{"coulomb_Nm", both_sides(f.coulomb_Nm, n)},
           {"viscous_Nms_rad", both_sides(f.viscous_Nms_rad, n * n)},
           {"residual_Nm", number(f.residual_Nm)},
@@ -31,7 +31,7 @@ Json coulomb_viscous(const CoulombViscousFit& f, double n) {
 }  // namespace
 
 Json friction(const Calibration& c, double n) {
-  const FrictionParametersResult& f = c.friction;
+  const method::selection::FrictionParametersResult& f = c.friction;
   Json made{{"curve", text_or_null(f.curve)},
             {"waiboer", nullptr},
             {"coulomb_viscous", nullptr},
@@ -46,16 +46,16 @@ Json friction(const Calibration& c, double n) {
 
 namespace {
 
-Json model(const CurveModel& m) {
-  return {{"law", to_string(m.law)},
-          {"asymmetry", to_string(m.asymmetry)},
+Json model(const method::viscous::CurveModel& m) {
+  return {{"law", method::viscous::to_string(m.law)},
+          {"asymmetry", method::viscous::to_string(m.asymmetry)},
           {"load", m.load},
           {"parameters", m.parameters()}};
 }
 
-Json trials(const std::vector<CurveModelTrial>& all) {
+Json trials(const std::vector<method::viscous::CurveModelTrial>& all) {
   Json list = Json::array();
-  for (const CurveModelTrial& t : all) {
+  for (const method::viscous::CurveModelTrial& t : all) {
     const bool took_part = t.excluded_because.empty();
     Json made = model(t.model);
     made["training_rms_Nm"] = took_part ? number(t.training_rms_Nm) : Json(nullptr);
@@ -66,7 +66,7 @@ Json trials(const std::vector<CurveModelTrial>& all) {
   return list;
 }
 
-Json line(const std::optional<DirectionLine>& l, double n) {
+Json line(const std::optional<method::viscous::DirectionLine>& l, double n) {
   if (!l) return nullptr;
   return {{"coulomb_Nm", both_sides(l->coulomb_Nm, n)},
           {"viscous_Nms_rad", both_sides(l->viscous_Nms_rad, n * n)},
@@ -79,9 +79,9 @@ Json line(const std::optional<DirectionLine>& l, double n) {
 
 }  // namespace
 
-Json curve_model(const CurveModelChoice& c) {
+Json curve_model(const method::viscous::CurveModelChoice& c) {
   Json parameters = Json::array();
-  for (const CurveParameter& p : c.parameters) {
+  for (const method::viscous::CurveParameter& p : c.parameters) {
     parameters.push_back({{"name", p.name},
                           {"words", p.words},
                           {"unit", text_or_null(p.unit)},
@@ -98,15 +98,15 @@ Json curve_model(const CurveModelChoice& c) {
           {"on_waiboer", text_or_null(c.five_sentence)}};
 }
 
-Json direction_lines(const DirectionLinesResult& r, double n) {
+Json direction_lines(const method::viscous::DirectionLinesResult& r, double n) {
   Json made = Json::object();
-  for (const CurveDirectionLines& c : r.curves) {
+  for (const method::viscous::CurveDirectionLines& c : r.curves) {
     made[c.estimator] = {{"rising", line(c.rising, n)}, {"falling", line(c.falling, n)}};
   }
   return made;
 }
 
-Json direction_asymmetry(const DirectionAsymmetryResult& a) {
+Json direction_asymmetry(const method::viscous::DirectionAsymmetryResult& a) {
   const auto if_examined = [&](double value) { return a.examined ? number(value) : Json(nullptr); };
   return {{"examined", a.examined},
           {"found", a.found},
@@ -117,4 +117,4 @@ Json direction_asymmetry(const DirectionAsymmetryResult& a) {
           {"asymmetry_Nm", numbers(a.asymmetry_Nm)}};
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -11,7 +11,7 @@
 #include "ingest/text/clock_field.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 namespace {
 
 using Json = nlohmann::json;
@@ -60,13 +60,13 @@ class Members {
     }
     refuse(file_, path_ + "." + key, "usable, doubtful or not_identifiable");
   }
-  [[nodiscard]] std::optional<Estimate> estimate(const char* key) const {
+  [[nodiscard]] std::optional<statistics::Estimate> estimate(const char* key) const {
     if (member(key).is_null()) return std::nullopt;
     const Members e = object(key);
     const auto value = e.number("estimate");
     if (!value) return std::nullopt;
-    const Estimate estimate{*value, e.number("low").value_or(*value),
-                            e.number("high").value_or(*value), e.text("method")};
+    const statistics::Estimate estimate{*value, e.number("low").value_or(*value),
+                                        e.number("high").value_or(*value), e.text("method")};
     if (estimate.low > estimate.value || estimate.high < estimate.value) {
       refuse(file_, path_ + "." + key + " lies outside of its interval", "low <= estimate <= high");
     }
@@ -94,7 +94,7 @@ std::optional<double> sampling_rate(const Members& top, const std::string& file)
     if (samples && seconds && *seconds > 0) rates_Hz.push_back(*samples / *seconds);
   }
   if (rates_Hz.empty()) return std::nullopt;
-  return median(std::move(rates_Hz));
+  return statistics::median(std::move(rates_Hz));
 }
 
 /// What no joint can have.
@@ -202,7 +202,7 @@ Json parsed(const std::string& json, const std::string& file) {
 
 std::string utc_of_iso_text(const std::string& text) {
   for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
-    const auto read = read_iso_time(text + rest);
+    const auto read = ingest::text::read_iso_time(text + rest);
     if (!read) continue;
     const std::chrono::sys_seconds time{std::chrono::seconds(read->whole)};
     const auto day = std::chrono::floor<std::chrono::days>(time);
@@ -218,7 +218,7 @@ std::string utc_of_iso_text(const std::string& text) {
 }
 
 double seconds_of_utc(const std::string& utc) {
-  const auto time = read_iso_time(utc);
+  const auto time = ingest::text::read_iso_time(utc);
   return time ? static_cast<double>(time->whole) : 0;
 }
 
@@ -237,4 +237,4 @@ NewCalibration entry_of_calibration(const std::string& json, const std::string& 
   return made;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

@@ -5,7 +5,7 @@
 
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 
 /// Facts, quantities, inputs and the file itself. The only way into an archive, so that `identify`,
 /// `report` and `archive add` archive the same.
@@ -20,4 +20,4 @@ std::string utc_of_iso_text(const std::string& text);
 /// Since 1970, of a time that utc_of_iso_text() gave; 0 for anything else.
 double seconds_of_utc(const std::string& utc);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

@@ -4,14 +4,14 @@
 
 #include "calibration/parts.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
-Json data_checks(const DataChecksResult& result) {
+Json data_checks(const method::checks::DataChecksResult& result) {
   Json list = Json::array();
-  for (const DataCheck& check : result.checks) {
+  for (const method::checks::DataCheck& check : result.checks) {
     list.push_back({{"name", check.name},
                     {"title", check.title},
-                    {"state", to_string(check.state)},
+                    {"state", method::checks::to_string(check.state)},
                     {"recording", text_or_null(check.recording)},
                     {"measure", text_or_null(check.measure)},
                     {"measured", number(check.measured)},
@@ -100,4 +100,4 @@ Json verdict(const Judgement& judgement) {
           {"quantities", std::move(quantities)}};
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -7,7 +7,7 @@
 #include "base/requirements.h"
 #include "joint/acceptance_limit.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 std::string without_side(const std::string& words) {
   constexpr std::string_view side = " at the motor";
   return words.ends_with(side) ? words.substr(0, words.size() - side.size()) : words;
@@ -15,7 +15,7 @@ std::string without_side(const std::string& words) {
 
 std::optional<int> gear_power(const std::string& quantity) {
   std::optional<int> power;
-  for (const LimitedQuantity& known : limited_quantities()) {
+  for (const joint::LimitedQuantity& known : joint::limited_quantities()) {
     if (known.quantity != quantity) continue;
     if (!power || known.gear_power != 0) power = known.gear_power;
   }
@@ -29,22 +29,22 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
     if (quantity.unit.empty()) continue;
     const std::optional<int> power = gear_power(quantity.name);
     if (power == 0) {
-      all.push_back({quantity, Side::joint, 0});
+      all.push_back({quantity, joint::Side::joint, 0});
       continue;
     }
     Quantity joint = quantity;
     joint.words = without_side(joint.words);
-    all.push_back({joint, Side::motor, 0});
+    all.push_back({joint, joint::Side::motor, 0});
     if (!power) continue;
     if (joint.estimate) joint.estimate = at_joint(quantity, gear_ratio);
-    all.push_back({joint, Side::joint, *power});
+    all.push_back({joint, joint::Side::joint, *power});
   }
   return all;
 }
 
-Estimate at_joint(const Quantity& quantity, double gear_ratio) {
+statistics::Estimate at_joint(const Quantity& quantity, double gear_ratio) {
   const int power = gear_power(quantity.name).value_or(0);
-  return scaled(present(quantity.estimate), std::pow(gear_ratio, power));
+  return statistics::scaled(present(quantity.estimate), std::pow(gear_ratio, power));
 }
 
 std::string conversion_words(int power) {
@@ -54,4 +54,4 @@ std::string conversion_words(int power) {
   return words;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

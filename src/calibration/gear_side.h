@@ -10,12 +10,12 @@
 #include "calibration/archived_calibration.h"
 #include "joint/drive.h"
 
-namespace tribolog::archive {
+namespace tribolog::calibration {
 
 /// A result on a stated side.
 struct SidedQuantity {
   Quantity quantity;
-  Side side{Side::motor};
+  joint::Side side{joint::Side::motor};
   int gear_power{};  ///< From the archived number: times the gear ratio to this power.
 };
 
@@ -29,7 +29,7 @@ std::vector<SidedQuantity> on_both_sides(const std::vector<Quantity>& quantities
                                          double gear_ratio);
 
 /// The quantity at the joint.
-Estimate at_joint(const Quantity& quantity, double gear_ratio);
+statistics::Estimate at_joint(const Quantity& quantity, double gear_ratio);
 
 /// "Inertia at the motor" is "Inertia": the side stands beside it.
 std::string without_side(const std::string& words);
@@ -37,4 +37,4 @@ std::string without_side(const std::string& words);
 /// "as archived", "archived × n²", "archived / n".
 std::string conversion_words(int gear_power);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

@@ -4,11 +4,12 @@
 
 #include "calibration/parts.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
-Json cog(const CogSweepResult& r, double gear_ratio) {
+Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
   const auto if_found = [&r](double value) { return r.found ? number(value) : Json(nullptr); };
-  const Json joint = r.found ? interval(scaled(r.gravity_Nm, gear_ratio)) : Json(nullptr);
+  const Json joint =
+      r.found ? interval(statistics::scaled(r.gravity_Nm, gear_ratio)) : Json(nullptr);
   return {{"found", r.found},
           {"method", text_or_null(r.method)},
           {"argmax_rad", if_found(r.argmax_rad)},
@@ -36,9 +37,9 @@ Json cog(const CogSweepResult& r, double gear_ratio) {
 
 // Stages 5 to 7.
 
-Json viscous(const ViscousCurvesResult& v) {
+Json viscous(const method::viscous::ViscousCurvesResult& v) {
   Json runs = Json::array();
-  for (const ConstantSpeedRun& r : v.runs) {
+  for (const method::viscous::ConstantSpeedRun& r : v.runs) {
     runs.push_back(
         {{"recording", r.recording},
          {"speed_rad_s", number(r.speed_rad_s)},
@@ -56,9 +57,10 @@ Json viscous(const ViscousCurvesResult& v) {
          {"direction_mean_Nm", number(r.direction_mean_Nm)}});
   }
   Json curves = Json::object();
-  for (const ViscousCurve& c : v.curves) curves[c.estimator] = numbers(c.friction_Nm);
+  for (const method::viscous::ViscousCurve& c : v.curves)
+    curves[c.estimator] = numbers(c.friction_Nm);
   const auto angle = [&](bool has, double rad) { return has ? number(rad) : Json(nullptr); };
-  const DirectionAngles& a = v.angles;
+  const method::viscous::DirectionAngles& a = v.angles;
   Json angles{{"rising_low_rad", angle(a.has_rising, a.rising_low_rad)},
               {"rising_high_rad", angle(a.has_rising, a.rising_high_rad)},
               {"falling_low_rad", angle(a.has_falling, a.falling_low_rad)},
@@ -73,10 +75,10 @@ Json viscous(const ViscousCurvesResult& v) {
           {"curves", std::move(curves)}};
 }
 
-Json quality(const QualityErrorsResult& q) {
+Json quality(const method::selection::QualityErrorsResult& q) {
   Json percent = Json::object();
   Json rms = Json::object();
-  for (const QualityError& e : q.errors) {
+  for (const method::selection::QualityError& e : q.errors) {
     percent[e.estimator] = numbers(e.percent);
     rms[e.estimator] = number(e.rms_percent);
   }
@@ -91,7 +93,7 @@ Json quality(const QualityErrorsResult& q) {
       {"runs_left_out", q.runs_left_out}};
 }
 
-Json selection(const SelectionResult& s) {
+Json selection(const method::selection::SelectionResult& s) {
   return {{"paper_rule", text_or_null(s.paper_rule)},
           {"paper_rule_rivals", s.paper_rule_rivals},
           {"recommended", text_or_null(s.recommended)},
@@ -102,26 +104,27 @@ Json selection(const SelectionResult& s) {
 
 // Gravity from the runs, what was stated about loads, and friction against load.
 
-Json run_gravity(const RunGravityResult& r, double n) {
+Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
   const auto if_found = [&](double value) { return r.found ? number(value) : Json(nullptr); };
-  return {{"found", r.found},
-          {"reason", text_or_null(r.reason)},
-          {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
-          {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
-          {"gravity_joint_Nm", r.found ? interval(scaled(r.gravity_Nm, n)) : Json(nullptr)},
-          {"residual_Nm", if_found(r.residual_Nm)},
-          {"lowest_rad", if_found(r.lowest_rad)},
-          {"highest_rad", if_found(r.highest_rad)},
-          {"runs_used", r.runs_used},
-          {"runs_left_out", r.runs_left_out},
-          {"samples_used", r.samples_used},
-          {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
+  return {
+      {"found", r.found},
+      {"reason", text_or_null(r.reason)},
+      {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
+      {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
+      {"gravity_joint_Nm", r.found ? interval(statistics::scaled(r.gravity_Nm, n)) : Json(nullptr)},
+      {"residual_Nm", if_found(r.residual_Nm)},
+      {"lowest_rad", if_found(r.lowest_rad)},
+      {"highest_rad", if_found(r.highest_rad)},
+      {"runs_used", r.runs_used},
+      {"runs_left_out", r.runs_left_out},
+      {"samples_used", r.samples_used},
+      {"always_lifts", r.found ? Json(r.always_lifts) : Json(nullptr)}};
 }
 
-Json load_dependence(const LoadDependenceResult& l) {
+Json load_dependence(const method::viscous::LoadDependenceResult& l) {
   const auto if_examined = [&](double value) { return l.examined ? number(value) : Json(nullptr); };
   Json points = Json::array();
-  for (const LoadPoint& p : l.points) {
+  for (const method::viscous::LoadPoint& p : l.points) {
     points.push_back({{"q_rad", number(p.q_rad)},
                       {"load_Nm", number(p.load_Nm)},
                       {"speed_rad_s", number(p.speed_rad_s)},
@@ -142,11 +145,11 @@ Json load_dependence(const LoadDependenceResult& l) {
           {"points", std::move(points)}};
 }
 
-Json known_loads(const std::vector<KnownLoad>& loads) {
+Json known_loads(const std::vector<joint::KnownLoad>& loads) {
   Json list = Json::array();
-  for (const KnownLoad& load : loads) {
+  for (const joint::KnownLoad& load : loads) {
     Json roles = Json::array();
-    for (const Role role : load.roles) roles.push_back(to_string(role));
+    for (const joint::Role role : load.roles) roles.push_back(joint::to_string(role));
     list.push_back({{"amplitude_joint_Nm", number(load.amplitude_Nm)},
                     {"angles", load.angles},
                     {"phase_rad", number(load.phase_rad)},
@@ -158,10 +161,10 @@ Json known_loads(const std::vector<KnownLoad>& loads) {
   return list;
 }
 
-Json known_gravity(const std::optional<StatedGravity>& g) {
+Json known_gravity(const std::optional<joint::StatedGravity>& g) {
   if (!g) return nullptr;
   return {{"amplitude_joint_Nm", number(g->amplitude_Nm())},
           {"q_peak_rad", number(g->q_peak_rad())}};
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -5,9 +5,9 @@
 #include "calibration/parts.h"
 #include "joint/dataset.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
-Json robot(const Manifest& m) {
+Json robot(const joint::Manifest& m) {
   return {{"name", text_or_null(m.robot)},
           {"serial", text_or_null(m.serial)},
           {"joint", text_or_null(m.joint)},
@@ -20,21 +20,21 @@ Json robot(const Manifest& m) {
           {"temperature_C", number(m.temperature_C)}};
 }
 
-Json drive(const Manifest& m) {
-  const Drive& d = m.drive;
+Json drive(const joint::Manifest& m) {
+  const joint::Drive& d = m.drive;
   return {{"gear_ratio", number(d.gear_ratio())},
-          {"effort_kind", to_string(d.kind())},
-          {"effort_side", to_string(d.side())},
+          {"effort_kind", joint::to_string(d.kind())},
+          {"effort_side", joint::to_string(d.side())},
           {"effort_confirmed", m.effort_is_confirmed},
           {"torque_constant_Nm_A", number(d.torque_constant_Nm_A())},
           {"motor_torque_per_effort", number(d.motor_torque_per_effort())}};
 }
 
-Json inputs(const std::vector<InputFile>& files) {
+Json inputs(const std::vector<joint::InputFile>& files) {
   Json list = Json::array();
-  for (const InputFile& file : files) {
+  for (const joint::InputFile& file : files) {
     Json skipped = Json::array();
-    for (const SkippedRows& rows : file.skipped) {
+    for (const joint::SkippedRows& rows : file.skipped) {
       skipped.push_back({{"reason", rows.reason}, {"rows", rows.count}});
     }
     list.push_back({{"name", file.name},
@@ -72,33 +72,33 @@ Json provenance_json(const Provenance& p) {
 
 // From the columns of the logs to signals, and where speeds come from.
 
-Json conversions(const std::vector<InputFile>& inputs) {
+Json conversions(const std::vector<joint::InputFile>& inputs) {
   Json list = Json::array();
-  for (const SharedConversion& shared : shared_conversions(inputs)) {
-    const ColumnConversion& c = shared.conversion;
+  for (const joint::SharedConversion& shared : joint::shared_conversions(inputs)) {
+    const joint::ColumnConversion& c = shared.conversion;
     Json steps = Json::array();
-    for (const ConversionStep& step : c.steps) {
-      steps.push_back({{"reason", to_string(step.reason)},
+    for (const joint::ConversionStep& step : c.steps) {
+      steps.push_back({{"reason", joint::to_string(step.reason)},
                        {"number", number(step.number)},
                        {"divides", step.divides}});
     }
-    list.push_back({{"signal", to_string(c.signal)},
+    list.push_back({{"signal", joint::to_string(c.signal)},
                     {"column", c.column},
                     {"unit", c.unit},
                     {"steps", std::move(steps)},
                     {"factor", number(c.factor())},
                     {"si_unit", c.si_unit},
-                    {"side", c.side ? Json(to_string(*c.side)) : Json(nullptr)},
+                    {"side", c.side ? Json(joint::to_string(*c.side)) : Json(nullptr)},
                     {"files", shared.files}});
   }
   return list;
 }
 
-Json speeds(const std::vector<SpeedSource>& sources) {
+Json speeds(const std::vector<method::motion::SpeedSource>& sources) {
   Json list = Json::array();
-  for (const SpeedSource& s : sources) {
+  for (const method::motion::SpeedSource& s : sources) {
     list.push_back({{"recording", s.recording},
-                    {"role", to_string(s.role)},
+                    {"role", joint::to_string(s.role)},
                     {"is_logged", s.is_logged},
                     {"window_samples", s.window},
                     {"window_s", number(s.window_s)},
@@ -107,4 +107,4 @@ Json speeds(const std::vector<SpeedSource>& sources) {
   return list;
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -4,10 +4,10 @@
 
 #include "calibration/parts.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 namespace {
 
-Json classical(const ClassicalRegression& c) {
+Json classical(const method::selection::ClassicalRegression& c) {
   return {{"q_peak_rad", interval(c.q_peak_rad)},
           {"gravity_Nm", interval(c.gravity_Nm)},
           {"textbook_gravity_Nm", interval(c.textbook_gravity_Nm)},
@@ -21,9 +21,9 @@ Json classical(const ClassicalRegression& c) {
 
 }  // namespace
 
-Json intervals(const IntervalsResult& result) {
+Json intervals(const method::intervals::IntervalsResult& result) {
   Json quantities = Json::array();
-  for (const TwoIntervals& q : result.quantities) {
+  for (const method::intervals::TwoIntervals& q : result.quantities) {
     const char* stated = q.stated() == nullptr                                   ? nullptr
                          : q.stated() == (q.bootstrap ? &*q.bootstrap : nullptr) ? "bootstrap"
                                                                                  : "closed_form";
@@ -33,11 +33,12 @@ Json intervals(const IntervalsResult& result) {
                           {"stated", stated == nullptr ? Json(nullptr) : Json(stated)}});
   }
   Json bands = Json::object();
-  for (const CurveBand& band : result.bands) {
+  for (const method::intervals::CurveBand& band : result.bands) {
     bands[band.estimator] = {{"low_Nm", numbers(band.low_Nm)}, {"high_Nm", numbers(band.high_Nm)}};
   }
   Json choices = Json::object();
-  for (const ChoiceShare& choice : result.choices) choices[choice.estimator] = choice.share;
+  for (const method::intervals::ChoiceShare& choice : result.choices)
+    choices[choice.estimator] = choice.share;
   return {{"resamples", result.resamples},
           {"seed", result.seed},
           {"quantities", std::move(quantities)},
@@ -45,9 +46,9 @@ Json intervals(const IntervalsResult& result) {
           {"paper_rule_shares", std::move(choices)}};
 }
 
-Json cross_checks(const CrossChecksResult& result) {
+Json cross_checks(const method::intervals::CrossChecksResult& result) {
   Json checks = Json::array();
-  for (const CrossCheck& c : result.checks) {
+  for (const method::intervals::CrossCheck& c : result.checks) {
     checks.push_back({{"method", c.method},
                       {"recommended", c.is_recommended},
                       {"gravity_Nm", interval(c.gravity_Nm)},
@@ -62,9 +63,9 @@ Json cross_checks(const CrossChecksResult& result) {
           {"classical", result.classical ? classical(*result.classical) : Json(nullptr)}};
 }
 
-Json ripple(const Ripple& ripple) {
+Json ripple(const method::gravity::Ripple& ripple) {
   Json lines = Json::array();
-  for (const RippleLine& line : ripple.lines) {
+  for (const method::gravity::RippleLine& line : ripple.lines) {
     lines.push_back({{"periods_per_turn", number(line.periods_per_turn)},
                      {"amplitude_Nm", number(line.amplitude_Nm)},
                      {"phase_rad", number(line.phase_rad)}});
@@ -74,7 +75,7 @@ Json ripple(const Ripple& ripple) {
           {"half_width_Nm", number(ripple.half_width_Nm())}};
 }
 
-Json position_plan(const std::optional<PositionPlan>& plan) {
+Json position_plan(const std::optional<method::hysteresis::PositionPlan>& plan) {
   if (!plan) return nullptr;
   return {{"spread_motor_rad", number(plan->spread_motor_rad)},
           {"further_rad", numbers(plan->further_rad)},
@@ -83,4 +84,4 @@ Json position_plan(const std::optional<PositionPlan>& plan) {
           {"expected_half_width_Nm", number(plan->expected_half_width_Nm)}};
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -30,7 +30,7 @@ Json short_numbers(const std::vector<double>& values) {
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-Json interval(const Estimate& e) {
+Json interval(const statistics::Estimate& e) {
   if (!std::isfinite(e.value)) return nullptr;
   return {{"estimate", e.value},
           {"low", number(e.low)},
@@ -38,15 +38,18 @@ Json interval(const Estimate& e) {
           {"method", e.method}};
 }
 
-Json interval(const std::optional<Estimate>& e) { return e ? interval(*e) : Json(nullptr); }
+Json interval(const std::optional<statistics::Estimate>& e) {
+  return e ? interval(*e) : Json(nullptr);
+}
 
-Json interval_if(bool is_known, const Estimate& e) {
+Json interval_if(bool is_known, const statistics::Estimate& e) {
   return is_known ? interval(e) : Json(nullptr);
 }
 
 /// The same on both sides of the gear.
-Json both_sides(const Estimate& motor, double motor_to_joint) {
-  return {{"motor", interval(motor)}, {"joint", interval(scaled(motor, motor_to_joint))}};
+Json both_sides(const statistics::Estimate& motor, double motor_to_joint) {
+  return {{"motor", interval(motor)},
+          {"joint", interval(statistics::scaled(motor, motor_to_joint))}};
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

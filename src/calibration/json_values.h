@@ -10,7 +10,7 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
 using Json = nlohmann::ordered_json;
 
@@ -21,15 +21,11 @@ Json numbers(const std::vector<double>& values);
 Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
 /// {"estimate", "low", "high", "method"}
-Json interval(const Estimate& e);
-Json interval(const std::optional<Estimate>& e);
-Json interval_if(bool is_known, const Estimate& e);
+Json interval(const statistics::Estimate& e);
+Json interval(const std::optional<statistics::Estimate>& e);
+Json interval_if(bool is_known, const statistics::Estimate& e);
 /// The same on both sides of the gear.
-Json both_sides(const Estimate& motor, double motor_to_joint);
-
-}  // namespace tribolog::json
-
-namespace tribolog::archive {
+Json both_sides(const statistics::Estimate& motor, double motor_to_joint);
 
 // Reading the JSON of a calibration of any age: what an older program did not write is null.
 
@@ -41,4 +37,4 @@ inline const nlohmann::json& member(const nlohmann::json& object, std::string_vi
   return at == object.end() ? none : *at;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::calibration

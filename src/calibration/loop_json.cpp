@@ -7,15 +7,16 @@
 #include "calibration/parts.h"
 #include "method/hysteresis/steady_loop.h"
 
-namespace tribolog::json {
+namespace tribolog::calibration {
 
 namespace {
 
-Json loop_points(const std::vector<LoopPoint>& points) {
+Json loop_points(const std::vector<method::hysteresis::LoopPoint>& points) {
   if (points.empty()) return nullptr;
   Json named = Json::object();
-  for (const char name : loop_point_names) named[std::string(1, name)] = nullptr;
-  for (const LoopPoint& p : points) {
+  for (const char name : method::hysteresis::loop_point_names)
+    named[std::string(1, name)] = nullptr;
+  for (const method::hysteresis::LoopPoint& p : points) {
     named[std::string(1, p.name)] = {{"t_s", number(p.t_s)},
                                      {"q_rad", number(p.q_rad)},
                                      {"torque_Nm", number(p.torque_Nm)},
@@ -32,10 +33,10 @@ std::size_t points_of_each(std::size_t loops) {
   return std::clamp<std::size_t>(600 / std::max<std::size_t>(loops, 1), 40, 200);
 }
 
-Json drawn_loop(const HysteresisResult& h, std::size_t k) {
+Json drawn_loop(const method::hysteresis::HysteresisResult& h, std::size_t k) {
   if (k >= h.traces.size()) return nullptr;
-  const auto loop =
-      steady_loop(h.traces[k], h.oscillations[k], points_of_each(h.oscillations.size()));
+  const auto loop = method::hysteresis::steady_loop(h.traces[k], h.oscillations[k],
+                                                    points_of_each(h.oscillations.size()));
   if (!loop) return nullptr;
   return {{"centre_rad", number(loop->centre_rad)},
           {"angle_from_centre_rad", short_numbers(loop->from_centre_rad)},
@@ -44,10 +45,10 @@ Json drawn_loop(const HysteresisResult& h, std::size_t k) {
 
 }  // namespace
 
-Json hysteresis(const HysteresisResult& h) {
+Json hysteresis(const method::hysteresis::HysteresisResult& h) {
   Json oscillations = Json::array();
   for (std::size_t k = 0; k < h.oscillations.size(); ++k) {
-    const Oscillation& o = h.oscillations[k];
+    const method::hysteresis::Oscillation& o = h.oscillations[k];
     oscillations.push_back({{"centre_rad", number(o.centre_rad)},
                             {"amplitude_rad", number(o.amplitude_rad)},
                             {"frequency_Hz", number(o.frequency_Hz)},
@@ -70,9 +71,9 @@ Json hysteresis(const HysteresisResult& h) {
           {"step_is_of_print", h.encoder_step_rad ? Json(h.step_is_of_print) : Json(nullptr)}};
 }
 
-Json surrogate_masses(const SurrogateMassesResult& result) {
+Json surrogate_masses(const method::hysteresis::SurrogateMassesResult& result) {
   Json list = Json::array();
-  for (const SurrogateMass& m : result.masses) {
+  for (const method::hysteresis::SurrogateMass& m : result.masses) {
     list.push_back({{"estimator", m.estimator},
                     {"torque_Nm", interval(m.torque_Nm)},
                     {"q_rad", number(m.q_rad)},
@@ -94,12 +95,12 @@ double to_joint(const std::string& name, double n) {
   return n * n;
 }
 
-Json sides_if_shown(const std::optional<Estimate>& motor, double motor_to_joint) {
+Json sides_if_shown(const std::optional<statistics::Estimate>& motor, double motor_to_joint) {
   if (motor) return both_sides(*motor, motor_to_joint);
   return {{"motor", nullptr}, {"joint", nullptr}};
 }
 
-Json parameter(const LuGreParameter& p) {
+Json parameter(const method::hysteresis::LuGreParameter& p) {
   return {{"name", p.name},
           {"shown", p.estimate.has_value()},
           {"held_at", number(p.held_at)},
@@ -109,7 +110,7 @@ Json parameter(const LuGreParameter& p) {
           {"experiment", text_or_null(p.experiment)}};
 }
 
-Json identifiability(const LuGreIdentifiability& i) {
+Json identifiability(const method::hysteresis::LuGreIdentifiability& i) {
   Json correlation = Json::array();
   for (const auto& row : i.correlation) correlation.push_back(numbers(row));
   return {{"names", i.names},
@@ -120,7 +121,7 @@ Json identifiability(const LuGreIdentifiability& i) {
           {"correlation", std::move(correlation)}};
 }
 
-Json traced(const std::optional<TracedLoop>& loop) {
+Json traced(const std::optional<method::hysteresis::TracedLoop>& loop) {
   if (!loop) return nullptr;
   return {{"noise_rad", number(loop->noise_rad)},
           {"noise_from", loop->noise_in_words},
@@ -130,7 +131,7 @@ Json traced(const std::optional<TracedLoop>& loop) {
           {"model_turn_stiffness_Nm_rad", interval(loop->model_turn_stiffness_Nm_rad)}};
 }
 
-Json recording(const LuGreLoop& loop) {
+Json recording(const method::hysteresis::LuGreLoop& loop) {
   return {{"recording", loop.recording},
           {"gravity_Nm", interval(loop.gravity_Nm)},
           {"start_deflection_rad", number(loop.start_deflection_rad)},
@@ -144,9 +145,9 @@ Json recording(const LuGreLoop& loop) {
 
 }  // namespace
 
-Json lugre(const LuGreFit& f, double n) {
+Json lugre(const method::hysteresis::LuGreFit& f, double n) {
   Json made{{"converged", f.converged}, {"rung", text_or_null(f.rung)}};
-  for (const char* name : lugre_parameter_names) {
+  for (const char* name : method::hysteresis::lugre_parameter_names) {
     made[name] = sides_if_shown(f.shown(name), to_joint(name, n));
   }
   made["gravity_Nm"] = sides_if_shown(f.gravity_Nm, n);
@@ -154,20 +155,22 @@ Json lugre(const LuGreFit& f, double n) {
   made["iterations"] = f.iterations;
   made["reason"] = text_or_null(f.reason);
   made["parameters"] = Json::array();
-  for (const LuGreParameter& p : f.parameters) made["parameters"].push_back(parameter(p));
+  for (const method::hysteresis::LuGreParameter& p : f.parameters)
+    made["parameters"].push_back(parameter(p));
   made["identifiability"] = nullptr;
   if (!f.identifiability.names.empty())
     made["identifiability"] = identifiability(f.identifiability);
   made["recordings"] = Json::array();
-  for (const LuGreLoop& loop : f.loops) made["recordings"].push_back(recording(loop));
+  for (const method::hysteresis::LuGreLoop& loop : f.loops)
+    made["recordings"].push_back(recording(loop));
   return made;
 }
 
 // Break-away ramps, and the shape of the loops: what the paper has not.
 
-Json break_away(const BreakAwayResult& result, double gear_ratio) {
+Json break_away(const method::hysteresis::BreakAwayResult& result, double gear_ratio) {
   Json ramps = Json::array();
-  for (const BreakAwayRamp& r : result.ramps) {
+  for (const method::hysteresis::BreakAwayRamp& r : result.ramps) {
     ramps.push_back({{"recording", r.recording},
                      {"direction", r.is_rising ? "rising" : "falling"},
                      {"broke_away", r.broke_away},
@@ -181,7 +184,7 @@ Json break_away(const BreakAwayResult& result, double gear_ratio) {
                      {"samples_used", r.samples_used},
                      {"samples_left_out", r.samples_left_out}});
   }
-  const auto on_both_sides = [&](const std::optional<Estimate>& e) {
+  const auto on_both_sides = [&](const std::optional<statistics::Estimate>& e) {
     return e ? both_sides(*e, gear_ratio) : Json(nullptr);
   };
   return {{"gravity_taken_off", result.gravity_taken_off},
@@ -192,9 +195,9 @@ Json break_away(const BreakAwayResult& result, double gear_ratio) {
           {"ramps", std::move(ramps)}};
 }
 
-Json loop_shapes(const std::vector<LoopShape>& shapes) {
+Json loop_shapes(const std::vector<method::hysteresis::LoopShape>& shapes) {
   Json list = Json::array();
-  for (const LoopShape& s : shapes) {
+  for (const method::hysteresis::LoopShape& s : shapes) {
     list.push_back({{"recording", s.recording},
                     {"width_rad", number(s.width_rad)},
                     {"height_Nm", number(s.height_Nm)},
@@ -208,4 +211,4 @@ Json loop_shapes(const std::vector<LoopShape>& shapes) {
   return list;
 }
 
-}  // namespace tribolog::json
+}  // namespace tribolog::calibration

@@ -16,7 +16,7 @@
 #define TRIBOLOG_EIGEN_VERSION "unknown"
 #endif
 
-namespace tribolog {
+namespace tribolog::calibration {
 namespace {
 
 constexpr std::int64_t end_of_year_9999 = 253402300799;
@@ -111,4 +111,4 @@ Provenance make_provenance(const std::vector<std::string>& arguments) {
   return made;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

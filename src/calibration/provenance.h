@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::calibration {
 
 /// A name and what belongs to it: a library and its version, a setting and its value.
 struct NamedText {
@@ -49,4 +49,4 @@ std::string creation_time_utc(const char* source_date_epoch);
 /// PostgreSQL connection string nothing is left, which may hold a password.
 std::string command_line_text(const std::vector<std::string>& arguments);
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tribolog {
+namespace tribolog::calibration {
 
 std::string to_string(Verdict verdict) {
   switch (verdict) {
@@ -40,4 +40,4 @@ void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
   if (is_worse || quantity.experiment.empty()) quantity.experiment = experiment;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

@@ -7,7 +7,7 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::calibration {
 
 enum class Verdict { usable, doubtful, not_identifiable };
 
@@ -28,7 +28,7 @@ struct LimitOutcome {
   std::string rule;  ///< "max", "min", "half_width" or "half_width_percent".
   double limit{};    ///< In `unit`.
   std::string unit;
-  std::optional<Estimate> estimate;  ///< In the key's unit.
+  std::optional<statistics::Estimate> estimate;  ///< In the key's unit.
   LimitState state{LimitState::unknown};
   std::string words;  ///< "Coulomb torque 13.4 N·m breaks the limit of at most 12 N·m".
 };
@@ -40,8 +40,9 @@ struct QuantityVerdict {
   bool decides{true};                ///< Takes part in the verdict over all.
   std::vector<std::string> reasons;  ///< Empty only if usable. The weightiest first.
   std::string experiment;            ///< What to record next; empty only if usable.
-  std::optional<Estimate> estimate;  ///< SI, motor side; absent for a curve, or where not found.
-  std::string unit;                  ///< Of the estimate; empty for a curve.
+  std::optional<statistics::Estimate>
+      estimate;      ///< SI, motor side; absent for a curve, or where not found.
+  std::string unit;  ///< Of the estimate; empty for a curve.
   std::vector<LimitOutcome> limits;
 };
 
@@ -50,4 +51,4 @@ struct QuantityVerdict {
 void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
            const std::string& experiment);
 
-}  // namespace tribolog
+}  // namespace tribolog::calibration

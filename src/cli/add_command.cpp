@@ -47,24 +47,24 @@ Run add_add(CLI::App& archive) {
       "entry. All files are read before the first one is kept.");
   return [where, options](const Invocation& call) {
     check(*options);
-    const std::string now = make_provenance({}).created_utc;
-    std::vector<archive::NewCalibration> made;
+    const std::string now = calibration::make_provenance({}).created_utc;
+    std::vector<calibration::NewCalibration> made;
     for (const std::string& file : options->calibrations) {
-      made.push_back(archive::entry_of_calibration(read_file(file), file));
+      made.push_back(calibration::entry_of_calibration(read_file(file), file));
     }
     if (!options->inputs.empty()) add_inputs(options->inputs, made.front());
     const std::string report = options->report.empty() ? "" : read_file(options->report);
-    archive::CalibrationArchive kept = where->open(sql::Access::write);
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
     for (std::size_t k = 0; k < made.size(); ++k) {
-      const archive::Added added = kept.add(made[k], options->again, now);
+      const archive::store::Added added = kept.add(made[k], options->again, now);
       if (options->json) {
         if (added.is_new) note_kept("its entry " + added.id);
-        print_json(archive::added_json(added, options->calibrations[k]));
+        print_json(archive::store::added_json(added, options->calibrations[k]));
       } else {
         tell_added(added, options->calibrations[k], call.console);
       }
       if (!report.empty() && !kept.attach_report(added.id, report, now)) {
-        call.console.warn("note: " + added.id.substr(0, archive::shown_digits) +
+        call.console.warn("note: " + added.id.substr(0, calibration::shown_digits) +
                           " has a report already, which stays");
       }
     }

@@ -11,15 +11,15 @@
 
 namespace tribolog::cli {
 
-archive::CalibrationArchive ArchiveOptions::open(sql::Access access) const {
-  return archive::open_archive(location, access, static_cast<int>(1e3 * wait_s));
+archive::store::CalibrationArchive ArchiveOptions::open(archive::sql::Access access) const {
+  return archive::store::open_archive(location, access, static_cast<int>(1e3 * wait_s));
 }
 
 void ArchiveOptions::protect_from(const std::string& output) const {
   if (output.empty()) return;
   std::vector<std::string> files;
-  if (!archive::is_server(location)) {
-    files.push_back(location.empty() ? archive::default_location() : location);
+  if (!archive::store::is_server(location)) {
+    files.push_back(location.empty() ? archive::store::default_location() : location);
   }
   check_output_can_be_written(output, files);
 }
@@ -49,7 +49,7 @@ std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command) {
   return options;
 }
 
-void add_filter(CLI::App& command, archive::Filter& filter) {
+void add_filter(CLI::App& command, archive::store::Filter& filter) {
   command.add_option("--robot", filter.robot, "of this robot alone");
   command.add_option("--serial", filter.serial, "of this serial number alone");
   command.add_option("--joint", filter.joint, "of this joint alone");

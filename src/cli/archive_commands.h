@@ -31,7 +31,7 @@ struct ArchiveOptions {
   std::string location;  ///< Empty: the user's own.
   double wait_s{5};
 
-  [[nodiscard]] archive::CalibrationArchive open(sql::Access access) const;
+  [[nodiscard]] archive::store::CalibrationArchive open(archive::sql::Access access) const;
   /// To be called for each output before anything is written; empty: none was asked for.
   /// @throw OutputError: it cannot be written. UsageError: it is the archive itself.
   void protect_from(const std::string& output) const;
@@ -43,7 +43,7 @@ void make_way(Console& console, const std::string& output, bool prints_json);
 std::shared_ptr<ArchiveOptions> add_archive_options(CLI::App& command);
 
 /// `--robot`, `--serial`, `--joint`.
-void add_filter(CLI::App& command, archive::Filter& filter);
+void add_filter(CLI::App& command, archive::store::Filter& filter);
 
 /// Each adds its command to `tribolog archive`, and says what it does.
 Run add_add(CLI::App& archive);

@@ -32,15 +32,15 @@ Run add_report(CLI::App& archive) {
     for (const std::string& output : {options->output, options->calibration}) {
       call.console.make_way_for(output);
     }
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
-    const archive::Entry entry = kept.find(options->id);
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    const calibration::Entry entry = kept.find(options->id);
     AtomicFiles files;
     if (!options->output.empty()) {
       files.add(options->output,
                 options->original ? original_report(kept, entry) : signed_report(kept, entry));
     }
     if (!options->calibration.empty()) {
-      const auto bytes = kept.document(entry, archive::DocumentKind::calibration);
+      const auto bytes = kept.document(entry, calibration::DocumentKind::calibration);
       if (!bytes)
         throw ArchiveError(printable(kept.name(), longest_path) + ": its calibration is missing");
       files.add(options->calibration, *bytes);

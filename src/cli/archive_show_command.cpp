@@ -9,26 +9,25 @@
 namespace tribolog::cli {
 namespace {
 
-using namespace archive;
-
-std::string documents_text(const std::vector<StoredDocument>& documents) {
+std::string documents_text(const std::vector<archive::store::StoredDocument>& documents) {
   static const char* const kinds[] = {"calibration", "report", "input"};
-  TextTable table(0);
+  inspect::survey::TextTable table(0);
   table.add({"kept", "bytes", "stored", "SHA-256"});
-  for (const StoredDocument& d : documents) {
+  for (const archive::store::StoredDocument& d : documents) {
     const std::string kind = kinds[static_cast<std::size_t>(d.kind)];
     table.add({d.name.empty() ? kind : printable(d.name), std::to_string(d.bytes),
-               std::to_string(d.stored_bytes), d.sha256.substr(0, 2 * shown_digits) + "..."});
+               std::to_string(d.stored_bytes),
+               d.sha256.substr(0, 2 * calibration::shown_digits) + "..."});
   }
   return table.text();
 }
 
-std::string reviews_text(const std::vector<Review>& reviews) {
+std::string reviews_text(const std::vector<calibration::Review>& reviews) {
   if (reviews.empty()) return "";
-  TextTable table(0);
+  inspect::survey::TextTable table(0);
   table.add({"decision", "by", "at", "note"});
-  for (const Review& review : reviews) {
-    table.add({to_string(review.decision), printable(review.reviewer), review.at_utc,
+  for (const calibration::Review& review : reviews) {
+    table.add({calibration::to_string(review.decision), printable(review.reviewer), review.at_utc,
                printable(review.note, 400)});
   }
   return "\n" + table.text();
@@ -47,13 +46,14 @@ Run add_show(CLI::App& archive) {
   const auto where = add_archive_options(command);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   return [where, options](const Invocation& call) {
-    CalibrationArchive kept = where->open(sql::Access::read);
-    const Entry entry = kept.find(options->id);
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    const calibration::Entry entry = kept.find(options->id);
     const auto quantities = kept.quantities(entry);
     const auto documents = kept.documents(entry);
     const auto reviews = kept.reviews(entry);
     if (options->json) {
-      print_json(entry_json(entry, quantities, kept.inputs(entry), documents, reviews));
+      print_json(
+          archive::store::entry_json(entry, quantities, kept.inputs(entry), documents, reviews));
     } else {
       call.console.say(facts_text(entry.facts, entry.id, entry.revision) + "\n" +
                        quantities_text(quantities) + "\n" + documents_text(documents) +

@@ -15,20 +15,21 @@
 
 namespace tribolog::cli {
 
-void add_inputs(const std::string& directory, archive::NewCalibration& calibration) {
-  for (const archive::Input& input : calibration.inputs) {
+void add_inputs(const std::string& directory, calibration::NewCalibration& calibration) {
+  for (const calibration::Input& input : calibration.inputs) {
     const std::string path = (std::filesystem::path(directory) / input.name).string();
     std::string bytes = read_file(path);
     if (sha256_hex(bytes) != input.sha256) {
       throw InputError({path, 0, 0}, {"is not the file that the calibration was made from",
                                       "another SHA-256", input.sha256, "identify it again"});
     }
-    calibration.documents.push_back({archive::DocumentKind::input, input.name, std::move(bytes)});
+    calibration.documents.push_back(
+        {calibration::DocumentKind::input, input.name, std::move(bytes)});
   }
 }
 
-void tell_added(const archive::Added& added, const std::string& what, Console& console) {
-  const std::string id = added.id.substr(0, archive::shown_digits);
+void tell_added(const archive::store::Added& added, const std::string& what, Console& console) {
+  const std::string id = added.id.substr(0, calibration::shown_digits);
   const std::string file = printable(what, longest_path);
   if (added.is_new) {
     note_kept("its entry " + id);
@@ -40,22 +41,18 @@ void tell_added(const archive::Added& added, const std::string& what, Console& c
   }
 }
 
-}  // namespace tribolog::cli
-
-namespace tribolog {
-
 std::string ArchivingOptions::file() const {
-  if (!location || archive::is_server(*location)) return "";
-  return location->empty() ? archive::default_location() : *location;
+  if (!location || archive::store::is_server(*location)) return "";
+  return location->empty() ? archive::store::default_location() : *location;
 }
 
 Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
   if (options.location) {
     // A new one is made when it has something to keep.
-    if (archive::is_there(*options.location)) {
+    if (archive::store::is_there(*options.location)) {
       open();
     } else {
-      archive::check_can_be_made(*options.location);
+      archive::store::check_can_be_made(*options.location);
     }
   } else if (options.inputs || options.again) {
     throw UsageError("--archive-inputs and --archive-again need --archive");
@@ -63,32 +60,33 @@ Archiving::Archiving(const ArchivingOptions& options) : options_(options) {
 }
 
 void Archiving::open() {
-  archive_.emplace(archive::open_archive(*options_.location, sql::Access::write,
-                                         static_cast<int>(1e3 * options_.wait_s)));
+  archive_.emplace(archive::store::open_archive(*options_.location, archive::sql::Access::write,
+                                                static_cast<int>(1e3 * options_.wait_s)));
 }
 
 void Archiving::keep_numbers(const std::string& calibration, const std::string& file,
                              const std::string& manifest, Console& console) {
   if (!options_.location) return;
-  archive::NewCalibration made = archive::entry_of_calibration(calibration, file);
+  calibration::NewCalibration made = calibration::entry_of_calibration(calibration, file);
   if (options_.inputs) {
-    cli::add_inputs(std::filesystem::path(manifest).parent_path().string(), made);
+    add_inputs(std::filesystem::path(manifest).parent_path().string(), made);
   }
   if (!archive_) open();
-  const archive::Added added = archive_->add(made, options_.again, make_provenance({}).created_utc);
+  const archive::store::Added added =
+      archive_->add(made, options_.again, calibration::make_provenance({}).created_utc);
   id_ = added.id;
-  cli::tell_added(added, file, console);
+  tell_added(added, file, console);
 }
 
 std::optional<history::Comparison> Archiving::since_last() {
   if (!archive_ || id_.empty()) return std::nullopt;
-  const archive::JointName of = archive_->find(id_).facts.of;
+  const calibration::JointName of = archive_->find(id_).facts.of;
   const auto all = archive_->measured({of.robot, of.serial, of.joint, true});
-  const auto is_this = [&](const archive::Measured& one) { return one.entry.id == id_; };
+  const auto is_this = [&](const calibration::Measured& one) { return one.entry.id == id_; };
   const auto now = std::find_if(all.begin(), all.end(), is_this);
   if (now == all.end()) return std::nullopt;  // it has a later revision
-  const archive::Measured* before = nullptr;
-  for (const archive::Measured& one : all) {
+  const calibration::Measured* before = nullptr;
+  for (const calibration::Measured& one : all) {
     if (one.entry.facts.measured_at < now->entry.facts.measured_at) before = &one;
   }
   if (before == nullptr) return std::nullopt;
@@ -97,9 +95,10 @@ std::optional<history::Comparison> Archiving::since_last() {
 
 void Archiving::keep_report(const std::string& html, Console& console) {
   if (!archive_) return;
-  if (!archive_->attach_report(id_, html, make_provenance({}).created_utc)) {
-    console.say("the archive keeps the report it has of " + id_.substr(0, archive::shown_digits));
+  if (!archive_->attach_report(id_, html, calibration::make_provenance({}).created_utc)) {
+    console.say("the archive keeps the report it has of " +
+                id_.substr(0, calibration::shown_digits));
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -13,14 +13,10 @@ namespace tribolog::cli {
 
 /// Adds manifest and recordings, as far as they are in the directory.
 /// @throw InputError: one is not there, or not the one that the calibration was made from.
-void add_inputs(const std::string& directory, archive::NewCalibration& calibration);
+void add_inputs(const std::string& directory, calibration::NewCalibration& calibration);
 
 /// "archived: 0123456789 (cal.json)", or that it is there already.
-void tell_added(const archive::Added& added, const std::string& what, Console& console);
-
-}  // namespace tribolog::cli
-
-namespace tribolog {
+void tell_added(const archive::store::Added& added, const std::string& what, Console& console);
 
 // `--archive` of identify and report: the numbers first, the report once it is on the disk.
 
@@ -62,8 +58,8 @@ class Archiving {
   void open();
 
   ArchivingOptions options_;
-  std::optional<archive::CalibrationArchive> archive_;
+  std::optional<archive::store::CalibrationArchive> archive_;
   std::string id_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

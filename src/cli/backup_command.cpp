@@ -15,7 +15,7 @@ Run add_backup(CLI::App& archive) {
       throw UsageError("archive backup: a backup is a database, which needs a file of its own");
     }
     where->protect_from(*output);
-    where->open(sql::Access::read).backup(*output);
+    where->open(archive::sql::Access::read).backup(*output);
     call.console.say("backup: " + printable(*output, longest_path));
     return ExitStatus::done;
   };

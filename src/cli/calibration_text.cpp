@@ -7,10 +7,8 @@
 
 namespace tribolog::cli {
 
-using namespace archive;
-
-std::string facts_text(const Facts& f, const std::string& id, int revision) {
-  TextTable table(0);
+std::string facts_text(const calibration::Facts& f, const std::string& id, int revision) {
+  inspect::survey::TextTable table(0);
   const auto add = [&](const char* name, const std::string& text) {
     if (!text.empty()) table.add({name, printable(text, 400)});
   };
@@ -31,20 +29,20 @@ std::string facts_text(const Facts& f, const std::string& id, int revision) {
   add("gear ratio", fmt::format("{:.6g}", f.gear_ratio));
   add("sampling rate", number(f.sampling_Hz, "Hz"));
   add("note", f.note);
-  add("verdict", to_string(f.verdict) + ": " + f.sentence);
+  add("verdict", calibration::to_string(f.verdict) + ": " + f.sentence);
   add("revision", revision > 1 ? std::to_string(revision) : "");
   add("tribolog", f.tool_version + " (" + f.git_revision + ")");
   return table.text();
 }
 
-std::string quantities_text(const std::vector<Quantity>& quantities) {
-  TextTable table(0);
+std::string quantities_text(const std::vector<calibration::Quantity>& quantities) {
+  inspect::survey::TextTable table(0);
   table.add({"quantity", "value", "95 %", "unit", "verdict"});
-  for (const Quantity& q : quantities) {
+  for (const calibration::Quantity& q : quantities) {
     const auto& e = q.estimate;
     table.add({printable(q.words), e ? fmt::format("{:.6g}", e->value) : "",
                e ? fmt::format("{:.6g} to {:.6g}", e->low, e->high) : "", printable(q.unit),
-               to_string(q.verdict)});
+               calibration::to_string(q.verdict)});
   }
   return table.text();
 }

@@ -10,9 +10,9 @@ namespace tribolog::cli {
 
 /// One line for each fact that is stated. @param id empty: it has none. @param revision 1: the only
 /// one.
-std::string facts_text(const archive::Facts& facts, const std::string& id, int revision);
+std::string facts_text(const calibration::Facts& facts, const std::string& id, int revision);
 
 /// Value, interval, unit and verdict of each: SI, motor side.
-std::string quantities_text(const std::vector<archive::Quantity>& quantities);
+std::string quantities_text(const std::vector<calibration::Quantity>& quantities);
 
 }  // namespace tribolog::cli

@@ -10,7 +10,7 @@
 #include "cli/archive_commands.h"
 #include "cli/commands.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 constexpr const char* overview = R"(Identification reports of robot joints from their logs.
@@ -89,8 +89,8 @@ ExitStatus run_command_line(int argc, char** argv) {
   const CLI::App& plan_command = add_plan(app, plan);
   StudyCommandOptions study;
   const CLI::App& study_command = add_study(app, study);
-  const auto chosen_of_archive = cli::add_archive(app);
-  const auto chosen_review = cli::add_review(app);
+  const auto chosen_of_archive = add_archive(app);
+  const auto chosen_review = add_review(app);
   refuse_empty_location({argv, argv + argc});
 
   try {
@@ -116,11 +116,11 @@ ExitStatus run_command_line(int argc, char** argv) {
   if (models_command) return run_models(models, arguments, console);
   if (paper_command) return run_paper(paper, arguments, console);
   if (plan_command) return run_plan(plan, arguments, console);
-  if (const cli::Run run = chosen_of_archive()) return run({arguments, console});
-  if (const cli::Run run = chosen_review()) return run({arguments, console});
+  if (const Run run = chosen_of_archive()) return run({arguments, console});
+  if (const Run run = chosen_review()) return run({arguments, console});
   if (study_command) return run_study_command(study, arguments, console);
   print(app.help());
   return ExitStatus::usage;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -3,10 +3,10 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 /// Parses the arguments and runs the command.
 /// @throw tribolog::Error for everything that the user is to be told.
 ExitStatus run_command_line(int argc, char** argv);
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -14,7 +14,7 @@
 #include "inspect/survey/manifest_proposal.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 struct SimulateOptions {
   std::string scenario;
@@ -25,9 +25,9 @@ struct SimulateOptions {
 struct IdentifyArguments {
   std::string dataset;
   std::string output;
-  std::size_t truth_runs{20};      ///< Of the known-truth check; 0: none.
-  std::optional<Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
-  IntervalSettings intervals;      ///< Win over the manifest's.
+  std::size_t truth_runs{20};                   ///< Of the known-truth check; 0: none.
+  std::optional<calibration::Verdict> fail_on;  ///< This verdict or a worse one is exit status 1.
+  joint::IntervalSettings intervals;            ///< Win over the manifest's.
   ArchivingOptions archiving;
 };
 
@@ -44,7 +44,7 @@ struct FiguresOptions {
   std::string directory;
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureStyleChoice style{FigureStyleChoice::report};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
   std::size_t truth_runs{0};  ///< Of the known-truth check, which has a figure of its own.
   int processes{2};
 };
@@ -54,11 +54,11 @@ struct ReportOptions {
   std::string output;
   std::string calibration;  ///< Empty: beside the report.
   std::size_t truth_runs{20};
-  std::optional<Verdict> fail_on;
-  IntervalSettings intervals;  ///< Win over the manifest's.
+  std::optional<calibration::Verdict> fail_on;
+  joint::IntervalSettings intervals;  ///< Win over the manifest's.
   int processes{2};
   bool figures{true};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
   ArchivingOptions archiving;
 };
 
@@ -71,7 +71,7 @@ struct ModelsOptions {
   bool compare{false};  ///< All of them side by side, in one page; else the list on the console.
   std::string output;   ///< That page (HTML): one is not without the other.
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
 struct PlanCommandOptions {
@@ -82,13 +82,13 @@ struct PlanCommandOptions {
   unsigned long long seed{1};
   std::size_t threads{0};  ///< 0: all cores.
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
 struct PaperOptions {
   std::string output;  ///< The page (HTML).
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
 struct StudyCommandOptions {
@@ -101,13 +101,13 @@ struct StudyCommandOptions {
   std::size_t resamples{0};          ///< Of each run's bootstrap.
   std::vector<std::string> factors;  ///< Keys; none: all.
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
 /// What inspect and init are told of the logs.
 struct InspectedLogs {
   std::vector<std::string> files;
-  ProposalOptions known;
+  inspect::survey::ProposalOptions known;
 };
 
 struct InspectOptions {
@@ -164,4 +164,4 @@ CLI::App& add_paper(CLI::App& app, PaperOptions& paper);
 CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan);
 CLI::App& add_study(CLI::App& app, StudyCommandOptions& study);
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -10,7 +10,7 @@
 #include "base/shown_text.h"
 #include "base/standard_output.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 constexpr std::size_t longest_line = 1000;
@@ -67,4 +67,4 @@ void Console::warn(const std::string& line) {
   std::cerr << "tribolog: " << lines_for_terminal(line) << '\n';
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace tribolog {
+namespace tribolog::cli {
 
 class Console {
  public:
@@ -38,4 +38,4 @@ class Console {
   std::chrono::steady_clock::time_point start_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -18,11 +18,12 @@ struct Options {
   bool different_joints{false};
   bool json{false};
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
-history::RecordedCurves curves_of(archive::CalibrationArchive& kept, const archive::Entry& entry) {
-  const auto json = kept.document(entry, archive::DocumentKind::calibration);
+history::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
+                                  const calibration::Entry& entry) {
+  const auto json = kept.document(entry, calibration::DocumentKind::calibration);
   return json ? history::recorded_curves(*json) : history::RecordedCurves{};
 }
 
@@ -44,13 +45,14 @@ std::string missing_curves(const history::RecordedCurves& a, const history::Reco
 ExitStatus write_page(const Options& options, const history::Comparison& comparison,
                       const history::RecordedCurves& first, const history::RecordedCurves& second,
                       const Invocation& call) {
-  const auto figures = comparison_figures(comparison, first, second);
-  return write_history_page(
-      {options.output, options.processes, options.language}, figures, call,
-      [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
-        return comparison_page(comparison, provenance, missing_curves(first, second), figures,
-                               drawn, options.language);
-      });
+  const auto figures = figures::comparison_figures(comparison, first, second);
+  return write_history_page({options.output, options.processes, options.language}, figures, call,
+                            [&](const calibration::Provenance& provenance,
+                                const std::vector<render::workers::DrawnFigure>& drawn) {
+                              return report::comparison_page(comparison, provenance,
+                                                             missing_curves(first, second), figures,
+                                                             drawn, options.language);
+                            });
 }
 
 void tell(const history::Comparison& comparison, Console& console) {
@@ -87,10 +89,10 @@ Run add_diff(CLI::App& archive) {
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
-    std::vector<archive::Measured> both;
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    std::vector<calibration::Measured> both;
     for (const std::string& id : options->ids) {
-      const archive::Entry entry = kept.find(id);
+      const calibration::Entry entry = kept.find(id);
       both.push_back({entry, kept.quantities(entry)});
     }
     const history::Comparison comparison =

@@ -8,24 +8,24 @@
 #include "figures/figure_language.h"
 #include "report/html_report.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
-std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
-                                      const std::vector<ReportFigure>& figures, Language language,
-                                      Console& console) {
-  std::vector<render::Figure> descriptions;
+std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& renderer,
+                                               const std::vector<figures::ReportFigure>& figures,
+                                               wording::Language language, Console& console) {
+  std::vector<render::figure::Figure> descriptions;
   descriptions.reserve(figures.size());
-  for (const ReportFigure& figure : figures) {
-    descriptions.push_back(drawn_in_language(figure.figure, language));
+  for (const figures::ReportFigure& figure : figures) {
+    descriptions.push_back(figures::drawn_in_language(figure.figure, language));
   }
-  render::DrawOptions options;
+  render::workers::DrawOptions options;
   options.progress = [&](std::size_t done, std::size_t all) {
     console.progress("drawing figures", done, all);
   };
   try {
     return renderer.draw(descriptions, options);
   } catch (const FigureError& error) {  // of all of them
-    std::vector<render::DrawnFigure> missing(figures.size());
+    std::vector<render::workers::DrawnFigure> missing(figures.size());
     for (std::size_t k = 0; k < figures.size(); ++k) {
       missing[k].id = figures[k].figure.id;
       missing[k].width_px = figures[k].figure.width_px;
@@ -36,17 +36,20 @@ std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
   }
 }
 
-std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn) {
-  const auto first = std::find_if(drawn.begin(), drawn.end(),
-                                  [](const render::DrawnFigure& f) { return f.error.empty(); });
+std::optional<calibration::DrawingSoftware> software_that_drew(
+    const std::vector<render::workers::DrawnFigure>& drawn) {
+  const auto first =
+      std::find_if(drawn.begin(), drawn.end(),
+                   [](const render::workers::DrawnFigure& f) { return f.error.empty(); });
   if (first == drawn.end()) return std::nullopt;
-  return drawing_software(first->drawn_by);
+  return report::drawing_software(first->drawn_by);
 }
 
-std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console) {
+std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn,
+                          Console& console) {
   std::size_t failures = 0;
   std::string last;
-  for (const render::DrawnFigure& figure : drawn) {
+  for (const render::workers::DrawnFigure& figure : drawn) {
     for (const std::string& warning : figure.warnings) {
       console.warn(fmt::format("{}: note: {}", figure.id, warning));
     }
@@ -62,4 +65,4 @@ std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console
   return failures;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

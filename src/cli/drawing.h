@@ -11,18 +11,19 @@
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 /// Pictures in the order of the figures, with their texts in the language. A graphics stack that
 /// cannot start at all leaves every picture with its error.
-std::vector<render::DrawnFigure> draw(render::FigureRenderer& renderer,
-                                      const std::vector<ReportFigure>& figures, Language language,
-                                      Console& console);
+std::vector<render::workers::DrawnFigure> draw(render::workers::FigureRenderer& renderer,
+                                               const std::vector<figures::ReportFigure>& figures,
+                                               wording::Language language, Console& console);
 
 /// The graphics stack, for the provenance; absent if nothing was drawn.
-std::optional<DrawingSoftware> software_that_drew(const std::vector<render::DrawnFigure>& drawn);
+std::optional<calibration::DrawingSoftware> software_that_drew(
+    const std::vector<render::workers::DrawnFigure>& drawn);
 
 /// Warns of each figure that failed; returns how many did.
-std::size_t tell_failures(const std::vector<render::DrawnFigure>& drawn, Console& console);
+std::size_t tell_failures(const std::vector<render::workers::DrawnFigure>& drawn, Console& console);
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

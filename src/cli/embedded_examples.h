@@ -4,9 +4,9 @@
 
 #include "base/embedded_file.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 /// scenario.toml, scenario_noise.toml and am100ib.toml
 const std::vector<EmbeddedFile>& embedded_examples();
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -4,9 +4,9 @@
 #include "base/standard_output.h"
 #include "cli/archive_commands.h"
 #include "cli/shared_options.h"
-#include "export/calibration/json_document.h"
-#include "export/calibration/result_tables.h"
-#include "export/calibration/simulator_models.h"
+#include "exports/results/json_document.h"
+#include "exports/results/result_tables.h"
+#include "exports/results/simulator_models.h"
 
 namespace tribolog::cli {
 namespace {
@@ -16,7 +16,7 @@ struct Options {
   std::string format;
   std::string output;
   std::string side;
-  archive::SimulatorOptions simulator;
+  exports::results::SimulatorOptions simulator;
 };
 
 void check(Options& options) {
@@ -28,16 +28,16 @@ void check(Options& options) {
   if (options.simulator.arm_inertia_kgm2 && options.format != "mjcf") {
     throw UsageError("archive export: --arm-inertia is for mjcf");
   }
-  options.simulator.side = options.side == "motor" ? Side::motor : Side::joint;
+  options.simulator.side = options.side == "motor" ? joint::Side::motor : joint::Side::joint;
 }
 
-std::string text_of(const Options& options, const archive::ArchivedJoint& joint) {
-  if (options.format == "csv") return csv_table(joint);
-  if (options.format == "json") return json_document(joint);
-  if (options.format == "latex") return latex_table(joint);
-  if (options.format == "urdf") return urdf_joint(joint, options.simulator);
-  if (options.format == "mjcf") return mjcf_joint(joint, options.simulator);
-  return modelica_friction(joint, options.simulator);
+std::string text_of(const Options& options, const exports::results::ArchivedJoint& joint) {
+  if (options.format == "csv") return exports::results::csv_table(joint);
+  if (options.format == "json") return exports::results::json_document(joint);
+  if (options.format == "latex") return exports::results::latex_table(joint);
+  if (options.format == "urdf") return exports::results::urdf_joint(joint, options.simulator);
+  if (options.format == "mjcf") return exports::results::mjcf_joint(joint, options.simulator);
+  return exports::results::modelica_friction(joint, options.simulator);
 }
 
 }  // namespace
@@ -71,11 +71,12 @@ Run add_export(CLI::App& archive) {
     check(*options);
     where->protect_from(options->output);
     call.console.make_way_for(options->output);
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
-    archive::ArchivedJoint joint;
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    exports::results::ArchivedJoint joint;
     joint.entry = kept.find(options->id);
     joint.quantities = kept.quantities(joint.entry);
-    joint.calibration = kept.document(joint.entry, archive::DocumentKind::calibration).value_or("");
+    joint.calibration =
+        kept.document(joint.entry, calibration::DocumentKind::calibration).value_or("");
     const std::string text = text_of(*options, joint);
     if (options->output.empty()) {
       print(text);

@@ -12,7 +12,7 @@
 #include "render/text/font.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 std::string text_of(const std::vector<std::byte>& bytes) {
@@ -20,20 +20,20 @@ std::string text_of(const std::vector<std::byte>& bytes) {
 }
 
 /// The pictures of scenes that go below their lines and texts, by the figure's place in the list.
-std::map<std::size_t, render::DrawnFigure> draw_solid_parts(
-    const std::vector<ReportFigure>& figures, render::FigureRenderer* renderer) {
+std::map<std::size_t, render::workers::DrawnFigure> draw_solid_parts(
+    const std::vector<figures::ReportFigure>& figures, render::workers::FigureRenderer* renderer) {
   std::vector<std::size_t> places;
-  std::vector<render::Figure> scenes;
+  std::vector<render::figure::Figure> scenes;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!figures[i].figure.scene) continue;
     places.push_back(i);
     scenes.push_back(figures[i].figure);
   }
-  std::map<std::size_t, render::DrawnFigure> out;
+  std::map<std::size_t, render::workers::DrawnFigure> out;
   if (scenes.empty() || renderer == nullptr) return out;
-  render::DrawOptions options;
+  render::workers::DrawOptions options;
   options.solid_parts_only = true;
-  std::vector<render::DrawnFigure> drawn = renderer->draw(scenes, options);
+  std::vector<render::workers::DrawnFigure> drawn = renderer->draw(scenes, options);
   for (std::size_t k = 0; k < places.size(); ++k) out.emplace(places[k], std::move(drawn[k]));
   return out;
 }
@@ -44,10 +44,10 @@ class VectorWriter {
       : out_(out), formats_(formats) {}
 
   /// @param solid_parts null for what has none
-  void write(const ReportFigure& figure, const render::DrawnFigure* solid_parts,
-             render::DrawnFigure& outcome) {
+  void write(const figures::ReportFigure& figure, const render::workers::DrawnFigure* solid_parts,
+             render::workers::DrawnFigure& outcome) {
     try {
-      const render::DrawList list = render::lay_out(figure.figure, font_);
+      const render::figure::DrawList list = render::composition::lay_out(figure.figure, font_);
       if (outcome.warnings.empty()) {
         for (const std::string& one : list.warnings)
           outcome.warnings.push_back(printable(one, 400));
@@ -57,32 +57,32 @@ class VectorWriter {
         if (!solid_parts->error.empty()) throw FigureError(solid_parts->error);
         picture = solid_parts->png;
       }
-      const render::DocumentTexts texts{figure.figure.id, figure.title, figure.alt};
+      const render::vector::DocumentTexts texts{figure.figure.id, figure.title, figure.alt};
       for (const FigureFormat format : formats_) {
         if (format == FigureFormat::png) continue;
-        out_.files.push_back(
-            {file_name(figure, format), format == FigureFormat::svg
-                                            ? svg_document(list, texts, font_, picture)
-                                            : pdf_document(list, texts, font_, picture)});
+        out_.files.push_back({file_name(figure, format),
+                              format == FigureFormat::svg
+                                  ? render::vector::svg_document(list, texts, font_, picture)
+                                  : render::vector::pdf_document(list, texts, font_, picture)});
       }
     } catch (const FigureError& problem) {
       if (outcome.error.empty()) outcome.error = printable(problem.what(), 400);
     }
   }
 
-  static std::string file_name(const ReportFigure& figure, FigureFormat format) {
+  static std::string file_name(const figures::ReportFigure& figure, FigureFormat format) {
     return fmt::format("{}.{}", figure.figure.id, ending_of(format));
   }
 
  private:
   FigureFiles& out_;
   const std::vector<FigureFormat>& formats_;
-  render::Font font_;
+  render::text::Font font_;
 };
 
-void draw_pictures(const std::vector<ReportFigure>& figures, render::FigureRenderer& renderer,
-                   FigureFiles& out, Console& console) {
-  out.drawn = draw(renderer, figures, Language::english, console);
+void draw_pictures(const std::vector<figures::ReportFigure>& figures,
+                   render::workers::FigureRenderer& renderer, FigureFiles& out, Console& console) {
+  out.drawn = draw(renderer, figures, wording::Language::english, console);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!out.drawn[i].error.empty()) continue;
     out.files.push_back(
@@ -109,11 +109,11 @@ const char* ending_of(FigureFormat format) {
   return "png";
 }
 
-std::vector<ReportFigure> for_publication(std::vector<ReportFigure> figures) {
-  const render::Font font;
-  for (ReportFigure& one : figures) {
+std::vector<figures::ReportFigure> for_publication(std::vector<figures::ReportFigure> figures) {
+  const render::text::Font font;
+  for (figures::ReportFigure& one : figures) {
     try {
-      one.figure = render::for_publication(one.figure, font);
+      one.figure = render::composition::for_publication(one.figure, font);
     } catch (const FigureError&) {
       continue;
     }
@@ -121,14 +121,14 @@ std::vector<ReportFigure> for_publication(std::vector<ReportFigure> figures) {
   return figures;
 }
 
-FigureFiles figure_files(const std::vector<ReportFigure>& figures,
-                         const std::vector<FigureFormat>& formats, render::FigureRenderer* renderer,
-                         Console& console) {
+FigureFiles figure_files(const std::vector<figures::ReportFigure>& figures,
+                         const std::vector<FigureFormat>& formats,
+                         render::workers::FigureRenderer* renderer, Console& console) {
   FigureFiles out;
   if (has(formats, FigureFormat::png)) {
     draw_pictures(figures, *renderer, out, console);
   } else {
-    for (const ReportFigure& one : figures) out.drawn.emplace_back().id = one.figure.id;
+    for (const figures::ReportFigure& one : figures) out.drawn.emplace_back().id = one.figure.id;
   }
   if (has(formats, FigureFormat::svg) || has(formats, FigureFormat::pdf)) {
     const auto solid_parts = draw_solid_parts(figures, renderer);
@@ -141,8 +141,8 @@ FigureFiles figure_files(const std::vector<ReportFigure>& figures,
   }
   out.whole = static_cast<std::size_t>(
       std::count_if(out.drawn.begin(), out.drawn.end(),
-                    [](const render::DrawnFigure& one) { return one.error.empty(); }));
+                    [](const render::workers::DrawnFigure& one) { return one.error.empty(); }));
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -16,13 +16,13 @@
 #include "figures/figure_set.h"
 #include "paper/scenes/scene_figures.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 namespace {
 
 /// Charts in vector formats alone need no graphics stack, and none is started for them.
-bool needs_pictures(const std::vector<FigureFormat>& formats, render::Prepared drawings) {
-  return drawings == render::Prepared::charts_and_scenes ||
+bool needs_pictures(const std::vector<FigureFormat>& formats, render::workers::Prepared drawings) {
+  return drawings == render::workers::Prepared::charts_and_scenes ||
          std::find(formats.begin(), formats.end(), FigureFormat::png) != formats.end();
 }
 
@@ -37,17 +37,19 @@ std::string listed_formats(const std::vector<FigureFormat>& formats) {
 }  // namespace
 
 ExitStatus run_figures(const FiguresOptions& options, Console& console) {
-  std::optional<render::FigureRenderer> renderer;
-  const render::Prepared drawings = drawings_of(options.dataset);
+  std::optional<render::workers::FigureRenderer> renderer;
+  const render::workers::Prepared drawings = drawings_of(options.dataset);
   // Starts while the numbers are computed.
   if (needs_pictures(options.formats, drawings)) renderer.emplace(options.processes, drawings);
-  const Dataset dataset = load_dataset(options.dataset, console);
+  const joint::Dataset dataset = load_dataset(options.dataset, console);
   AtomicFiles files;
   files.make_directory(options.directory);
-  const Calibration calibration = run_identification(dataset, {{}, options.truth_runs}, console);
-  std::vector<ReportFigure> figures =
-      with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
-  for (ReportFigure& one : figures) one = as_file_in_language(std::move(one), options.language);
+  const calibration::Calibration calibration =
+      run_identification(dataset, {{}, options.truth_runs}, console);
+  std::vector<figures::ReportFigure> figures = paper::scenes::with_scene_figures(
+      figures::figure_set(dataset, calibration), dataset.robot.get(), calibration);
+  for (figures::ReportFigure& one : figures)
+    one = figures::as_file_in_language(std::move(one), options.language);
   if (options.style == FigureStyleChoice::paper) figures = for_publication(std::move(figures));
   const FigureFiles drawn =
       figure_files(figures, options.formats, renderer ? &*renderer : nullptr, console);
@@ -56,8 +58,8 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
   files.commit();
   console.say(fmt::format("{}: {} figures as {}", options.directory, drawn.whole,
                           listed_formats(options.formats)));
-  for (const StageReport& stage : calibration.stages()) {
-    if (stage.state != StageState::done) {
+  for (const statistics::StageReport& stage : calibration.stages()) {
+    if (stage.state != statistics::StageState::done) {
       console.say(fmt::format("  {}: {}", stage.name, stage.reason));
     }
   }
@@ -111,4 +113,4 @@ CLI::App& add_figures(CLI::App& app, FiguresOptions& figures) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

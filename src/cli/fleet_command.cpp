@@ -15,11 +15,11 @@ namespace tribolog::cli {
 namespace {
 
 struct Options {
-  archive::Filter filter;
+  archive::store::Filter filter;
   std::string output;
   std::string reports;
   bool json{false};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
 void check(const Options& options) {
@@ -40,20 +40,21 @@ std::string directory_from(const std::string& page, const std::string& reports) 
 
 /// A server, or a file without its directories, which would tell about the machine.
 std::string shown_name(const std::string& archive) {
-  return archive::is_server(archive) ? archive : std::filesystem::path(archive).filename().string();
+  return archive::store::is_server(archive) ? archive
+                                            : std::filesystem::path(archive).filename().string();
 }
 
 /// The report of each joint's latest calibration, if the archive has it.
-archive::FleetLinks add_reports(const archive::Fleet& fleet, const Options& options,
-                                archive::CalibrationArchive& kept, AtomicFiles& files,
-                                Console& console) {
-  archive::FleetLinks links{{}, directory_from(options.output, options.reports)};
+report::FleetLinks add_reports(const history::Fleet& fleet, const Options& options,
+                               archive::store::CalibrationArchive& kept, AtomicFiles& files,
+                               Console& console) {
+  report::FleetLinks links{{}, directory_from(options.output, options.reports)};
   files.make_directory(options.reports);
   std::size_t done = 0;
-  for (const archive::FleetRobot& robot : fleet.robots) {
-    for (const archive::FleetJoint& joint : robot.joints) {
+  for (const history::FleetRobot& robot : fleet.robots) {
+    for (const history::FleetJoint& joint : robot.joints) {
       console.progress("writing the reports", done++, fleet.joints);
-      const auto html = kept.document(joint.latest, archive::DocumentKind::report);
+      const auto html = kept.document(joint.latest, calibration::DocumentKind::report);
       if (!html) continue;
       files.add((std::filesystem::path(options.reports) / (joint.latest.id + ".html")).string(),
                 *html);
@@ -86,22 +87,23 @@ Run add_fleet(CLI::App& archive) {
     check(*options);
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
-    archive::Filter filter = options->filter;
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    archive::store::Filter filter = options->filter;
     filter.latest_revisions = true;
-    const archive::Fleet fleet = archive::fleet_of(kept.measured(filter), kept.decisions(filter));
-    if (options->json) print_json(fleet_json(fleet));
+    const history::Fleet fleet = history::fleet_of(kept.measured(filter), kept.decisions(filter));
+    if (options->json) print_json(history::fleet_json(fleet));
     if (options->output.empty()) return ExitStatus::done;
-    archive::FleetLinks links;
+    report::FleetLinks links;
     AtomicFiles files;
     if (!options->reports.empty()) links = add_reports(fleet, *options, kept, files, call.console);
-    files.add(options->output, fleet_page(fleet, links, shown_name(kept.name()),
-                                          make_provenance(call.arguments), options->language));
+    files.add(options->output,
+              report::fleet_page(fleet, links, shown_name(kept.name()),
+                                 calibration::make_provenance(call.arguments), options->language));
     files.commit();
     if (!options->json) {
       call.console.say(fmt::format(
           "fleet sheet: {} ({}, {})", printable(options->output, longest_path),
-          figures::counted(fleet.robots.size(), "robot"), figures::counted(fleet.joints, "joint")));
+          wording::counted(fleet.robots.size(), "robot"), wording::counted(fleet.joints, "joint")));
     }
     return ExitStatus::done;
   };

@@ -8,7 +8,7 @@ namespace tribolog::cli {
 
 std::string text_of(const report::Table& table) {
   constexpr std::size_t width = 160;
-  TextTable text(0);
+  inspect::survey::TextTable text(0);
   std::vector<std::string> heading;
   for (const report::Column& column : table.columns) heading.push_back(column.heading);
   text.add(std::move(heading));
@@ -21,13 +21,14 @@ std::string text_of(const report::Table& table) {
 }
 
 ExitStatus write_history_page(
-    const PageOutput& output, const std::vector<ReportFigure>& figures, const Invocation& call,
-    const std::function<std::string(const Provenance&, const std::vector<render::DrawnFigure>&)>&
-        make_page) {
-  Provenance provenance = make_provenance(call.arguments);
-  std::vector<render::DrawnFigure> drawn;
+    const PageOutput& output, const std::vector<figures::ReportFigure>& figures,
+    const Invocation& call,
+    const std::function<std::string(const calibration::Provenance&,
+                                    const std::vector<render::workers::DrawnFigure>&)>& make_page) {
+  calibration::Provenance provenance = calibration::make_provenance(call.arguments);
+  std::vector<render::workers::DrawnFigure> drawn;
   if (!figures.empty()) {
-    render::FigureRenderer renderer(output.processes);
+    render::workers::FigureRenderer renderer(output.processes);
     drawn = draw(renderer, figures, output.language, call.console);
   }
   provenance.drawing = software_that_drew(drawn);

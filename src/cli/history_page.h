@@ -25,14 +25,15 @@ std::string text_of(const report::Table& table);
 struct PageOutput {
   std::string path;
   int processes{2};
-  Language language{Language::english};  ///< Of the pictures.
+  wording::Language language{wording::Language::english};  ///< Of the pictures.
 };
 
 /// Draws, makes the page of it, and writes that.
 /// @return figure_failed where one could not be drawn; the page is written all the same.
 ExitStatus write_history_page(
-    const PageOutput& output, const std::vector<ReportFigure>& figures, const Invocation& call,
-    const std::function<std::string(const Provenance&, const std::vector<render::DrawnFigure>&)>&
-        make_page);
+    const PageOutput& output, const std::vector<figures::ReportFigure>& figures,
+    const Invocation& call,
+    const std::function<std::string(const calibration::Provenance&,
+                                    const std::vector<render::workers::DrawnFigure>&)>& make_page);
 
 }  // namespace tribolog::cli

@@ -16,7 +16,7 @@
 #include "joint/dataset.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 // What became of the rows of the logs, in lines to be said.
 
@@ -27,20 +27,20 @@ constexpr std::size_t longest_reason = 200;
 /// A log with all recordings that are cut from it.
 class Log {
  public:
-  explicit Log(const InputFile& input) : name_(input.name), rows_(input.rows_read) {}
+  explicit Log(const joint::InputFile& input) : name_(input.name), rows_(input.rows_read) {}
 
-  [[nodiscard]] bool is(const InputFile& input) const { return input.name == name_; }
+  [[nodiscard]] bool is(const joint::InputFile& input) const { return input.name == name_; }
 
-  void add(const InputFile& input) {
+  void add(const joint::InputFile& input) {
     ++recordings_;
     used_ += input.rows_used;
-    for (const SkippedRows& skipped : input.skipped) {
+    for (const joint::SkippedRows& skipped : input.skipped) {
       const auto known =
           std::find_if(skipped_.begin(), skipped_.end(),
-                       [&](const SkippedRows& one) { return one.reason == skipped.reason; });
+                       [&](const joint::SkippedRows& one) { return one.reason == skipped.reason; });
       if (known == skipped_.end()) {
         skipped_.push_back(skipped);
-      } else if (!is_of_whole_file(skipped)) {
+      } else if (!ingest::dataset::is_of_whole_file(skipped)) {
         known->count += skipped.count;
       }
     }
@@ -53,8 +53,8 @@ class Log {
   void tell(std::vector<std::string>& lines) const {
     const bool is_cut_up = recordings_ > 1;
     std::size_t skipped_within = 0;
-    for (const SkippedRows& one : skipped_) {
-      if (is_cut_up && is_outside_window(one)) continue;
+    for (const joint::SkippedRows& one : skipped_) {
+      if (is_cut_up && ingest::dataset::is_outside_window(one)) continue;
       skipped_within += one.count;
       lines.push_back(fmt::format("  {}: {} rows skipped: {}", printable(name_), one.count,
                                   printable(one.reason, longest_reason)));
@@ -72,15 +72,15 @@ class Log {
   std::size_t rows_;
   std::size_t recordings_{};
   std::size_t used_{};
-  std::vector<SkippedRows> skipped_;
+  std::vector<joint::SkippedRows> skipped_;
 };
 
 /// One line for each reason why rows were skipped, and one with all rows read and used. A log that
 /// several recordings are cut from is counted once; of it, it is said how many of its rows are in
 /// no recording, if any.
-std::vector<std::string> row_accounts(const std::vector<InputFile>& inputs) {
+std::vector<std::string> row_accounts(const std::vector<joint::InputFile>& inputs) {
   std::vector<Log> logs;
-  for (const InputFile& input : inputs) {
+  for (const joint::InputFile& input : inputs) {
     if (input.conversions.empty()) continue;  // no recording's own file: its rows are counted there
     auto log =
         std::find_if(logs.begin(), logs.end(), [&](const Log& one) { return one.is(input); });
@@ -103,75 +103,79 @@ constexpr std::size_t longest_note = 400;  // on a terminal; the report has all 
 
 }  // namespace
 
-render::Prepared drawings_of(const std::string& manifest) {
-  return read_manifest(manifest).manifest.robot_description.empty()
-             ? render::Prepared::charts
-             : render::Prepared::charts_and_scenes;
+render::workers::Prepared drawings_of(const std::string& manifest) {
+  return ingest::manifest::read_manifest(manifest).manifest.robot_description.empty()
+             ? render::workers::Prepared::charts
+             : render::workers::Prepared::charts_and_scenes;
 }
 
-Dataset load_dataset(const std::string& manifest, Console& console) {
+joint::Dataset load_dataset(const std::string& manifest, Console& console) {
   console.progress("reading " + printable(manifest), 0, 1);
-  Dataset dataset = read_dataset(manifest);
+  joint::Dataset dataset = ingest::dataset::read_dataset(manifest);
   for (const std::string& note : dataset.notes)
     console.warn("note: " + printable(note, longest_note));
   return dataset;
 }
 
-void protect_inputs(const Dataset& dataset, const std::string& manifest,
+void protect_inputs(const joint::Dataset& dataset, const std::string& manifest,
                     const std::string& output) {
   const std::filesystem::path directory = std::filesystem::path(manifest).parent_path();
   std::vector<std::string> files{manifest};
   if (dataset.robot) files.push_back((directory / dataset.manifest.robot_description).string());
-  for (const Recording& recording : dataset.recordings) {
+  for (const joint::Recording& recording : dataset.recordings) {
     files.push_back((directory / recording.name).string());
   }
   check_output_can_be_written(output, files);
 }
 
-Calibration run_identification(const Dataset& dataset, const IdentificationSettings& settings,
-                               Console& console) {
-  const IntervalSettings& arguments = settings.intervals;
-  const IntervalSettings& stated = dataset.manifest.intervals;
-  IdentifyOptions options;
+calibration::Calibration run_identification(const joint::Dataset& dataset,
+                                            const IdentificationSettings& settings,
+                                            Console& console) {
+  const joint::IntervalSettings& arguments = settings.intervals;
+  const joint::IntervalSettings& stated = dataset.manifest.intervals;
+  identify::IdentifyOptions options;
   options.truth_runs = settings.truth_runs;
   options.resamples = arguments.resamples.value_or(stated.resamples.value_or(options.resamples));
   options.seed = arguments.seed.value_or(stated.seed.value_or(options.seed));
-  if (!resamples_are_allowed(options.resamples)) {
+  if (!joint::resamples_are_allowed(options.resamples)) {
     throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", options.resamples,
-                                 allowed_resamples_in_words()));
+                                 joint::allowed_resamples_in_words()));
   }
-  return identify(dataset, options, [&](const std::string& stage, int done, int all) {
+  return identify::identify(dataset, options, [&](const std::string& stage, int done, int all) {
     console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   });
 }
 
-std::vector<NamedText> interval_configuration(const IntervalsResult& intervals) {
+std::vector<calibration::NamedText> interval_configuration(
+    const method::intervals::IntervalsResult& intervals) {
   if (intervals.resamples == 0) return {{"Resamples", "0: intervals by closed forms alone"}};
   return {{"Resamples", std::to_string(intervals.resamples)},
           {"Seed of the resamples", std::to_string(intervals.seed)}};
 }
 
-void tell_outcome(const Calibration& c, Console& console) {
-  const auto say = [&](const std::string& name, const Estimate& e, double factor,
+void tell_outcome(const calibration::Calibration& c, Console& console) {
+  const auto say = [&](const std::string& name, const statistics::Estimate& e, double factor,
                        const char* unit) {
-    const Estimate s = scaled(e, factor);
+    const statistics::Estimate s = statistics::scaled(e, factor);
     console.say(fmt::format("  {:<34} {:.6g} {} (95 %: {:.6g} to {:.6g})", name, s.value, unit,
                             s.low, s.high));
   };
-  console.say(
-      fmt::format("verdict: {} - {}", to_string(c.judgement.verdict), c.judgement.sentence));
-  for (const DataCheck* check : c.data_checks.in_state(CheckState::fails)) {
+  console.say(fmt::format("verdict: {} - {}", calibration::to_string(c.judgement.verdict),
+                          c.judgement.sentence));
+  for (const method::checks::DataCheck* check :
+       c.data_checks.in_state(method::checks::CheckState::fails)) {
     console.say(printable(fmt::format("  check fails: {}: {}", check->title, check->found), 600));
   }
-  for (const QuantityVerdict& quantity : c.judgement.quantities) {
-    if (quantity.verdict == Verdict::usable || !quantity.decides) continue;
-    console.say(printable(fmt::format("  {}: {}: {}", to_string(quantity.verdict), quantity.words,
-                                      quantity.reasons.front()),
+  for (const calibration::QuantityVerdict& quantity : c.judgement.quantities) {
+    if (quantity.verdict == calibration::Verdict::usable || !quantity.decides) continue;
+    console.say(printable(fmt::format("  {}: {}: {}", calibration::to_string(quantity.verdict),
+                                      quantity.words, quantity.reasons.front()),
                           600));
   }
   const double n = c.manifest.drive.gear_ratio();
-  if (c.q_peak_rad) say("gravity peak at joint angle", *c.q_peak_rad, degrees_per_rad, "deg");
-  if (const SurrogateMass* mass = c.masses.find(c.selection.recommended)) {
+  if (c.q_peak_rad)
+    say("gravity peak at joint angle", *c.q_peak_rad, joint::degrees_per_rad, "deg");
+  if (const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended)) {
     say("surrogate mass, " + mass->estimator, mass->mass_kg, 1, "kg");
     say("gravity torque at the joint", mass->gravity_Nm, n, "N·m");
   }
@@ -181,10 +185,11 @@ void tell_outcome(const Calibration& c, Console& console) {
   for (const std::string& line : row_accounts(c.inputs)) console.say(line);
 }
 
-ExitStatus status_of(const Calibration& calibration, const std::optional<Verdict>& fail_on) {
+ExitStatus status_of(const calibration::Calibration& calibration,
+                     const std::optional<calibration::Verdict>& fail_on) {
   const bool fails =
       fail_on && static_cast<int>(calibration.judgement.verdict) >= static_cast<int>(*fail_on);
   return fails ? ExitStatus::verdict_failed : ExitStatus::done;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -7,20 +7,20 @@
 #include "cli/identification.h"
 #include "cli/shared_options.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 ExitStatus run_identify(const IdentifyArguments& options, const std::vector<std::string>& arguments,
                         Console& console) {
   check_output_can_be_written(options.output, {options.dataset, options.archiving.file()});
   console.make_way_for(options.output);
-  Provenance provenance = make_provenance(arguments);
+  calibration::Provenance provenance = calibration::make_provenance(arguments);
   Archiving archiving(options.archiving);
-  const Dataset dataset = load_dataset(options.dataset, console);
+  const joint::Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
-  const Calibration calibration =
+  const calibration::Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
-  const std::string json = calibration_json(calibration, provenance);
+  const std::string json = calibration::calibration_json(calibration, provenance);
   AtomicFiles files;
   files.add(options.output, json);
   archiving.keep_numbers(json, options.output, options.dataset, console);
@@ -116,4 +116,4 @@ CLI::App& add_report(CLI::App& app, ReportOptions& report) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

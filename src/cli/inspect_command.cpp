@@ -17,7 +17,7 @@
 #include "inspect/survey/survey_json.h"
 #include "inspect/survey/survey_text.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 // What inspect and init have in common.
 
@@ -31,13 +31,14 @@ struct Proposed {
 
 /// Surveys the logs in their order. One that is refused is told at once, and the others go on.
 /// @throw InputError of the only log, or of the first one if all are refused.
-std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& console) {
-  std::vector<LogSurvey> logs;
+std::vector<inspect::survey::LogSurvey> survey_logs(const InspectedLogs& options,
+                                                    Console& console) {
+  std::vector<inspect::survey::LogSurvey> logs;
   std::optional<InputError> first;
   for (std::size_t k = 0; k < options.files.size(); ++k) {
     console.progress("reading the logs", k, options.files.size());
     try {
-      logs.push_back(survey_log(options.files[k], options.known.log_rules));
+      logs.push_back(inspect::survey::survey_log(options.files[k], options.known.log_rules));
     } catch (const InputError& error) {
       if (!first) first = error;
       logs.emplace_back();
@@ -47,24 +48,28 @@ std::vector<LogSurvey> survey_logs(const InspectedLogs& options, Console& consol
     }
   }
   console.finish();
-  const bool all_refused = std::all_of(logs.begin(), logs.end(),
-                                       [](const LogSurvey& log) { return !log.refusal.empty(); });
+  const bool all_refused =
+      std::all_of(logs.begin(), logs.end(),
+                  [](const inspect::survey::LogSurvey& log) { return !log.refusal.empty(); });
   if (first && all_refused) throw InputError(*first);
   return logs;
 }
 
 /// 3 if a log was refused.
-ExitStatus status_of(const std::vector<LogSurvey>& logs) {
-  const bool one_refused = std::any_of(logs.begin(), logs.end(),
-                                       [](const LogSurvey& log) { return !log.refusal.empty(); });
+ExitStatus status_of(const std::vector<inspect::survey::LogSurvey>& logs) {
+  const bool one_refused =
+      std::any_of(logs.begin(), logs.end(),
+                  [](const inspect::survey::LogSurvey& log) { return !log.refusal.empty(); });
   return one_refused ? ExitStatus::input_refused : ExitStatus::done;
 }
 
 /// A manifest, or why there is none. @throw UsageError for a joint that no log has.
-Proposed try_to_propose(const std::vector<LogSurvey>& logs, const ProposalOptions& known) {
+Proposed try_to_propose(const std::vector<inspect::survey::LogSurvey>& logs,
+                        const inspect::survey::ProposalOptions& known) {
   Proposed proposed;
   try {
-    const ManifestProposal proposal = propose_manifest(logs, known);
+    const inspect::survey::ManifestProposal proposal =
+        inspect::survey::propose_manifest(logs, known);
     proposed.text = proposal.text;
     proposed.joint = proposal.joint;
   } catch (const InputError& error) {
@@ -74,12 +79,13 @@ Proposed try_to_propose(const std::vector<LogSurvey>& logs, const ProposalOption
 }
 
 /// A few lines: the joint, the roles found, and what to correct.
-void tell_proposal(const ManifestProposal& proposal, Console& console) {
-  std::map<Role, std::size_t> counts;
-  for (const ProposedRecording& recording : proposal.roles.recordings) ++counts[recording.role];
+void tell_proposal(const inspect::survey::ManifestProposal& proposal, Console& console) {
+  std::map<joint::Role, std::size_t> counts;
+  for (const inspect::survey::ProposedRecording& recording : proposal.roles.recordings)
+    ++counts[recording.role];
   std::string roles;
   for (const auto& [role, count] : counts) {
-    roles += fmt::format("{}{} {}", roles.empty() ? "" : ", ", count, to_string(role));
+    roles += fmt::format("{}{} {}", roles.empty() ? "" : ", ", count, joint::to_string(role));
   }
   console.say(fmt::format("joint {}: {}",
                           proposal.joint.empty() ? "without a name" : in_quotes(proposal.joint),
@@ -100,9 +106,9 @@ void tell_proposal(const ManifestProposal& proposal, Console& console) {
 ExitStatus run_inspect(const InspectOptions& options, Console& console) {
   if (!options.json.empty()) check_output_can_be_written(options.json, options.logs.files);
   console.make_way_for(options.json);
-  const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
+  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
   const Proposed proposed = try_to_propose(logs, options.logs.known);
-  console.say(survey_text(logs, proposed.joint));
+  console.say(inspect::survey::survey_text(logs, proposed.joint));
   if (!proposed.text.empty()) {
     console.say("Proposed manifest; tribolog init FILE... -o dataset.toml writes it:\n\n" +
                 proposed.text);
@@ -110,7 +116,7 @@ ExitStatus run_inspect(const InspectOptions& options, Console& console) {
     console.warn(proposed.refusal);
   }
   if (!options.json.empty()) {
-    write_file_atomically(options.json, survey_json(logs, proposed.text));
+    write_file_atomically(options.json, inspect::survey::survey_json(logs, proposed.text));
   }
   return status_of(logs);
 }
@@ -123,10 +129,10 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
   }
   check_output_can_be_written(options.output, options.logs.files);
   console.make_way_for(options.output);
-  const std::vector<LogSurvey> logs = survey_logs(options.logs, console);
-  ProposalOptions known = options.logs.known;
+  const std::vector<inspect::survey::LogSurvey> logs = survey_logs(options.logs, console);
+  inspect::survey::ProposalOptions known = options.logs.known;
   known.directory = fs::path(options.output).parent_path().string();
-  const ManifestProposal proposal = propose_manifest(logs, known);
+  const inspect::survey::ManifestProposal proposal = inspect::survey::propose_manifest(logs, known);
   write_file_atomically(options.output, proposal.text);
   tell_proposal(proposal, console);
   console.say("manifest: " + printable(options.output, 400));
@@ -135,7 +141,8 @@ ExitStatus run_init(const InitOptions& options, Console& console) {
 
 namespace {
 
-const std::map<std::string, Side> sides{{"motor", Side::motor}, {"joint", Side::joint}};
+const std::map<std::string, joint::Side> sides{{"motor", joint::Side::motor},
+                                               {"joint", joint::Side::joint}};
 
 void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
   command.add_option("FILE", logs.files, "logs of any format")->required();
@@ -156,16 +163,16 @@ void add_inspected_logs(CLI::App& command, InspectedLogs& logs) {
       ->check(CLI::IsMember(sides))
       ->type_name("SIDE");
   command.add_option("--robot", logs.known.robot, "the robot's name");
-  TextLogRules& rules = logs.known.log_rules;
+  ingest::text::TextLogRules& rules = logs.known.log_rules;
   command.add_flag_callback(
-      "--decimal-comma", [&rules] { rules.decimal_mark = DecimalMark::comma; },
+      "--decimal-comma", [&rules] { rules.decimal_mark = ingest::text::DecimalMark::comma; },
       "text logs have decimal commas");
   command
       .add_option("--header-line", rules.header_line,
                   "line of the columns' names, where others stand in front of it")
       ->check(number_between(1, 1e9));
   command.add_flag_callback(
-      "--latin1", [&rules] { rules.encoding = TextEncoding::latin1; },
+      "--latin1", [&rules] { rules.encoding = ingest::text::TextEncoding::latin1; },
       "names in text logs are in Latin-1, not UTF-8");
 }
 
@@ -194,4 +201,4 @@ CLI::App& add_init(CLI::App& app, InitOptions& init) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

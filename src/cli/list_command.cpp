@@ -8,17 +8,20 @@
 namespace tribolog::cli {
 namespace {
 
-std::string table_of(const std::vector<archive::Entry>& entries,
-                     const archive::Decisions& decisions) {
-  TextTable table(0);
+std::string table_of(const std::vector<calibration::Entry>& entries,
+                     const calibration::Decisions& decisions) {
+  inspect::survey::TextTable table(0);
   table.add({"id", "robot", "serial", "joint", "measured", "verdict", "decision"});
-  for (const archive::Entry& e : entries) {
-    const archive::Facts& f = e.facts;
+  for (const calibration::Entry& e : entries) {
+    const calibration::Facts& f = e.facts;
     const auto decision = decisions.find(e.id);
-    table.add({e.id.substr(0, archive::shown_digits), printable(f.of.robot, longest_name),
-               printable(f.of.serial, longest_name), printable(f.of.joint, longest_name),
-               f.measured_at + (f.time_is_stated ? "" : " (made)"), to_string(f.verdict),
-               decision == decisions.end() ? "-" : to_string(decision->second)});
+    table.add({e.id.substr(0, calibration::shown_digits),
+               printable(f.of.robot, inspect::survey::longest_name),
+               printable(f.of.serial, inspect::survey::longest_name),
+               printable(f.of.joint, inspect::survey::longest_name),
+               f.measured_at + (f.time_is_stated ? "" : " (made)"),
+               calibration::to_string(f.verdict),
+               decision == decisions.end() ? "-" : calibration::to_string(decision->second)});
   }
   return table.text();
 }
@@ -27,7 +30,7 @@ std::string table_of(const std::vector<archive::Entry>& entries,
 
 Run add_list(CLI::App& archive) {
   struct Options {
-    archive::Filter filter;
+    archive::store::Filter filter;
     bool json{false};
   };
   const auto options = std::make_shared<Options>();
@@ -36,11 +39,11 @@ Run add_list(CLI::App& archive) {
   add_filter(command, options->filter);
   command.add_flag("--json", options->json, "as JSON, to standard output");
   return [where, options](const Invocation& call) {
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
     const auto entries = kept.list(options->filter);
-    const archive::Decisions decisions = kept.decisions(options->filter);
+    const calibration::Decisions decisions = kept.decisions(options->filter);
     if (options->json) {
-      print_json(archive::entries_json(entries, decisions));
+      print_json(archive::store::entries_json(entries, decisions));
     } else {
       call.console.say(entries.empty() ? "no calibrations" : table_of(entries, decisions));
     }

@@ -12,14 +12,14 @@
 #include "friction/catalogue.h"
 #include "report/models_page.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 std::string joined(const std::vector<std::string>& words) {
   return words.empty() ? "none of it" : fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string shown_by(const FrictionTraits& traits) {
+std::string shown_by(const friction::FrictionTraits& traits) {
   std::vector<std::string> words;
   const auto add = [&](bool shows, const char* word) {
     if (shows) words.emplace_back(word);
@@ -32,7 +32,7 @@ std::string shown_by(const FrictionTraits& traits) {
   return joined(words);
 }
 
-std::string limits_of(const FrictionTraits& traits) {
+std::string limits_of(const friction::FrictionTraits& traits) {
   std::vector<std::string> words;
   if (traits.drifts) words.emplace_back("drifts under an oscillating torque below break-away");
   if (traits.rate_independent) words.emplace_back("rate independent");
@@ -41,9 +41,9 @@ std::string limits_of(const FrictionTraits& traits) {
   return words.empty() ? "" : fmt::format("\n    {}", fmt::join(words, "; "));
 }
 
-std::string parameter_lines(const NamedParameters& parameters) {
+std::string parameter_lines(const friction::NamedParameters& parameters) {
   std::string lines;
-  for (const NamedParameter& one : parameters) {
+  for (const friction::NamedParameter& one : parameters) {
     const double* number = std::get_if<double>(&one.value);
     const auto* count = std::get_if<std::uint64_t>(&one.value);
     const std::string usual = !one.has_usual      ? ""
@@ -60,7 +60,7 @@ void list_models(Console& console) {
       "dynamic friction models, as a scenario names them (friction.model), and their own\n"
       "parameters (table [friction.<model>], each matched to [friction.presliding] if not "
       "stated):\n");
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     console.say(fmt::format("  {:<18}{} ({})\n    shows {}{}\n{}", one.name, one.title, one.source,
                             shown_by(one.traits), limits_of(one.traits),
                             parameter_lines(one.parameters)));
@@ -68,7 +68,7 @@ void list_models(Console& console) {
   console.say(
       "static laws for sweeps and runs at constant speed (friction.sliding.model), in table\n"
       "[friction.sliding]; \"dynamic\" is the dynamic model there too:\n");
-  for (const StaticLawEntry& one : static_friction_laws()) {
+  for (const friction::StaticLawEntry& one : friction::static_friction_laws()) {
     console.say(fmt::format("  {:<18}{} ({})\n{}", one.name, one.title, one.source,
                             parameter_lines(one.parameters)));
   }
@@ -88,21 +88,23 @@ ExitStatus run_models(const ModelsOptions& options, const std::vector<std::strin
   }
   check_output_can_be_written(options.output);
   console.make_way_for(options.output);
-  Provenance provenance = make_provenance(arguments);
-  render::FigureRenderer renderer(options.processes);  // starts while the models are computed
+  calibration::Provenance provenance = calibration::make_provenance(arguments);
+  render::workers::FigureRenderer renderer(
+      options.processes);  // starts while the models are computed
   console.progress("moving the models", 0, 1);
-  const ContactParameters contact;
-  const std::vector<ModelExperiment> experiments = model_experiments(contact);
-  std::vector<ReportFigure> figures;
-  for (const ModelExperiment& one : experiments) {
+  const friction::ContactParameters contact;
+  const std::vector<figures::ModelExperiment> experiments = figures::model_experiments(contact);
+  std::vector<figures::ReportFigure> figures;
+  for (const figures::ModelExperiment& one : experiments) {
     figures.insert(figures.end(), one.figures.begin(), one.figures.end());
   }
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
+  const std::vector<render::workers::DrawnFigure> drawn =
+      draw(renderer, figures, options.language, console);
   provenance.drawing = software_that_drew(drawn);
-  write_file_atomically(options.output,
-                        models_page(contact, experiments, drawn, provenance, options.language));
+  write_file_atomically(options.output, report::models_page(contact, experiments, drawn, provenance,
+                                                            options.language));
   console.say("comparison: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -1,7 +1,7 @@
 #include "cli/commands.h"
 #include "cli/shared_options.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 CLI::App& add_show(CLI::App& app, ShowOptions& show) {
   CLI::App& command =
@@ -36,4 +36,4 @@ CLI::App& add_paper(CLI::App& app, PaperOptions& paper) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

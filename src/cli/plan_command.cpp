@@ -9,39 +9,40 @@
 #include "cli/commands.h"
 #include "cli/drawing.h"
 #include "cli/shared_options.h"
-#include "export/plan/plan_files.h"
-#include "export/plan/plan_table.h"
+#include "exports/experiment/plan_files.h"
+#include "exports/experiment/plan_table.h"
 #include "figures/plan_figure.h"
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "report/plan_page.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 namespace {
 
 constexpr double fastest_usual_Hz = 10'000;
 constexpr std::uint64_t largest_calibration_bytes = std::uint64_t{1} << 28;
 
-JointFacts facts_of(const PlanCommandOptions& options, const std::string& text) {
-  JointFacts facts = parse_joint(text, options.joint);
+joint::JointFacts facts_of(const PlanCommandOptions& options, const std::string& text) {
+  joint::JointFacts facts = ingest::manifest::parse_joint(text, options.joint);
   if (options.calibration.empty()) return facts;
-  return with_calibration(std::move(facts),
-                          read_file(options.calibration, largest_calibration_bytes),
-                          options.calibration);
+  return ingest::manifest::with_calibration(
+      std::move(facts), read_file(options.calibration, largest_calibration_bytes),
+      options.calibration);
 }
 
 /// Simulating more would take hours and all memory.
-void refuse_endless(const ExperimentPlan& plan, const std::string& text, const std::string& file) {
+void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
+                    const std::string& file) {
   constexpr double most_samples = 3e6;
   const double rate_Hz = std::max(plan.joint.sample_rate_Hz, plan.joint.set_point_rate_Hz);
   if (plan.duration_s() * rate_Hz <= most_samples) return;
   const bool by_set_points = plan.joint.set_point_rate_Hz > plan.joint.sample_rate_Hz;
   const bool is_fast = rate_Hz > fastest_usual_Hz;
   const Location place =
-      is_fast
-          ? place_in_toml(text, file, "log", by_set_points ? "set_point_rate_Hz" : "sample_rate_Hz")
-          : place_in_toml(text, file, "joint", "speed_limit_deg_s");
+      is_fast ? ingest::manifest::place_in_toml(
+                    text, file, "log", by_set_points ? "set_point_rate_Hz" : "sample_rate_Hz")
+              : ingest::manifest::place_in_toml(text, file, "joint", "speed_limit_deg_s");
   throw InputError(place, {"the plan has too many samples",
                            fmt::format("{:.4g} s at {:g} Hz", plan.duration_s(), rate_Hz),
                            fmt::format("no more than {:g} samples", most_samples),
@@ -51,15 +52,16 @@ void refuse_endless(const ExperimentPlan& plan, const std::string& text, const s
 
 [[noreturn]] void refuse_together(const std::invalid_argument& error, const std::string& text,
                                   const std::string& file) {
-  throw InputError(place_in_toml(text, file, "joint", ""),
+  throw InputError(ingest::manifest::place_in_toml(text, file, "joint", ""),
                    {std::string("no plan can be made of this: ") + error.what(), "", "",
                     "are all numbers in the units that their keys name?"});
 }
 
 /// @throw InputError: numbers of which each is possible, and of which together no plan comes.
-ExperimentPlan planned(const JointFacts& facts, const std::string& text, const std::string& file) {
+plan::ExperimentPlan planned(const joint::JointFacts& facts, const std::string& text,
+                             const std::string& file) {
   try {
-    ExperimentPlan plan = plan_experiment(facts);
+    plan::ExperimentPlan plan = plan::plan_experiment(facts);
     refuse_endless(plan, text, file);
     return plan;
   } catch (const std::invalid_argument& error) {
@@ -68,10 +70,10 @@ ExperimentPlan planned(const JointFacts& facts, const std::string& text, const s
 }
 
 /// @throw InputError as planned().
-ExpectedIntervals expected(const ExperimentPlan& plan, const PlanCommandOptions& options,
-                           const std::string& text) {
+plan::ExpectedIntervals expected(const plan::ExperimentPlan& plan,
+                                 const PlanCommandOptions& options, const std::string& text) {
   try {
-    return expect_intervals(plan, {options.runs, options.seed, options.threads});
+    return plan::expect_intervals(plan, {options.runs, options.seed, options.threads});
   } catch (const std::invalid_argument& error) {
     refuse_together(error, text, options.joint);
   }
@@ -81,11 +83,11 @@ ExpectedIntervals expected(const ExperimentPlan& plan, const PlanCommandOptions&
 
 ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::string>& arguments,
                     Console& console) {
-  PlanReport report;
-  report.provenance = make_provenance(arguments);
-  report.joint_text = read_file(options.joint, largest_joint_bytes);
-  report.joint_file = command_line_text({options.joint});
-  const JointFacts facts = facts_of(options, report.joint_text);
+  report::PlanReport report;
+  report.provenance = calibration::make_provenance(arguments);
+  report.joint_text = read_file(options.joint, ingest::manifest::largest_joint_bytes);
+  report.joint_file = calibration::command_line_text({options.joint});
+  const joint::JointFacts facts = facts_of(options, report.joint_text);
   std::vector<std::string> inputs{options.joint};
   if (!options.calibration.empty()) inputs.push_back(options.calibration);
   AtomicFiles files;
@@ -96,24 +98,27 @@ ExitStatus run_plan(const PlanCommandOptions& options, const std::vector<std::st
   for (const char* name : {"plan.html", "plan.json", "setpoints.csv", "dataset.toml"}) {
     check_output_can_be_written(in_folder(name), inputs);
   }
-  render::FigureRenderer renderer(options.processes);  // starts while the plan is simulated
+  render::workers::FigureRenderer renderer(
+      options.processes);  // starts while the plan is simulated
   report.plan = planned(facts, report.joint_text, options.joint);
   console.progress("simulating the plan", 0, 1);
   report.expected = expected(report.plan, options, report.joint_text);
 
   // Also where nothing can be done: those of an older plan must not stay beside this one.
-  files.add(in_folder("setpoints.csv"), set_points_csv(report.plan));
-  files.add(in_folder("dataset.toml"), plan_dataset_toml(report.plan));
-  files.add(in_folder("plan.json"), plan_json(report.plan, report.expected, report.provenance));
-  const std::vector<ReportFigure> figures = plan_figures(report.plan);
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
+  files.add(in_folder("setpoints.csv"), exports::experiment::set_points_csv(report.plan));
+  files.add(in_folder("dataset.toml"), exports::experiment::plan_dataset_toml(report.plan));
+  files.add(in_folder("plan.json"),
+            exports::experiment::plan_json(report.plan, report.expected, report.provenance));
+  const std::vector<figures::ReportFigure> figures = figures::plan_figures(report.plan);
+  const std::vector<render::workers::DrawnFigure> drawn =
+      draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
-  files.add(page, plan_page(report, figures, drawn, options.language));
+  files.add(page, report::plan_page(report, figures, drawn, options.language));
   files.commit();
 
-  console.say("plan: " + plan_sentence(report.plan));
-  for (const std::string& line : plan_lines(report.plan)) console.say(line);
-  const std::vector<std::string> expected = expectation_lines(report.expected);
+  console.say("plan: " + exports::experiment::plan_sentence(report.plan));
+  for (const std::string& line : exports::experiment::plan_lines(report.plan)) console.say(line);
+  const std::vector<std::string> expected = exports::experiment::expectation_lines(report.expected);
   if (!expected.empty()) console.say("expect, with 95 % intervals, on the assumed joint:");
   for (const std::string& line : expected) console.say(line);
   console.say("plan: " + page);
@@ -149,4 +154,4 @@ CLI::App& add_plan(CLI::App& app, PlanCommandOptions& plan) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

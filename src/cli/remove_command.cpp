@@ -21,15 +21,15 @@ Run add_remove(CLI::App& archive) {
   const auto where = add_archive_options(command);
   command.footer("\nThe chain remembers that it was removed, and when.");
   return [where, options](const Invocation& call) {
-    const std::string now = make_provenance({}).created_utc;
-    archive::CalibrationArchive kept =
-        where->open(options->is_sure ? sql::Access::write : sql::Access::read);
-    std::vector<archive::Entry> entries;
+    const std::string now = calibration::make_provenance({}).created_utc;
+    archive::store::CalibrationArchive kept =
+        where->open(options->is_sure ? archive::sql::Access::write : archive::sql::Access::read);
+    std::vector<calibration::Entry> entries;
     for (const std::string& id : options->ids) entries.push_back(kept.find(id));
-    for (const archive::Entry& entry : entries) {
-      const archive::JointName& of = entry.facts.of;
+    for (const calibration::Entry& entry : entries) {
+      const calibration::JointName& of = entry.facts.of;
       const std::string what =
-          fmt::format("{} ({}, joint {}, {})", entry.id.substr(0, archive::shown_digits),
+          fmt::format("{} ({}, joint {}, {})", entry.id.substr(0, calibration::shown_digits),
                       printable(of.robot), printable(of.joint), entry.facts.measured_at);
       if (options->is_sure) kept.remove(entry, now);
       if (options->json && options->is_sure) continue;
@@ -38,7 +38,7 @@ Run add_remove(CLI::App& archive) {
     if (!options->is_sure) {
       throw UsageError("archive remove: nothing was removed; --yes removes for good");
     }
-    if (options->json) print_json(archive::removed_json(entries));
+    if (options->json) print_json(archive::store::removed_json(entries));
     return ExitStatus::done;
   };
 }

@@ -11,7 +11,7 @@
 #include "paper/scenes/scene_figures.h"
 #include "report/html_report.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 /// report.html -> report.calibration.json
@@ -41,35 +41,35 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
     console.make_way_for(output);
   }
   check_outputs_differ({options.output, numbers});
-  Provenance provenance = make_provenance(arguments);
+  calibration::Provenance provenance = calibration::make_provenance(arguments);
   Archiving archiving(options.archiving);
 
-  std::optional<render::FigureRenderer> renderer;  // starts while the numbers are computed
+  std::optional<render::workers::FigureRenderer> renderer;  // starts while the numbers are computed
   if (options.figures) renderer.emplace(options.processes, drawings_of(options.dataset));
-  const Dataset dataset = load_dataset(options.dataset, console);
+  const joint::Dataset dataset = load_dataset(options.dataset, console);
   protect_inputs(dataset, options.dataset, options.output);
   protect_inputs(dataset, options.dataset, numbers);
-  const Calibration calibration =
+  const calibration::Calibration calibration =
       run_identification(dataset, {options.intervals, options.truth_runs}, console);
   provenance.configuration = interval_configuration(calibration.intervals);
-  const std::string json = calibration_json(calibration, provenance);
+  const std::string json = calibration::calibration_json(calibration, provenance);
   AtomicFiles files;
   files.add(numbers, json);
   archiving.keep_numbers(json, numbers, options.dataset, console);
   const std::optional<history::Comparison> since_last = archiving.since_last();
   if (!archiving.id().empty()) provenance.configuration.push_back({"Archived as", archiving.id()});
 
-  std::vector<ReportFigure> figures;
-  std::vector<render::DrawnFigure> drawn;
+  std::vector<figures::ReportFigure> figures;
+  std::vector<render::workers::DrawnFigure> drawn;
   if (renderer) {
-    figures =
-        with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
+    figures = paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
+                                                dataset.robot.get(), calibration);
     drawn = draw(*renderer, figures, options.language, console);
     provenance.drawing = software_that_drew(drawn);
   }
   console.progress("writing the report", 1, 1);
   const std::string html =
-      html_report(calibration, figures, drawn, provenance, since_last, options.language);
+      report::html_report(calibration, figures, drawn, provenance, since_last, options.language);
   files.add(options.output, html);
   archiving.keep_report(html, console);
   files.commit();
@@ -80,4 +80,4 @@ ExitStatus run_report(const ReportOptions& options, const std::vector<std::strin
   return status_of(calibration, options.fail_on);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

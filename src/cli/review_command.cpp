@@ -32,15 +32,15 @@ bool is_file(const std::string& name) {
 }
 
 /// The same inputs may be archived with a report made at another time.
-std::string hint_for(archive::CalibrationArchive& kept, const std::string& page,
+std::string hint_for(archive::store::CalibrationArchive& kept, const std::string& page,
                      const std::string& path) {
-  const archive::NewCalibration made =
-      archive::entry_of_calibration(embedded_json(page, path).json, path);
-  const std::string identity = archive::identity_of(made.inputs);
-  const archive::JointName& of = made.facts.of;
-  for (const archive::Entry& entry : kept.list({of.robot, of.serial, of.joint})) {
+  const calibration::NewCalibration made =
+      calibration::entry_of_calibration(report::embedded_json(page, path).json, path);
+  const std::string identity = archive::store::identity_of(made.inputs);
+  const calibration::JointName& of = made.facts.of;
+  for (const calibration::Entry& entry : kept.list({of.robot, of.serial, of.joint})) {
     if (entry.identity != identity) continue;
-    const std::string id = entry.id.substr(0, archive::shown_digits);
+    const std::string id = entry.id.substr(0, calibration::shown_digits);
     return fmt::format(
         "the archive has another report of these inputs: tribolog archive report {} "
         "-o FILE gives it, tribolog review {} decides on it",
@@ -50,8 +50,9 @@ std::string hint_for(archive::CalibrationArchive& kept, const std::string& page,
          "archive";
 }
 
-archive::Entry entry_of_report(archive::CalibrationArchive& kept, const std::string& path) {
-  const std::string page = without_sign_off(read_file(path));
+calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
+                                   const std::string& path) {
+  const std::string page = report::without_sign_off(read_file(path));
   if (const auto entry = kept.find_report(sha256_hex(page))) return *entry;
   throw InputError({path, 0, 0}, {"this report is not in the archive", "",
                                   "one that it holds, unchanged", hint_for(kept, page, path)});
@@ -87,21 +88,23 @@ std::function<Run()> add_review(CLI::App& app) {
           options->output.empty() && is_report ? options->report : options->output;
       where->protect_from(output);
       call.console.make_way_for(output);
-      archive::CalibrationArchive kept = where->open(sql::Access::write);
-      const archive::Entry entry =
+      archive::store::CalibrationArchive kept = where->open(archive::sql::Access::write);
+      const calibration::Entry entry =
           is_report ? entry_of_report(kept, options->report) : kept.find(options->report);
-      const archive::Review review{make_provenance({}).created_utc, options->reviewer,
-                                   options->approve ? archive::Review::Decision::approved
-                                                    : archive::Review::Decision::rejected,
-                                   options->note};
+      const calibration::Review review{calibration::make_provenance({}).created_utc,
+                                       options->reviewer,
+                                       options->approve ? calibration::Review::Decision::approved
+                                                        : calibration::Review::Decision::rejected,
+                                       options->note};
       // Before the decision is kept: a report that cannot be written keeps none.
       const std::string page = output.empty() ? "" : signed_report(kept, entry, {review});
       AtomicFiles files;
       if (!output.empty()) files.add(output, page);
       kept.add_review(entry, review);
       files.commit();
-      call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, archive::shown_digits),
-                                   to_string(review.decision), printable(review.reviewer)));
+      call.console.say(fmt::format("{} {} by {}", entry.id.substr(0, calibration::shown_digits),
+                                   calibration::to_string(review.decision),
+                                   printable(review.reviewer)));
       if (!output.empty()) {
         call.console.say("report: " + printable(output, longest_path));
       }

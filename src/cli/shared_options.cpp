@@ -9,16 +9,18 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
-const std::map<std::string, Verdict> verdicts{{"doubtful", Verdict::doubtful},
-                                              {"not-identifiable", Verdict::not_identifiable}};
+const std::map<std::string, calibration::Verdict> verdicts{
+    {"doubtful", calibration::Verdict::doubtful},
+    {"not-identifiable", calibration::Verdict::not_identifiable}};
 
-const std::map<std::string, Language>& languages_by_code() {
-  static const std::map<std::string, Language> by_code = [] {
-    std::map<std::string, Language> all;
-    for (const Language language : languages()) all.emplace(code_of(language), language);
+const std::map<std::string, wording::Language>& languages_by_code() {
+  static const std::map<std::string, wording::Language> by_code = [] {
+    std::map<std::string, wording::Language> all;
+    for (const wording::Language language : wording::languages())
+      all.emplace(wording::code_of(language), language);
     return all;
   }();
   return by_code;
@@ -49,7 +51,7 @@ CLI::Validator whole_number() {
           "WHOLE NUMBER"};
 }
 
-void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
+void add_fail_on(CLI::App& command, std::optional<calibration::Verdict>& fail_on) {
   command
       .add_option_function<std::string>(
           "--fail-on", [&fail_on](const std::string& word) { fail_on = verdicts.at(word); },
@@ -58,11 +60,11 @@ void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on) {
       ->type_name("VERDICT");
 }
 
-void add_intervals(CLI::App& command, IntervalSettings& intervals) {
+void add_intervals(CLI::App& command, joint::IntervalSettings& intervals) {
   command
       .add_option("--resamples", intervals.resamples,
                   "resamples of the bootstrap behind the intervals: " +
-                      allowed_resamples_in_words() + "; default: the manifest's, or 1000")
+                      joint::allowed_resamples_in_words() + "; default: the manifest's, or 1000")
       ->check(whole_number());
   command
       .add_option("--seed", intervals.seed, "seed of the resamples; default: the manifest's, or 1")
@@ -112,7 +114,7 @@ void add_threads(CLI::App& command, std::size_t& threads) {
       ->capture_default_str();
 }
 
-void add_language(CLI::App& command, Language& language) {
+void add_language(CLI::App& command, wording::Language& language) {
   command
       .add_option_function<std::string>(
           "--language",
@@ -122,4 +124,4 @@ void add_language(CLI::App& command, Language& language) {
       ->type_name("CODE");
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

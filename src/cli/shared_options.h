@@ -10,7 +10,7 @@
 #include "cli/archiving.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 /// A finite number from lowest to highest: CLI::Range takes "nan".
 CLI::Validator number_between(double lowest, double highest);
@@ -18,9 +18,9 @@ CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number();
 
 /// `--fail-on VERDICT`
-void add_fail_on(CLI::App& command, std::optional<Verdict>& fail_on);
+void add_fail_on(CLI::App& command, std::optional<calibration::Verdict>& fail_on);
 /// `--resamples`, `--seed`
-void add_intervals(CLI::App& command, IntervalSettings& intervals);
+void add_intervals(CLI::App& command, joint::IntervalSettings& intervals);
 /// `--archive [LOCATION]`, `--archive-inputs`, `--archive-again`, `--wait`
 void add_archiving(CLI::App& command, ArchivingOptions& archiving);
 /// `-j,--processes`
@@ -30,6 +30,6 @@ void add_truth_runs(CLI::App& command, std::size_t& truth_runs);
 /// `--threads`
 void add_threads(CLI::App& command, std::size_t& threads);
 /// `--language CODE`
-void add_language(CLI::App& command, Language& language);
+void add_language(CLI::App& command, wording::Language& language);
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -7,37 +7,38 @@
 #include "cli/commands.h"
 #include "report/embedded_json.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 namespace {
 
 constexpr const char* result_element = "tribolog-result";
 
 /// A calibration as it is, or what a page carries.
-EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
+report::EmbeddedJson numbers_of(const std::string& text, const std::string& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return {result_element, text};
-  return embedded_json(text, file);
+  return report::embedded_json(text, file);
 }
 
 }  // namespace
 
 ExitStatus run_show(const ShowOptions& options, Console& console) {
-  const EmbeddedJson numbers = numbers_of(read_file(options.file), options.file);
+  const report::EmbeddedJson numbers = numbers_of(read_file(options.file), options.file);
   if (numbers.element != result_element) {
     if (!options.json) {
       throw UsageError(fmt::format("{}: the page holds {}, which is shown with --json alone",
                                    printable(options.file, longest_path), numbers.element));
     }
-    cli::print_json(numbers.json);
+    print_json(numbers.json);
     return ExitStatus::done;
   }
-  const archive::NewCalibration made = archive::entry_of_calibration(numbers.json, options.file);
+  const calibration::NewCalibration made =
+      calibration::entry_of_calibration(numbers.json, options.file);
   if (options.json) {
-    cli::print_json(numbers.json);
+    print_json(numbers.json);
   } else {
-    console.say(cli::facts_text(made.facts, "", 1) + "\n" + cli::quantities_text(made.quantities));
+    console.say(facts_text(made.facts, "", 1) + "\n" + quantities_text(made.quantities));
   }
   return ExitStatus::done;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -13,7 +13,7 @@
 #include "report/study_page.h"
 #include "study/trust.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 namespace {
 
@@ -23,18 +23,19 @@ constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
 struct NamedScenario {
   std::string file;
   std::string text;
-  Scenario scenario;
+  simulate::Scenario scenario;
 };
 
 /// The scenario named, or the paper's joint with the noise of a real drive.
 NamedScenario scenario_of(const StudyCommandOptions& options) {
   if (!options.scenario.empty()) {
-    return {command_line_text({options.scenario}),
-            read_file(options.scenario, largest_scenario_bytes), read_scenario(options.scenario)};
+    return {calibration::command_line_text({options.scenario}),
+            read_file(options.scenario, largest_scenario_bytes),
+            ingest::manifest::read_scenario(options.scenario)};
   }
   const std::string name = std::string("examples/paper/") + usual_scenario;
   std::string text(text_of(embedded_examples(), usual_scenario));
-  Scenario scenario = parse_scenario(text, name);
+  simulate::Scenario scenario = ingest::manifest::parse_scenario(text, name);
   return {name, std::move(text), std::move(scenario)};
 }
 
@@ -48,20 +49,20 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
   check_output_can_be_written(options.output, inputs);
   check_outputs_differ({options.output, options.json});
   for (const std::string& output : {options.output, options.json}) console.make_way_for(output);
-  StudyReport report;
-  report.provenance = make_provenance(arguments);
+  report::StudyReport report;
+  report.provenance = calibration::make_provenance(arguments);
   NamedScenario named = scenario_of(options);
   report.scenario_file = std::move(named.file);
   report.scenario_text = std::move(named.text);
-  render::FigureRenderer renderer(options.processes);  // starts while the study runs
-  StudyOptions study;
+  render::workers::FigureRenderer renderer(options.processes);  // starts while the study runs
+  study::StudyOptions study;
   study.runs = options.runs;
   study.seed = options.seed;
   study.threads = options.threads;
   study.resamples = options.resamples;
   study.factors = options.factors;
   try {
-    report.study = run_study(
+    report.study = study::run_study(
         named.scenario, study, [&](const std::string& name, std::size_t done, std::size_t all) {
           console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
         });
@@ -69,13 +70,14 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
     throw InputError({report.scenario_file, 0, 0}, {"cannot be studied", refused.what(), "", ""});
   }
   AtomicFiles files;
-  if (!options.json.empty()) files.add(options.json, study_json(report));
-  const std::vector<ReportFigure> figures = study_figures(report.study);
-  const std::vector<render::DrawnFigure> drawn = draw(renderer, figures, options.language, console);
+  if (!options.json.empty()) files.add(options.json, report::study_json(report));
+  const std::vector<figures::ReportFigure> figures = figures::study_figures(report.study);
+  const std::vector<render::workers::DrawnFigure> drawn =
+      draw(renderer, figures, options.language, console);
   report.provenance.drawing = software_that_drew(drawn);
-  files.add(options.output, study_page(report, figures, drawn, options.language));
+  files.add(options.output, report::study_page(report, figures, drawn, options.language));
   files.commit();
-  console.say(study_sentence(report.study));
+  console.say(study::study_sentence(report.study));
   if (!options.json.empty()) console.say("numbers: " + options.json);
   console.say("study: " + options.output);
   return tell_failures(drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;
@@ -120,4 +122,4 @@ CLI::App& add_study(CLI::App& app, StudyCommandOptions& study) {
   return command;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

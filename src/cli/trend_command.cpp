@@ -21,16 +21,16 @@ using history::TrendState;
 constexpr std::size_t most_joints_of_a_page = 12;
 
 struct Options {
-  archive::Filter filter;
+  archive::store::Filter filter;
   std::string output;
   history::Baseline baseline;
   bool json{false};
   bool fails_on_warning{false};
   int processes{2};
-  Language language{Language::english};
+  wording::Language language{wording::Language::english};
 };
 
-void tell(const JointTrend& trend, Console& console) {
+void tell(const history::JointTrend& trend, Console& console) {
   console.say(printable(report::joint_words(trend), longest_note));
   console.say(text_of(report::trend_table(trend, "")));
   for (const std::string& note : report::trend_notes(trend)) {
@@ -40,10 +40,10 @@ void tell(const JointTrend& trend, Console& console) {
   for (const std::string& change : changes) {
     console.say(printable("change: " + change, longest_note));
   }
-  if (changes.empty()) console.say(fmt::format("outcome: {}", to_string(trend.state())));
+  if (changes.empty()) console.say(fmt::format("outcome: {}", history::to_string(trend.state())));
 }
 
-ExitStatus write_page(const Options& options, const std::vector<JointTrend>& trends,
+ExitStatus write_page(const Options& options, const std::vector<history::JointTrend>& trends,
                       const Invocation& call) {
   if (trends.empty()) throw UsageError("no calibration is of that robot, serial number and joint");
   if (trends.size() > most_joints_of_a_page) {
@@ -51,12 +51,13 @@ ExitStatus write_page(const Options& options, const std::vector<JointTrend>& tre
         "these are {} joints, and a page holds {} at most; --robot, --serial and --joint choose",
         trends.size(), most_joints_of_a_page));
   }
-  const auto figures = trend_figures(trends);
-  return write_history_page(
-      {options.output, options.processes, options.language}, figures, call,
-      [&](const Provenance& provenance, const std::vector<render::DrawnFigure>& drawn) {
-        return trend_page(trends, provenance, figures, drawn, options.language);
-      });
+  const auto figures = figures::trend_figures(trends);
+  return write_history_page({options.output, options.processes, options.language}, figures, call,
+                            [&](const calibration::Provenance& provenance,
+                                const std::vector<render::workers::DrawnFigure>& drawn) {
+                              return report::trend_page(trends, provenance, figures, drawn,
+                                                        options.language);
+                            });
 }
 
 }  // namespace
@@ -93,21 +94,21 @@ Run add_trend(CLI::App& archive) {
   return [where, options](const Invocation& call) {
     where->protect_from(options->output);
     make_way(call.console, options->output, options->json);
-    archive::CalibrationArchive kept = where->open(sql::Access::read);
-    const std::vector<JointTrend> trends =
+    archive::store::CalibrationArchive kept = where->open(archive::sql::Access::read);
+    const std::vector<history::JointTrend> trends =
         history::joint_trends(kept.measured(options->filter), options->baseline);
     if (options->json) {
       print_json(history::trend_json(trends));
     } else {
       if (trends.empty()) call.console.say("no calibrations");
-      for (const JointTrend& trend : trends) tell(trend, call.console);
+      for (const history::JointTrend& trend : trends) tell(trend, call.console);
     }
     if (!options->output.empty()) {
       const ExitStatus written = write_page(*options, trends, call);
       if (written != ExitStatus::done) return written;
     }
-    const bool warns = std::any_of(trends.begin(), trends.end(), [](const JointTrend& t) {
-      return t.state() == TrendState::warning;
+    const bool warns = std::any_of(trends.begin(), trends.end(), [](const history::JointTrend& t) {
+      return t.state() == history::TrendState::warning;
     });
     return warns && options->fails_on_warning ? ExitStatus::verdict_failed : ExitStatus::done;
   };

@@ -24,17 +24,18 @@ Run add_verify(CLI::App& archive) {
       "chain. The last link, the head, names the state of the archive: written down, it proves\n"
       "later that nothing up to it was lost. Status 6 where something is wrong.");
   return [where, options](const Invocation& call) {
-    const auto outcome = where->open(sql::Access::read)
+    const auto outcome = where->open(archive::sql::Access::read)
                              .verify(options->head, [&](std::size_t done, std::size_t all) {
                                call.console.progress("verifying", done, all);
                              });
     call.console.finish();
     if (options->json) {
-      print_json(archive::verification_json(outcome));
+      print_json(archive::store::verification_json(outcome));
     } else if (outcome.faults.empty()) {
-      call.console.say(fmt::format(
-          "whole: {}, {}, {} of the chain\nhead: {}", plural(outcome.entries, "calibration"),
-          plural(outcome.documents, "document"), plural(outcome.events, "link"), outcome.head));
+      call.console.say(fmt::format("whole: {}, {}, {} of the chain\nhead: {}",
+                                   inspect::survey::plural(outcome.entries, "calibration"),
+                                   inspect::survey::plural(outcome.documents, "document"),
+                                   inspect::survey::plural(outcome.events, "link"), outcome.head));
     }
     for (const std::string& fault : outcome.faults) {
       call.console.warn("damaged: " + printable(fault, 400));

@@ -4,15 +4,16 @@
 #include "cli/commands.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog {
+namespace tribolog::cli {
 
 ExitStatus run_version(bool verbose, Console& console) {
-  const Provenance p = make_provenance({});
+  const calibration::Provenance p = calibration::make_provenance({});
   console.say(fmt::format("tribolog {} ({})", p.tool_version, p.git_revision));
   console.say(fmt::format("compiler {}", p.compiler));
   console.say(fmt::format("Eigen {}", p.eigen_version));
   try {
-    const render::RendererInfo info = verbose ? render::renderer_info() : render::built_renderer();
+    const render::figure::RendererInfo info =
+        verbose ? render::workers::renderer_info() : render::workers::built_renderer();
     console.say(fmt::format("VTK {} through {}", info.vtk_version, info.back_end));
     if (verbose)
       console.say(fmt::format("renderer {}, Mesa {}", info.gl_renderer, info.gl_version));
@@ -24,4 +25,4 @@ ExitStatus run_version(bool verbose, Console& console) {
   return ExitStatus::done;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::cli

@@ -22,46 +22,49 @@ namespace {
 constexpr double model_px = 3.0;
 constexpr double zero_px = 1.5;
 
-render::Panel loop_panel(const LoopView& view, const LuGreLoop& loop, const AxisScale& torque) {
-  render::Panel panel;
-  panel.x.title = axis_title("joint angle from the loop's centre q − q_{0}",
-                             AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = axis_title("driving torque T", torque);
-  const LoopTrace& trace = *view.trace;
+render::figure::Panel loop_panel(const LoopView& view, const method::hysteresis::LuGreLoop& loop,
+                                 const wording::AxisScale& torque) {
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+                                      wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title("driving torque T", torque);
+  const method::hysteresis::LoopTrace& trace = *view.trace;
   add_visible(panel, line("measured", shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));
   add_visible(panel, line("LuGre fit", shown(trace.q_rad, view.angle),
-                          shown(loop.torque_Nm, torque), render::palette::blue, model_px));
+                          shown(loop.torque_Nm, torque), render::figure::palette::blue, model_px));
   return panel;
 }
 
-render::Panel misfit_panel(const LoopView& view, const LoopMisfit& misfit, double residual_Nm,
-                           const AxisScale& torque) {
-  render::Panel panel;
-  panel.x.title = axis_title("joint angle from the loop's centre q − q_{0}",
-                             AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = axis_title("mean of T − fit", torque);
+render::figure::Panel misfit_panel(const LoopView& view,
+                                   const method::hysteresis::LoopMisfit& misfit, double residual_Nm,
+                                   const wording::AxisScale& torque) {
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+                                      wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title("mean of T − fit", torque);
   const std::vector<double> q = shown(misfit.q_rad, view.angle);
   if (!q.empty()) {
     const std::vector<double> high(q.size(), torque(residual_Nm));
     const std::vector<double> low(q.size(), -torque(residual_Nm));
     panel.bands.push_back({"scatter of single samples", q, low, high, faded(cloud, 120)});
-    add_visible(panel,
-                line("", {q.front(), q.back()}, {0.0, 0.0}, render::palette::black, zero_px));
+    add_visible(panel, line("", {q.front(), q.back()}, {0.0, 0.0}, render::figure::palette::black,
+                            zero_px));
   }
   add_visible(panel,
               line("while the angle grows", q, shown(misfit.rising_Nm, torque), rising_colour));
   add_visible(panel, line("while it falls", q, shown(misfit.falling_Nm, torque), falling_colour,
-                          2.5, render::LineStyle::dash));
+                          2.5, render::figure::LineStyle::dash));
   return panel;
 }
 
 /// "σ₀ 465.4 ± 1.2 N·m/rad and T_s 0.884 ± 0.002 N·m"
-std::string found_words(const LuGreFit& fit) {
+std::string found_words(const method::hysteresis::LuGreFit& fit) {
   std::vector<std::string> found;
   const auto add = [&](const char* name, const char* symbol, const char* unit) {
     if (const auto e = fit.shown(name)) {
-      found.push_back(std::string(symbol) + " " + with_interval(*e, AxisScale{1.0, unit}));
+      found.push_back(std::string(symbol) + " " +
+                      wording::with_interval(*e, wording::AxisScale{1.0, unit}));
     }
   };
   add("bristle_stiffness_Nm_rad", "σ₀", "N·m/rad");
@@ -69,25 +72,27 @@ std::string found_words(const LuGreFit& fit) {
   add("static_Nm", "Ts", "N·m");
   add("coulomb_Nm", "Tc", "N·m");
   add("stribeck_speed_rad_s", "ωs", "rad/s");
-  return found.empty() ? "no parameter is shown" : listed(found);
+  return found.empty() ? "no parameter is shown" : wording::listed(found);
 }
 
 }  // namespace
 
-std::optional<ReportFigure> lugre_loop_figure(const Calibration& calibration) {
+std::optional<ReportFigure> lugre_loop_figure(const calibration::Calibration& calibration) {
   const auto& fit = calibration.hysteresis.lugre;
   const auto view = loop_view(calibration);
   if (!view || !fit || !fit->converged || view->model_torque_Nm == nullptr) return std::nullopt;
-  const LuGreLoop& loop = fit->loops.front();
-  Extent misfit;
+  const method::hysteresis::LuGreLoop& loop = fit->loops.front();
+  wording::Extent misfit;
   misfit.add(loop.misfit.rising_Nm);
   misfit.add(loop.misfit.falling_Nm);
   ReportFigure out;
   out.id = "fig-lugre-loop";
   out.title = "LuGre fitted to the hysteresis loop";
   out.stage = "friction_parameters";
-  const AxisScale torque = prefixed("N·m", extent_of(view->trace->torque_Nm).largest());
-  const AxisScale small = prefixed("N·m", std::max(misfit.largest(), loop.residual_Nm));
+  const wording::AxisScale torque =
+      wording::prefixed("N·m", wording::extent_of(view->trace->torque_Nm).largest());
+  const wording::AxisScale small =
+      wording::prefixed("N·m", std::max(misfit.largest(), loop.residual_Nm));
   out.figure.panels.push_back(loop_panel(*view, loop, torque));
   if (!misfit.empty) {
     out.figure.panels.push_back(misfit_panel(*view, loop.misfit, loop.residual_Nm, small));
@@ -98,8 +103,9 @@ std::optional<ReportFigure> lugre_loop_figure(const Calibration& calibration) {
       fit->loops.size() > 1
           ? fmt::format(" The first of {} loops that were fitted together.", fit->loops.size())
           : "";
-  const std::string scatter = size_words(loop.residual_Nm, torque_floor_Nm, "N·m");
-  const std::string left = size_words(misfit.largest(), torque_floor_Nm, "N·m");
+  const std::string scatter =
+      wording::size_words(loop.residual_Nm, wording::torque_floor_Nm, "N·m");
+  const std::string left = wording::size_words(misfit.largest(), wording::torque_floor_Nm, "N·m");
   out.caption = fmt::format(
       "From the loop alone: {}. Single samples scatter about the fit by {}; averaged over the "
       "angle, at most {} is left.{}",
@@ -122,25 +128,26 @@ constexpr double smallest_share = 1e-5;  // of the furthest travel, on the logar
 struct Direction {
   bool is_rising;
   const char* words;
-  render::Colour colour;
-  render::LineStyle style;
-  render::Marker marker;
+  render::figure::Colour colour;
+  render::figure::LineStyle style;
+  render::figure::Marker marker;
 };
 
-const Direction directions[] = {{true, "towards positive torque", render::palette::blue,
-                                 render::LineStyle::solid, render::Marker::circle},
-                                {false, "towards negative torque", render::palette::vermilion,
-                                 render::LineStyle::dash, render::Marker::square}};
+const Direction directions[] = {
+    {true, "towards positive torque", render::figure::palette::blue,
+     render::figure::LineStyle::solid, render::figure::Marker::circle},
+    {false, "towards negative torque", render::figure::palette::vermilion,
+     render::figure::LineStyle::dash, render::figure::Marker::square}};
 
-const Recording* find_recording(const Dataset& dataset, const std::string& name) {
-  for (const Recording* r : dataset.with_role(Role::break_away)) {
+const joint::Recording* find_recording(const joint::Dataset& dataset, const std::string& name) {
+  for (const joint::Recording* r : dataset.with_role(joint::Role::break_away)) {
     if (r->name == name) return r;
   }
   return nullptr;
 }
 
 /// Up to where the torque is largest in the ramp's direction: what follows is no ramp any more.
-std::size_t ramp_end(const Recording& r, double sign) {
+std::size_t ramp_end(const joint::Recording& r, double sign) {
   std::size_t end = 0;
   for (std::size_t i = 0; i < r.size(); ++i) {
     if (sign * (r.torque_Nm[i] - r.torque_Nm[end]) > 0) end = i;
@@ -148,10 +155,11 @@ std::size_t ramp_end(const Recording& r, double sign) {
   return end + 1;
 }
 
-double furthest_travel(const Dataset& dataset, const BreakAwayResult& result) {
+double furthest_travel(const joint::Dataset& dataset,
+                       const method::hysteresis::BreakAwayResult& result) {
   double furthest = 0;
-  for (const BreakAwayRamp& ramp : result.ramps) {
-    const Recording* r = find_recording(dataset, ramp.recording);
+  for (const method::hysteresis::BreakAwayRamp& ramp : result.ramps) {
+    const joint::Recording* r = find_recording(dataset, ramp.recording);
     if (r == nullptr) continue;
     const double sign = ramp.is_rising ? 1 : -1;
     for (std::size_t i = 0; i < ramp_end(*r, sign); ++i) {
@@ -168,7 +176,7 @@ struct TravelCurve {
   std::vector<double> travel_rad;
 };
 
-TravelCurve curve_of(const Recording& r, double sign, double floor_rad) {
+TravelCurve curve_of(const joint::Recording& r, double sign, double floor_rad) {
   TravelCurve curve;
   for (std::size_t i = 0; i < ramp_end(r, sign); ++i) {
     const double travel = sign * (r.q_rad[i] - r.q_rad.front());
@@ -179,11 +187,11 @@ TravelCurve curve_of(const Recording& r, double sign, double floor_rad) {
   return curve;
 }
 
-void add_curves(const Dataset& dataset, const BreakAwayResult& result, const Direction& direction,
-                double floor_rad, render::Panel& panel) {
+void add_curves(const joint::Dataset& dataset, const method::hysteresis::BreakAwayResult& result,
+                const Direction& direction, double floor_rad, render::figure::Panel& panel) {
   std::string label = direction.words;
-  for (const BreakAwayRamp& ramp : result.ramps) {
-    const Recording* r = find_recording(dataset, ramp.recording);
+  for (const method::hysteresis::BreakAwayRamp& ramp : result.ramps) {
+    const joint::Recording* r = find_recording(dataset, ramp.recording);
     if (r == nullptr || ramp.is_rising != direction.is_rising) continue;
     TravelCurve curve = curve_of(*r, ramp.is_rising ? 1 : -1, floor_rad);
     if (add_visible(panel, line(label, std::move(curve.torque_Nm), std::move(curve.travel_rad),
@@ -193,14 +201,14 @@ void add_curves(const Dataset& dataset, const BreakAwayResult& result, const Dir
   }
 }
 
-void add_marks(const BreakAwayResult& result, const Direction& direction, bool broke_away,
-               double floor_rad, render::Panel& panel) {
-  render::Series marks =
+void add_marks(const method::hysteresis::BreakAwayResult& result, const Direction& direction,
+               bool broke_away, double floor_rad, render::figure::Panel& panel) {
+  render::figure::Series marks =
       line(fmt::format("{}, {}", broke_away ? "break-away" : "censored", direction.words), {}, {},
-           direction.colour, 1.0, render::LineStyle::none);
-  marks.marker = broke_away ? direction.marker : render::Marker::cross;
+           direction.colour, 1.0, render::figure::LineStyle::none);
+  marks.marker = broke_away ? direction.marker : render::figure::Marker::cross;
   marks.marker_size_px = 14.0;
-  for (const BreakAwayRamp& ramp : result.ramps) {
+  for (const method::hysteresis::BreakAwayRamp& ramp : result.ramps) {
     if (ramp.is_rising != direction.is_rising || ramp.broke_away != broke_away) continue;
     marks.x.push_back(std::abs(ramp.torque_Nm));
     marks.y.push_back(std::max(ramp.travel_rad, floor_rad));
@@ -208,29 +216,30 @@ void add_marks(const BreakAwayResult& result, const Direction& direction, bool b
   add_visible(panel, std::move(marks));
 }
 
-std::string found_words(const BreakAwayResult& result) {
-  const AxisScale torque{1.0, "N·m"};
+std::string found_words(const method::hysteresis::BreakAwayResult& result) {
+  const wording::AxisScale torque{1.0, "N·m"};
   std::vector<std::string> words;
   if (result.rising_Nm)
-    words.push_back(with_interval(*result.rising_Nm, torque) + " towards positive torque");
+    words.push_back(wording::with_interval(*result.rising_Nm, torque) + " towards positive torque");
   if (result.falling_Nm)
-    words.push_back(with_interval(*result.falling_Nm, torque) + " towards negative torque");
-  return words.empty() ? "no break-away torque" : "break-away at " + listed(words);
+    words.push_back(wording::with_interval(*result.falling_Nm, torque) +
+                    " towards negative torque");
+  return words.empty() ? "no break-away torque" : "break-away at " + wording::listed(words);
 }
 
 }  // namespace
 
-std::optional<ReportFigure> break_away_figure(const Dataset& dataset,
-                                              const Calibration& calibration) {
-  const BreakAwayResult& result = calibration.break_away;
+std::optional<ReportFigure> break_away_figure(const joint::Dataset& dataset,
+                                              const calibration::Calibration& calibration) {
+  const method::hysteresis::BreakAwayResult& result = calibration.break_away;
   const double furthest = furthest_travel(dataset, result);
   if (result.ramps.empty() || !(furthest > 0)) return std::nullopt;
   ReportFigure out;
   out.id = "fig-break-away-ramps";
   out.title = "Break-away ramps";
   out.stage = "break_away";
-  render::Panel panel;
-  panel.x.title = fmt::format("|{} torque T| [N·m]", shaft(calibration.manifest));
+  render::figure::Panel panel;
+  panel.x.title = fmt::format("|{} torque T| [N·m]", wording::shaft(calibration.manifest));
   panel.y.title = "travel of the joint from rest [rad]";
   panel.y.logarithmic = true;
   const double floor = smallest_share * furthest;
@@ -244,9 +253,10 @@ std::optional<ReportFigure> break_away_figure(const Dataset& dataset,
   const std::string left = result.censored == 0
                                ? ""
                                : fmt::format("; {} ended before the joint broke away (censored)",
-                                             counted(result.censored, "ramp"));
-  out.caption = fmt::format("Travel against torque in {}: {}{}.",
-                            counted(result.ramps.size(), "ramp"), found_words(result), left);
+                                             wording::counted(result.censored, "ramp"));
+  out.caption =
+      fmt::format("Travel against torque in {}: {}{}.",
+                  wording::counted(result.ramps.size(), "ramp"), found_words(result), left);
   out.how_to_read =
       "From left to right the torque rises; samples at which the joint has not moved are not "
       "drawn. In pre-sliding the travel grows smoothly; at "

@@ -18,20 +18,21 @@ namespace tribolog::figures {
 
 namespace {
 
-AxisScale friction_scale(const Calibration& calibration) {
-  Extent all;
-  for (const ViscousCurve& curve : calibration.viscous.curves) all.add(curve.friction_Nm);
-  return prefixed("N·m", all.largest());
+wording::AxisScale friction_scale(const calibration::Calibration& calibration) {
+  wording::Extent all;
+  for (const method::viscous::ViscousCurve& curve : calibration.viscous.curves)
+    all.add(curve.friction_Nm);
+  return wording::prefixed("N·m", all.largest());
 }
 
-render::Panel all_candidates(const Calibration& calibration, const AxisScale& scale,
-                             bool with_reference) {
-  render::Panel panel;
-  panel.x.title = speed_quantity(calibration.manifest) + " [rad/s]";
-  panel.y.title = axis_title("friction T_{f}", scale);
+render::figure::Panel all_candidates(const calibration::Calibration& calibration,
+                                     const wording::AxisScale& scale, bool with_reference) {
+  render::figure::Panel panel;
+  panel.x.title = wording::speed_quantity(calibration.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title("friction T_{f}", scale);
   std::vector<NamedValues> curves;
-  Extent friction;
-  for (const ViscousCurve& curve : calibration.viscous.curves) {
+  wording::Extent friction;
+  for (const method::viscous::ViscousCurve& curve : calibration.viscous.curves) {
     curves.push_back({curve.estimator, curve.friction_Nm});
     friction.add(curve.friction_Nm);
   }
@@ -44,25 +45,25 @@ render::Panel all_candidates(const Calibration& calibration, const AxisScale& sc
 }
 
 /// "40 runs (20 in each direction) from 1.00 to 300 rad/s"
-std::string runs_words(const ViscousCurvesResult& viscous) {
+std::string runs_words(const method::viscous::ViscousCurvesResult& viscous) {
   std::size_t forward = 0;
   std::size_t backward = 0;
-  Extent speeds;
-  for (const ConstantSpeedRun& run : viscous.runs) {
+  wording::Extent speeds;
+  for (const method::viscous::ConstantSpeedRun& run : viscous.runs) {
     ++(run.speed_rad_s > 0.0 ? forward : backward);
     speeds.add(std::abs(run.speed_rad_s));
   }
-  const AxisScale rad_s{1.0, "rad/s"};
-  return fmt::format("{} ({} forward, {} backward) from {} to {}",
-                     counted(viscous.runs.size(), viscous.from_sweep ? "angle bin" : "run"),
-                     forward, backward, significant(speeds.low, 3),
-                     with_unit(speeds.high, rad_s, 3));
+  const wording::AxisScale rad_s{1.0, "rad/s"};
+  return fmt::format(
+      "{} ({} forward, {} backward) from {} to {}",
+      wording::counted(viscous.runs.size(), viscous.from_sweep ? "angle bin" : "run"), forward,
+      backward, wording::significant(speeds.low, 3), wording::with_unit(speeds.high, rad_s, 3));
 }
 
-std::vector<NamedValues> differences(const Calibration& calibration) {
+std::vector<NamedValues> differences(const calibration::Calibration& calibration) {
   std::vector<NamedValues> all;
   const auto& reference = calibration.quality.reference_Nm;
-  for (const ViscousCurve& curve : calibration.viscous.curves) {
+  for (const method::viscous::ViscousCurve& curve : calibration.viscous.curves) {
     NamedValues difference{curve.estimator, {}};
     for (std::size_t i = 0; i < std::min(curve.friction_Nm.size(), reference.size()); ++i) {
       difference.values.push_back(curve.friction_Nm[i] - reference[i]);
@@ -74,25 +75,26 @@ std::vector<NamedValues> differences(const Calibration& calibration) {
 
 }  // namespace
 
-std::optional<ReportFigure> friction_curves_figure(const Calibration& calibration) {
-  const ViscousCurvesResult& viscous = calibration.viscous;
+std::optional<ReportFigure> friction_curves_figure(const calibration::Calibration& calibration) {
+  const method::viscous::ViscousCurvesResult& viscous = calibration.viscous;
   if (viscous.runs.empty()) return std::nullopt;
   ReportFigure out;
   out.number = 18;
   out.id = "fig-18-friction-curves";
   out.title = "Friction against speed, all candidates";
   out.stage = "viscous_curves";
-  const AxisScale scale = friction_scale(calibration);
+  const wording::AxisScale scale = friction_scale(calibration);
   out.figure.panels.push_back(all_candidates(calibration, scale, false));
   if (out.figure.panels.front().series.empty()) return std::nullopt;
   const std::string runs = runs_words(viscous);
-  Extent masses;
-  for (const SurrogateMass& mass : calibration.masses.masses) masses.add(mass.mass_kg.value);
+  wording::Extent masses;
+  for (const method::hysteresis::SurrogateMass& mass : calibration.masses.masses)
+    masses.add(mass.mass_kg.value);
   const std::string candidates =
       masses.span() > 0.0
           ? fmt::format("each of {} candidate masses ({} to {} kg)", viscous.curves.size(),
-                        significant(masses.low, 3), significant(masses.high, 3))
-          : "the candidate mass (" + significant(masses.low, 4) + " kg)";
+                        wording::significant(masses.low, 3), wording::significant(masses.high, 3))
+          : "the candidate mass (" + wording::significant(masses.low, 4) + " kg)";
   out.caption =
       fmt::format("Driving torque less the gravity torque of {}, over {}.", candidates, runs);
   out.how_to_read =
@@ -100,13 +102,14 @@ std::optional<ReportFigure> friction_curves_figure(const Calibration& calibratio
       "wrong "
       "mass shifts its curve up or down as a whole, so that friction is larger in one direction "
       "than in the other, or even drives the joint.";
-  out.alt =
-      fmt::format("Friction torque against signed {} speed for {}, over {}.",
-                  shaft(calibration.manifest), counted(viscous.curves.size(), "candidate"), runs);
+  out.alt = fmt::format("Friction torque against signed {} speed for {}, over {}.",
+                        wording::shaft(calibration.manifest),
+                        wording::counted(viscous.curves.size(), "candidate"), runs);
   return out;
 }
 
-std::optional<ReportFigure> friction_against_reference_figure(const Calibration& calibration) {
+std::optional<ReportFigure> friction_against_reference_figure(
+    const calibration::Calibration& calibration) {
   if (calibration.viscous.runs.empty() || calibration.quality.reference.empty()) {
     return std::nullopt;
   }
@@ -115,12 +118,13 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
   out.id = "fig-19-friction-against-reference";
   out.title = "Friction against speed, with the reference";
   out.stage = "quality_errors";
-  const AxisScale scale = friction_scale(calibration);
-  render::Panel curves = all_candidates(calibration, scale, true);
+  const wording::AxisScale scale = friction_scale(calibration);
+  render::figure::Panel curves = all_candidates(calibration, scale, true);
   if (curves.series.empty()) return std::nullopt;
   const auto difference = differences(calibration);
   const double limit = close_up_limit(difference, calibration.selection);
-  render::Panel below = close_up_panel(calibration, difference, limit, "T_{f} − reference", "N·m");
+  render::figure::Panel below =
+      close_up_panel(calibration, difference, limit, "T_{f} − reference", "N·m");
   share_legend(curves, below);
   out.figure.panels.push_back(std::move(curves));
   if (!below.series.empty()) {
@@ -129,16 +133,17 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
     out.figure.height_px = 1400;
   }
 
-  Extent chosen;
+  wording::Extent chosen;
   for (const NamedValues& one : difference) {
     if (one.estimator == calibration.selection.recommended) chosen.add(one.values);
   }
   const std::string reference = reference_words(calibration.quality.reference);
   const std::string away =
-      chosen.empty ? std::string()
-                   : fmt::format(" The largest difference of the recommended candidate, {}, is {}.",
-                                 candidate_words(calibration, calibration.selection.recommended),
-                                 size_words(chosen.largest(), torque_floor_Nm, "N·m"));
+      chosen.empty
+          ? std::string()
+          : fmt::format(" The largest difference of the recommended candidate, {}, is {}.",
+                        candidate_words(calibration, calibration.selection.recommended),
+                        wording::size_words(chosen.largest(), wording::torque_floor_Nm, "N·m"));
   out.caption =
       fmt::format("The candidates of figure 18 against the reference ({}).{}", reference, away);
   out.how_to_read =
@@ -146,41 +151,43 @@ std::optional<ReportFigure> friction_against_reference_figure(const Calibration&
       "the distance to it: a wrong mass gives a level line off zero; a line that bends with speed "
       "would be an error of the friction measurement itself, which no choice of mass repairs.";
   out.alt = fmt::format("Candidate friction curves and the reference ({}) against {} speed.{}",
-                        reference, shaft(calibration.manifest), away);
+                        reference, wording::shaft(calibration.manifest), away);
   return out;
 }
 
 namespace {
 
-std::string rms_words(const QualityErrorsResult& quality, const std::string& estimator) {
-  const QualityError* error = quality.find(estimator);
+std::string rms_words(const method::selection::QualityErrorsResult& quality,
+                      const std::string& estimator) {
+  const method::selection::QualityError* error = quality.find(estimator);
   if (error == nullptr) return {};
   return fmt::format("{} {}", estimator_words(estimator),
-                     size_words(error->rms_percent, percent_floor, "%"));
+                     wording::size_words(error->rms_percent, wording::percent_floor, "%"));
 }
 
 /// How well the reference itself is known, as a bar about zero at each run.
-void add_interval_of_reference(render::Panel& panel, const Calibration& calibration) {
-  const QualityErrorsResult& quality = calibration.quality;
+void add_interval_of_reference(render::figure::Panel& panel,
+                               const calibration::Calibration& calibration) {
+  const method::selection::QualityErrorsResult& quality = calibration.quality;
   if (!(quality.reference_rms_percent > 0.0)) return;
   const std::vector<double>& errors = quality.errors.front().percent;
   const std::size_t size = std::min(
       {quality.reference_half_width_Nm.size(), calibration.viscous.runs.size(), errors.size()});
   for (std::size_t i = 0; i < size; ++i) {
-    const ConstantSpeedRun& run = calibration.viscous.runs[i];
+    const method::viscous::ConstantSpeedRun& run = calibration.viscous.runs[i];
     const double percent = std::abs(100 * quality.reference_half_width_Nm[i] / run.torque_Nm);
     if (!std::isfinite(errors[i] + percent)) continue;
-    panel.error_bars.push_back({run.speed_rad_s, -percent, percent, render::palette::grey});
+    panel.error_bars.push_back({run.speed_rad_s, -percent, percent, render::figure::palette::grey});
   }
 }
 
 }  // namespace
 
-std::optional<ReportFigure> quality_error_figure(const Calibration& calibration) {
-  const QualityErrorsResult& quality = calibration.quality;
+std::optional<ReportFigure> quality_error_figure(const calibration::Calibration& calibration) {
+  const method::selection::QualityErrorsResult& quality = calibration.quality;
   if (quality.reference.empty() || quality.errors.empty()) return std::nullopt;
   std::vector<NamedValues> errors;
-  for (const QualityError& error : quality.errors) {
+  for (const method::selection::QualityError& error : quality.errors) {
     errors.push_back({error.estimator, error.percent});
   }
 
@@ -190,13 +197,13 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
   out.title = "Error in % of the driving torque";
   out.stage = "quality_errors";
   const std::string symbol = "error 100 (T_{f} − T_{f,ref}) / T";
-  render::Panel all = close_up_panel(calibration, errors, 0.0, symbol, "%");
+  render::figure::Panel all = close_up_panel(calibration, errors, 0.0, symbol, "%");
   if (all.series.empty()) return std::nullopt;
   add_interval_of_reference(all, calibration);
   out.figure.panels.push_back(std::move(all));
   const double limit = close_up_limit(errors, calibration.selection);
   if (limit > 0.0) {
-    render::Panel near = close_up_panel(calibration, errors, limit, symbol, "%");
+    render::figure::Panel near = close_up_panel(calibration, errors, limit, symbol, "%");
     add_interval_of_reference(near, calibration);
     share_legend(out.figure.panels.front(), near);
     out.figure.panels.push_back(std::move(near));
@@ -211,16 +218,18 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
     if (!rms.empty() && (words.empty() || words.back() != rms)) words.push_back(rms);
   }
   const std::string chosen =
-      words.empty() ? std::string() : " Root mean square over the runs: " + listed(words) + ".";
+      words.empty() ? std::string()
+                    : " Root mean square over the runs: " + wording::listed(words) + ".";
   const std::string left_out =
       quality.runs_left_out == 0
           ? std::string()
           : fmt::format(" {} without a reference, or with a driving torque near zero, left out.",
-                        counted(quality.runs_left_out, "run"));
+                        wording::counted(quality.runs_left_out, "run"));
   const std::string known_to =
       quality.reference_rms_percent > 0.0
-          ? fmt::format(" Bars about zero: 95 % interval of the reference itself, ± {} rms.",
-                        size_words(quality.reference_rms_percent, percent_floor, "%"))
+          ? fmt::format(
+                " Bars about zero: 95 % interval of the reference itself, ± {} rms.",
+                wording::size_words(quality.reference_rms_percent, wording::percent_floor, "%"))
           : std::string();
   out.caption = fmt::format("Error of each candidate against the reference ({}).{}{}{}",
                             reference_words(quality.reference), chosen, known_to, left_out);
@@ -232,7 +241,8 @@ std::optional<ReportFigure> quality_error_figure(const Calibration& calibration)
     out.how_to_read += " An error within its bar says nothing: the reference is no better known.";
   }
   out.alt = fmt::format("Error of {} in percent of the driving torque against {} speed.{}",
-                        counted(errors.size(), "candidate"), shaft(calibration.manifest), chosen);
+                        wording::counted(errors.size(), "candidate"),
+                        wording::shaft(calibration.manifest), chosen);
   return out;
 }
 

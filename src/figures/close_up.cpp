@@ -31,7 +31,7 @@ bool may_be_merged(const std::string& estimator) {
 
 /// Infinite where they have no run in common.
 double largest_distance(const std::vector<double>& one, const std::vector<double>& other) {
-  Extent distances;
+  wording::Extent distances;
   for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
     distances.add(one[i] - other[i]);
   }
@@ -40,13 +40,13 @@ double largest_distance(const std::vector<double>& one, const std::vector<double
 
 /// Takes off the curve's values on each side of standstill where none lies within the limit.
 /// @return the name of what was left out; empty: nothing.
-std::string leave_out_outside(const ViscousCurvesResult& viscous, double limit,
+std::string leave_out_outside(const method::viscous::ViscousCurvesResult& viscous, double limit,
                               NamedValues& curve) {
   const std::size_t size = std::min(viscous.runs.size(), curve.values.size());
   std::string side;
   bool any_left = false;
   for (const bool positive : {true, false}) {
-    Extent distances;
+    wording::Extent distances;
     for (std::size_t i = 0; i < size; ++i) {
       if ((viscous.runs[i].speed_rad_s > 0.0) == positive) distances.add(std::abs(curve.values[i]));
     }
@@ -84,22 +84,23 @@ std::vector<NamedValues> in_drawing_order(std::vector<NamedValues> curves, doubl
   return drawn;
 }
 
-std::string legend_words(const Calibration& calibration, const NamedValues& curve) {
+std::string legend_words(const calibration::Calibration& calibration, const NamedValues& curve) {
   const std::string words = candidate_words(calibration, curve.estimator);
-  return curve.same.empty() ? words : words + " = " + listed(curve.same);
+  return curve.same.empty() ? words : words + " = " + wording::listed(curve.same);
 }
 
-void share_legend(const render::Panel& upper, render::Panel& lower) {
-  lower.show_legend =
-      std::any_of(lower.series.begin(), lower.series.end(), [&](const render::Series& series) {
+void share_legend(const render::figure::Panel& upper, render::figure::Panel& lower) {
+  lower.show_legend = std::any_of(
+      lower.series.begin(), lower.series.end(), [&](const render::figure::Series& series) {
         return std::none_of(upper.series.begin(), upper.series.end(),
                             [&](const auto& known) { return known.label == series.label; });
       });
 }
 
-double close_up_limit(const std::vector<NamedValues>& curves, const SelectionResult& selection) {
-  Extent chosen;
-  Extent all;
+double close_up_limit(const std::vector<NamedValues>& curves,
+                      const method::selection::SelectionResult& selection) {
+  wording::Extent chosen;
+  wording::Extent all;
   for (const NamedValues& curve : curves) {
     all.add(curve.values);
     const bool matters =
@@ -110,23 +111,24 @@ double close_up_limit(const std::vector<NamedValues>& curves, const SelectionRes
   return limit > 0.0 && all.largest() >= worthwhile * limit ? limit : 0.0;
 }
 
-render::Panel close_up_panel(const Calibration& calibration, std::vector<NamedValues> curves,
-                             double limit, const std::string& quantity,
-                             const std::string& si_unit) {
-  Extent all;
+render::figure::Panel close_up_panel(const calibration::Calibration& calibration,
+                                     std::vector<NamedValues> curves, double limit,
+                                     const std::string& quantity, const std::string& si_unit) {
+  wording::Extent all;
   for (const NamedValues& curve : curves) all.add(curve.values);
   const double largest = limit > 0.0 ? limit : all.largest();
-  const AxisScale scale =
-      si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, std::max(largest, torque_floor_Nm));
-  render::Panel panel;
-  const double nothing = si_unit == "%" ? percent_floor : torque_floor_Nm;
+  const wording::AxisScale scale =
+      si_unit == "%" ? wording::AxisScale{1.0, "%"}
+                     : wording::prefixed(si_unit, std::max(largest, wording::torque_floor_Nm));
+  render::figure::Panel panel;
+  const double nothing = si_unit == "%" ? wording::percent_floor : wording::torque_floor_Nm;
   if (limit <= 0.0 && largest < nothing) {
     // No difference at all: the axis must not enlarge the computer's rounding.
     panel.y.minimum = -scale(nothing);
     panel.y.maximum = scale(nothing);
   }
-  panel.x.title = speed_quantity(calibration.manifest) + " [rad/s]";
-  panel.y.title = axis_title(quantity, scale);
+  panel.x.title = wording::speed_quantity(calibration.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title(quantity, scale);
   if (limit > 0.0) {
     panel.y.minimum = -scale(limit);
     panel.y.maximum = scale(limit);
@@ -136,15 +138,16 @@ render::Panel close_up_panel(const Calibration& calibration, std::vector<NamedVa
       const std::string name = leave_out_outside(calibration.viscous, limit, curve);
       if (!name.empty()) outside.push_back(name);
     }
-    if (!outside.empty()) panel.title += "; outside: " + listed(outside);
+    if (!outside.empty()) panel.title += "; outside: " + wording::listed(outside);
   }
   const double span = limit > 0.0 ? 2 * limit : std::max(all.span(), nothing);
   for (const NamedValues& curve : in_drawing_order(std::move(curves), span)) {
     add_run_curve(panel, calibration.viscous, curve.estimator, legend_words(calibration, curve),
                   curve.values, scale);
   }
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, 0.0, "",
-                                   render::palette::black, render::LineStyle::solid});
+  panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::horizontal, 0.0, "",
+                                   render::figure::palette::black,
+                                   render::figure::LineStyle::solid});
   return panel;
 }
 

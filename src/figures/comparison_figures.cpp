@@ -10,35 +10,35 @@
 #include "figures/report_figure.h"
 #include "wording/number_text.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
-using figures::AxisScale;
 using history::Comparison;
 using history::RecordedFriction;
 using history::RecordedLoop;
+using wording::AxisScale;
 
 /// How the first and the second are drawn in every figure.
 struct Look {
   std::string label;
-  render::Colour colour;
-  render::Marker marker;
-  render::LineStyle style;
+  render::figure::Colour colour;
+  render::figure::Marker marker;
+  render::figure::LineStyle style;
 };
 
-std::vector<Look> looks_of(const Comparison& c) {
+std::vector<Look> looks_of(const history::Comparison& c) {
   std::vector<std::string> dates;
-  for (const archive::Entry* e : {&c.first, &c.second}) {
-    dates.push_back(figures::date_of(e->facts.measured_at));
+  for (const calibration::Entry* e : {&c.first, &c.second}) {
+    dates.push_back(date_of(e->facts.measured_at));
   }
   const bool is_one_day = dates[0] == dates[1];
   const auto label = [&](std::size_t k, const char* word) {
     return is_one_day ? fmt::format("{} of {}", word, dates[k]) : dates[k];
   };
-  return {
-      {label(0, "first"), render::palette::blue, render::Marker::circle, render::LineStyle::solid},
-      {label(1, "second"), render::palette::vermilion, render::Marker::diamond,
-       render::LineStyle::dash}};
+  return {{label(0, "first"), render::figure::palette::blue, render::figure::Marker::circle,
+           render::figure::LineStyle::solid},
+          {label(1, "second"), render::figure::palette::vermilion, render::figure::Marker::diamond,
+           render::figure::LineStyle::dash}};
 }
 
 ReportFigure empty_figure(const char* id, const char* title) {
@@ -58,8 +58,8 @@ double mean_size(const std::vector<double>& values) {
 }
 
 /// The runs of one direction, by speed: between the two lies a jump that nobody measured.
-void add_friction(const RecordedFriction& curve, int direction, const Look& look,
-                  const AxisScale& scale, render::Panel& panel) {
+void add_friction(const history::RecordedFriction& curve, int direction, const Look& look,
+                  const wording::AxisScale& scale, render::figure::Panel& panel) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < curve.speed_rad_s.size(); ++k) {
     if (direction * curve.speed_rad_s[k] > 0) order.push_back(k);
@@ -69,9 +69,9 @@ void add_friction(const RecordedFriction& curve, int direction, const Look& look
   });
   const bool is_labelled =
       std::any_of(panel.series.begin(), panel.series.end(),
-                  [&](const render::Series& s) { return s.label == look.label; });
-  render::Series series =
-      figures::line(is_labelled ? "" : look.label, {}, {}, look.colour, 3.0, look.style);
+                  [&](const render::figure::Series& s) { return s.label == look.label; });
+  render::figure::Series series =
+      line(is_labelled ? "" : look.label, {}, {}, look.colour, 3.0, look.style);
   series.marker = look.marker;
   series.marker_size_px = 11;
   for (const std::size_t k : order) {
@@ -82,75 +82,77 @@ void add_friction(const RecordedFriction& curve, int direction, const Look& look
                                 scale(curve.friction_Nm[k] - curve.half_width_Nm[k]),
                                 scale(curve.friction_Nm[k] + curve.half_width_Nm[k]), look.colour});
   }
-  figures::add_visible(panel, std::move(series));
+  add_visible(panel, std::move(series));
 }
 
-std::optional<ReportFigure> friction_figure(const Comparison& c, const RecordedFriction& first,
-                                            const RecordedFriction& second) {
+std::optional<ReportFigure> friction_figure(const history::Comparison& c,
+                                            const history::RecordedFriction& first,
+                                            const history::RecordedFriction& second) {
   if (first.speed_rad_s.empty() || second.speed_rad_s.empty()) return std::nullopt;
-  figures::Extent extent;
+  wording::Extent extent;
   extent.add(first.friction_Nm);
   extent.add(second.friction_Nm);
-  const AxisScale scale = figures::prefixed("N·m", extent.largest());
+  const wording::AxisScale scale = wording::prefixed("N·m", extent.largest());
   ReportFigure out = empty_figure("diff-friction", "Friction over speed");
-  render::Panel panel;
+  render::figure::Panel panel;
   panel.x.title = "motor speed dφ/dt [rad/s]";
-  panel.y.title = figures::axis_title("friction T_{f}", scale);
+  panel.y.title = wording::axis_title("friction T_{f}", scale);
   const std::vector<Look> looks = looks_of(c);
   for (const auto& [curve, look] : {std::pair{&first, &looks[0]}, std::pair{&second, &looks[1]}}) {
     for (const int direction : {-1, 1}) add_friction(*curve, direction, *look, scale, panel);
   }
   out.figure.panels = {std::move(panel)};
   out.caption = fmt::format("Friction of the constant-speed runs: {} of {} and {} of {}.",
-                            figures::counted(first.speed_rad_s.size(), "run"), looks[0].label,
-                            figures::counted(second.speed_rad_s.size(), "run"), looks[1].label);
+                            wording::counted(first.speed_rad_s.size(), "run"), looks[0].label,
+                            wording::counted(second.speed_rad_s.size(), "run"), looks[1].label);
   out.how_to_read =
       "A curve moved away from zero on both sides is Coulomb friction that rose; one that is "
       "steeper is viscous friction, as of colder or thicker grease. Bars are 95 % intervals of the "
       "torque.";
   out.alt = fmt::format("Friction over motor speed of both calibrations; mean size {} and {}.",
-                        figures::with_unit(mean_size(first.friction_Nm), scale, 3),
-                        figures::with_unit(mean_size(second.friction_Nm), scale, 3));
+                        wording::with_unit(mean_size(first.friction_Nm), scale, 3),
+                        wording::with_unit(mean_size(second.friction_Nm), scale, 3));
   return out;
 }
 
-double span_of(const std::vector<double>& values) { return figures::extent_of(values).span(); }
+double span_of(const std::vector<double>& values) { return wording::extent_of(values).span(); }
 
-std::optional<ReportFigure> loop_figure(const Comparison& c, const std::vector<RecordedLoop>& first,
-                                        const std::vector<RecordedLoop>& second) {
+std::optional<ReportFigure> loop_figure(const history::Comparison& c,
+                                        const std::vector<history::RecordedLoop>& first,
+                                        const std::vector<history::RecordedLoop>& second) {
   if (first.empty() || second.empty()) return std::nullopt;
-  const RecordedLoop& a = first.front();
-  const RecordedLoop& b = second.front();
-  figures::Extent angle;
-  figures::Extent torque;
-  for (const RecordedLoop* loop : {&a, &b}) {
+  const history::RecordedLoop& a = first.front();
+  const history::RecordedLoop& b = second.front();
+  wording::Extent angle;
+  wording::Extent torque;
+  for (const history::RecordedLoop* loop : {&a, &b}) {
     angle.add(loop->from_centre_rad);
     torque.add(loop->torque_Nm);
   }
-  const AxisScale x = figures::prefixed("rad", angle.largest());
-  const AxisScale y = figures::levelled("N·m", torque);
+  const wording::AxisScale x = wording::prefixed("rad", angle.largest());
+  const wording::AxisScale y = wording::levelled("N·m", torque);
   ReportFigure out = empty_figure("diff-loop", "Hysteresis loops");
-  render::Panel panel;
-  panel.x.title = figures::axis_title("joint angle from the loop's centre", x);
-  panel.y.title = figures::axis_title("driving torque T", y, "N·m");
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("joint angle from the loop's centre", x);
+  panel.y.title = wording::axis_title("driving torque T", y, "N·m");
   const std::vector<Look> looks = looks_of(c);
   for (const auto& [loop, look] : {std::pair{&a, &looks[0]}, std::pair{&b, &looks[1]}}) {
-    std::vector<double> q = figures::shown(loop->from_centre_rad, x);
-    std::vector<double> t = figures::shown(loop->torque_Nm, y);
+    std::vector<double> q = shown(loop->from_centre_rad, x);
+    std::vector<double> t = shown(loop->torque_Nm, y);
     q.push_back(q.front());
     t.push_back(t.front());
-    figures::add_visible(panel, figures::line(look->label, std::move(q), std::move(t), look->colour,
-                                              3.5, look->style));
+    add_visible(panel,
+                line(look->label, std::move(q), std::move(t), look->colour, 3.5, look->style));
   }
   out.figure.panels = {std::move(panel)};
-  const AxisScale size = figures::prefixed("N·m", span_of(a.torque_Nm));
+  const wording::AxisScale size = wording::prefixed("N·m", span_of(a.torque_Nm));
   out.caption = fmt::format(
       "Steady loops of the first oscillation of each: {} high on {}, {} high on {}; {} and {} "
       "wide.",
-      figures::with_unit(span_of(a.torque_Nm), size, 3), looks[0].label,
-      figures::with_unit(span_of(b.torque_Nm), size, 3), looks[1].label,
-      figures::with_unit(span_of(a.from_centre_rad), x, 3),
-      figures::with_unit(span_of(b.from_centre_rad), x, 3));
+      wording::with_unit(span_of(a.torque_Nm), size, 3), looks[0].label,
+      wording::with_unit(span_of(b.torque_Nm), size, 3), looks[1].label,
+      wording::with_unit(span_of(a.from_centre_rad), x, 3),
+      wording::with_unit(span_of(b.from_centre_rad), x, 3));
   out.how_to_read =
       "Loops of one width compare: a higher one is more friction, one moved up or down is another "
       "gravity torque, steeper flanks are a stiffer contact. Loops of different width were driven "
@@ -161,7 +163,7 @@ std::optional<ReportFigure> loop_figure(const Comparison& c, const std::vector<R
 
 }  // namespace
 
-std::vector<ReportFigure> comparison_figures(const Comparison& comparison,
+std::vector<ReportFigure> comparison_figures(const history::Comparison& comparison,
                                              const history::RecordedCurves& first,
                                              const history::RecordedCurves& second) {
   std::vector<ReportFigure> all;
@@ -174,4 +176,4 @@ std::vector<ReportFigure> comparison_figures(const Comparison& comparison,
   return all;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

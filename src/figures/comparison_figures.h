@@ -7,7 +7,7 @@
 #include "history/comparison.h"
 #include "history/recorded_curves.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// "diff-friction": friction over speed, "diff-loop": the first steady loop over the angle; each
 /// only where both calibrations hold it.
@@ -15,4 +15,4 @@ std::vector<ReportFigure> comparison_figures(const history::Comparison& comparis
                                              const history::RecordedCurves& first,
                                              const history::RecordedCurves& second);
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

@@ -22,31 +22,35 @@ namespace {
 constexpr double apart = 0.12;  // of the two intervals of one way, of the distance of two
 
 /// Bars and centres of one kind of interval.
-void add_intervals(render::Panel& panel, const std::vector<CrossCheck>& checks, bool resampled,
-                   const AxisScale& scale) {
-  const render::Colour colour = resampled ? render::palette::vermilion : render::palette::blue;
+void add_intervals(render::figure::Panel& panel,
+                   const std::vector<method::intervals::CrossCheck>& checks, bool resampled,
+                   const wording::AxisScale& scale) {
+  const render::figure::Colour colour =
+      resampled ? render::figure::palette::vermilion : render::figure::palette::blue;
   std::vector<double> x;
   std::vector<double> y;
   for (std::size_t k = 0; k < checks.size(); ++k) {
     if (resampled && !checks[k].resampled_kg) continue;
-    const Estimate& mass = resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
+    const statistics::Estimate& mass =
+        resampled ? present(checks[k].resampled_kg) : checks[k].mass_kg;
     if (!std::isfinite(mass.low) || !std::isfinite(mass.high)) continue;
     const double at = static_cast<double>(k + 1) + (resampled ? apart : -apart);
     x.push_back(at);
     y.push_back(scale(mass.value));
     panel.error_bars.push_back({at, scale(mass.low), scale(mass.high), colour});
   }
-  render::Series series = line(resampled ? "bootstrap" : "closed form", std::move(x), std::move(y),
-                               colour, 2.5, render::LineStyle::none);
-  series.marker = resampled ? render::Marker::square : render::Marker::circle;
+  render::figure::Series series = line(resampled ? "bootstrap" : "closed form", std::move(x),
+                                       std::move(y), colour, 2.5, render::figure::LineStyle::none);
+  series.marker = resampled ? render::figure::Marker::square : render::figure::Marker::circle;
   series.marker_size_px = 12.0;
   add_visible(panel, std::move(series));
 }
 
 /// The largest |value - recommended| plus interval among those shown in full.
-Extent extent_without(const std::vector<CrossCheck>& checks, const std::string& left_out) {
-  Extent extent;
-  for (const CrossCheck& check : checks) {
+wording::Extent extent_without(const std::vector<method::intervals::CrossCheck>& checks,
+                               const std::string& left_out) {
+  wording::Extent extent;
+  for (const method::intervals::CrossCheck& check : checks) {
     if (check.method == left_out) continue;
     extent.add({check.mass_kg.low, check.mass_kg.high});
     if (check.resampled_kg) extent.add({check.resampled_kg->low, check.resampled_kg->high});
@@ -56,36 +60,38 @@ Extent extent_without(const std::vector<CrossCheck>& checks, const std::string& 
 
 }  // namespace
 
-std::optional<ReportFigure> mass_comparison_figure(const Calibration& calibration) {
-  const std::vector<CrossCheck>& checks = calibration.cross_checks.checks;
+std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibration& calibration) {
+  const std::vector<method::intervals::CrossCheck>& checks = calibration.cross_checks.checks;
   if (checks.size() < 2) return std::nullopt;
-  const auto recommended = std::find_if(checks.begin(), checks.end(),
-                                        [](const CrossCheck& c) { return c.is_recommended; });
+  const auto recommended =
+      std::find_if(checks.begin(), checks.end(),
+                   [](const method::intervals::CrossCheck& c) { return c.is_recommended; });
   ReportFigure out;
   out.id = "fig-masses-by-way";
   out.title = "Surrogate mass by every way";
   out.stage = "cross-checks";
-  const AxisScale scale = levelled("kg", extent_without(checks, ""));
-  render::Panel panel;
+  const wording::AxisScale scale = wording::levelled("kg", extent_without(checks, ""));
+  render::figure::Panel panel;
   panel.x.title = "way, numbered as below";
   panel.x.counts = true;
   panel.x.minimum = 0.5;
   panel.x.maximum = static_cast<double>(checks.size()) + 0.5;
-  panel.y.title = axis_title("surrogate mass m", scale, "kg");
+  panel.y.title = wording::axis_title("surrogate mass m", scale, "kg");
   add_intervals(panel, checks, false, scale);
   add_intervals(panel, checks, true, scale);
   if (panel.series.empty()) return std::nullopt;
   if (recommended != checks.end()) {
-    panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal,
-                                     scale(recommended->mass_kg.value), "recommended",
-                                     render::palette::grey, render::LineStyle::dash});
+    panel.reference_lines.push_back(
+        {render::figure::ReferenceLine::Direction::horizontal, scale(recommended->mass_kg.value),
+         "recommended", render::figure::palette::grey, render::figure::LineStyle::dash});
   }
   out.figure.panels.push_back(std::move(panel));
 
   std::vector<std::string> names;
   std::size_t disagree = 0;
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    names.push_back(fmt::format("{} {}", k + 1, method_in_words(checks[k].method)));
+    names.push_back(
+        fmt::format("{} {}", k + 1, method::intervals::method_in_words(checks[k].method)));
     disagree += checks[k].disagrees ? 1 : 0;
   }
   const std::string agreement =
@@ -95,13 +101,13 @@ std::optional<ReportFigure> mass_comparison_figure(const Calibration& calibratio
                 "{} with the recommended one beyond the interval of the "
                 "difference.",
                 disagree == 1 ? "1 way disagrees" : fmt::format("{} ways disagree", disagree));
-  out.caption = fmt::format("95 % intervals of {}. {}", listed(names), agreement);
+  out.caption = fmt::format("95 % intervals of {}. {}", wording::listed(names), agreement);
   out.how_to_read =
       "Each way fails differently. Bars that all cross the dashed line are what a sound "
       "measurement gives; one that lies beside it points at the assumption it rests on. The two "
       "bars of a way should be equally long.";
   out.alt = fmt::format("Surrogate mass with 95 % intervals by {} ways: {}. {}", checks.size(),
-                        listed(names), agreement);
+                        wording::listed(names), agreement);
   return out;
 }
 
@@ -112,9 +118,9 @@ constexpr double farthest_shown = 5;
 constexpr double least_shown = 2;  ///< The interval itself must not fill the picture.
 
 /// Half widths to either side that hold all, up to farthest_shown.
-double reach_of(const std::vector<const ReturnedQuantity*>& shown) {
+double reach_of(const std::vector<const calibration::ReturnedQuantity*>& shown) {
   double reach = least_shown;
-  for (const ReturnedQuantity* q : shown) {
+  for (const calibration::ReturnedQuantity* q : shown) {
     for (const double off : q->in_half_widths) {
       if (std::isfinite(off)) reach = std::max(reach, std::ceil(std::abs(off)));
     }
@@ -122,20 +128,20 @@ double reach_of(const std::vector<const ReturnedQuantity*>& shown) {
   return std::min(reach, farthest_shown);
 }
 
-std::string place_words(const std::vector<const ReturnedQuantity*>& shown) {
+std::string place_words(const std::vector<const calibration::ReturnedQuantity*>& shown) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    words.push_back(fmt::format("{} {}", i + 1, reading_words(shown[i]->name)));
+    words.push_back(fmt::format("{} {}", i + 1, truth::reading_words(shown[i]->name)));
   }
-  return listed(words);
+  return wording::listed(words);
 }
 
 }  // namespace
 
-std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
-  const TruthCheckResult& check = calibration.truth_check;
-  std::vector<const ReturnedQuantity*> shown;
-  for (const ReturnedQuantity& q : check.quantities) {
+std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& calibration) {
+  const calibration::TruthCheckResult& check = calibration.truth_check;
+  std::vector<const calibration::ReturnedQuantity*> shown;
+  for (const calibration::ReturnedQuantity& q : check.quantities) {
     if (!q.in_half_widths.empty()) shown.push_back(&q);
   }
   if (shown.empty()) return std::nullopt;
@@ -144,7 +150,7 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
   out.id = "fig-known-truth";
   out.title = "What came back of what was put in";
   out.stage = "known-truth";
-  render::Panel panel;
+  render::figure::Panel panel;
   panel.x.title = "deviation from what was put in, in half widths of the stated 95 % interval";
   panel.y.title = "quantity";
   const double reach = reach_of(shown);
@@ -154,8 +160,8 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
   panel.y.maximum = static_cast<double>(shown.size()) + 0.8;
   panel.bands.push_back(
       {"inside the interval", {-1, 1}, {0.2, 0.2}, {*panel.y.maximum, *panel.y.maximum}});
-  render::Series inside;
-  render::Series outside;
+  render::figure::Series inside;
+  render::figure::Series outside;
   std::size_t held = 0;
   std::size_t all = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -171,19 +177,21 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
                          0.5 * (static_cast<double>(k) + 0.5) /
                              static_cast<double>(shown[i]->in_half_widths.size()) -
                          0.25;
-      render::Series& series = std::abs(off) <= 1 ? inside : outside;
+      render::figure::Series& series = std::abs(off) <= 1 ? inside : outside;
       series.x.push_back(std::clamp(off, -farthest_shown, farthest_shown));
       series.y.push_back(row);
     }
-    panel.y.names.push_back({level, reading_label(shown[i]->name)});
+    panel.y.names.push_back({level, wording::reading_label(shown[i]->name)});
   }
   inside.label = "held by its interval";
   outside.label = "not held";
-  for (render::Series* series : {&inside, &outside}) {
-    series->style = render::LineStyle::none;
-    series->marker = series == &inside ? render::Marker::circle : render::Marker::cross;
+  for (render::figure::Series* series : {&inside, &outside}) {
+    series->style = render::figure::LineStyle::none;
+    series->marker =
+        series == &inside ? render::figure::Marker::circle : render::figure::Marker::cross;
     series->marker_size_px = series == &inside ? 8 : 12;
-    series->colour = series == &inside ? render::palette::blue : render::palette::vermilion;
+    series->colour =
+        series == &inside ? render::figure::palette::blue : render::figure::palette::vermilion;
     add_visible(panel, std::move(*series));
   }
   out.figure.panels.push_back(std::move(panel));
@@ -191,7 +199,7 @@ std::optional<ReportFigure> truth_check_figure(const Calibration& calibration) {
   out.caption = fmt::format(
       "Deviations of {} in units of the half width that each run states for itself: "
       "{} of {} are held by their intervals. From top: {}",
-      counted(check.runs, "simulation"), held, all, place_words(shown));
+      wording::counted(check.runs, "simulation"), held, all, place_words(shown));
   out.how_to_read =
       "One mark is one simulation of what was identified, at the noise that was found. Between −1 "
       "and 1 its interval holds what was put in: about 19 of 20 should. A row that lies to one "

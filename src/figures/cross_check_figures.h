@@ -9,11 +9,11 @@
 namespace tribolog::figures {
 
 /// One place for each way, numbered as in the report's table. Absent with fewer than two ways.
-std::optional<ReportFigure> mass_comparison_figure(const Calibration& calibration);
+std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibration& calibration);
 
 // The known-truth check: what came back less what was put in, in units of the stated half width.
 
 /// Stage "known-truth". Absent if the check was not made or nothing came back.
-std::optional<ReportFigure> truth_check_figure(const Calibration& calibration);
+std::optional<ReportFigure> truth_check_figure(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::figures

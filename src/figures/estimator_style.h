@@ -10,9 +10,9 @@
 namespace tribolog::figures {
 
 struct SeriesStyle {
-  render::Colour colour;
-  render::LineStyle line{render::LineStyle::solid};
-  render::Marker marker{render::Marker::none};
+  render::figure::Colour colour;
+  render::figure::LineStyle line{render::figure::LineStyle::solid};
+  render::figure::Marker marker{render::figure::Marker::none};
   double width_px{2.5};
   double marker_px{9.0};
 };
@@ -27,15 +27,15 @@ inline constexpr std::array<const char*, 15> styled_names{
 SeriesStyle estimator_style(const std::string& name);
 
 /// Gives a series the estimator's colour, dash, marker and sizes.
-void apply(const SeriesStyle& style, render::Series& series);
+void apply(const SeriesStyle& style, render::figure::Series& series);
 
 /// "mid-line", "sweep fit", "mean of A and B", "A": the estimator in words.
 std::string estimator_words(const std::string& name);
 
 /// The two directions of motion, in every figure that tells them apart.
-inline constexpr render::Colour rising_colour = render::palette::blue;
-inline constexpr render::Colour falling_colour = render::palette::vermilion;
+inline constexpr render::figure::Colour rising_colour = render::figure::palette::blue;
+inline constexpr render::figure::Colour falling_colour = render::figure::palette::vermilion;
 /// The gravity peak and what follows from it; dark enough for text.
-inline constexpr render::Colour peak_colour{0, 105, 75};
+inline constexpr render::figure::Colour peak_colour{0, 105, 75};
 
 }  // namespace tribolog::figures

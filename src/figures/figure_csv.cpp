@@ -10,11 +10,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
-using render::Panel;
-using render::Series;
+using render::figure::Panel;
+using render::figure::Series;
 
 constexpr std::size_t fewest_rows = 40;  ///< Of a curve.
 
@@ -83,13 +83,15 @@ std::vector<std::size_t> kept_samples(const std::vector<double>& y,
   return kept;
 }
 
-std::string scale(const render::Axis& axis) { return axis.logarithmic ? " (logarithmic)" : ""; }
+std::string scale(const render::figure::Axis& axis) {
+  return axis.logarithmic ? " (logarithmic)" : "";
+}
 
-std::size_t samples_in(const render::Figure& figure) {
+std::size_t samples_in(const render::figure::Figure& figure) {
   std::size_t sum = 0;
-  for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series) sum += series.x.size();
-    for (const render::Band& band : panel.bands) sum += band.x.size();
+  for (const render::figure::Panel& panel : figure.panels) {
+    for (const render::figure::Series& series : panel.series) sum += series.x.size();
+    for (const render::figure::Band& band : panel.bands) sum += band.x.size();
   }
   return sum;
 }
@@ -102,7 +104,7 @@ class Writer {
                      static_cast<double>(std::max<std::size_t>(1, samples_in(figure.figure))))) {
     comments_ = fmt::format("# {}: {}\n", figure.id, plain(figure.title));
     int number = 0;
-    for (const Panel& panel : figure.figure.panels) add(panel, ++number);
+    for (const render::figure::Panel& panel : figure.figure.panels) add(panel, ++number);
   }
 
   [[nodiscard]] std::string text() const {
@@ -110,29 +112,31 @@ class Writer {
   }
 
  private:
-  void add(const Panel& panel, int number) {
+  void add(const render::figure::Panel& panel, int number) {
     panel_ = number;
     x_ = &panel.x;
     comments_ +=
         fmt::format("# panel {}{}: x = {}{}; y = {}{}\n", number,
                     panel.title.empty() ? "" : " (" + plain(panel.title) + ")",
                     plain(panel.x.title), scale(panel.x), plain(panel.y.title), scale(panel.y));
-    for (const Series& series : panel.series) add(series);
-    for (const render::Band& band : panel.bands) add(band);
-    for (const render::ErrorBar& bar : panel.error_bars)
+    for (const render::figure::Series& series : panel.series) add(series);
+    for (const render::figure::Band& band : panel.bands) add(band);
+    for (const render::figure::ErrorBar& bar : panel.error_bars)
       row("interval", "", bar.x, not_there, bar.low, bar.high);
-    for (const render::AxisName& name : panel.x.names) row("name", name.text, name.at, not_there);
-    for (const render::AxisName& name : panel.y.names) row("name", name.text, not_there, name.at);
-    for (const render::PointLabel& point : panel.point_labels)
+    for (const render::figure::AxisName& name : panel.x.names)
+      row("name", name.text, name.at, not_there);
+    for (const render::figure::AxisName& name : panel.y.names)
+      row("name", name.text, not_there, name.at);
+    for (const render::figure::PointLabel& point : panel.point_labels)
       row("point", point.text, point.x, point.y);
-    for (const render::ReferenceLine& line : panel.reference_lines) {
-      const bool is_vertical = line.direction == render::ReferenceLine::Direction::vertical;
+    for (const render::figure::ReferenceLine& line : panel.reference_lines) {
+      const bool is_vertical = line.direction == render::figure::ReferenceLine::Direction::vertical;
       row("line", line.text, is_vertical ? line.at : not_there, is_vertical ? not_there : line.at);
     }
   }
 
-  void add(const Series& series) {
-    const char* const what = series.style == render::LineStyle::none ? "marks" : "curve";
+  void add(const render::figure::Series& series) {
+    const char* const what = series.style == render::figure::LineStyle::none ? "marks" : "curve";
     std::vector<bool> is_there(series.x.size());
     for (std::size_t i = 0; i < is_there.size(); ++i)
       is_there[i] = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
@@ -140,7 +144,7 @@ class Writer {
                 [&](std::size_t i) { row(what, series.label, series.x[i], series.y[i]); });
   }
 
-  void add(const render::Band& band) {
+  void add(const render::figure::Band& band) {
     std::vector<bool> is_there(band.x.size());
     for (std::size_t i = 0; i < is_there.size(); ++i)
       is_there[i] =
@@ -191,7 +195,7 @@ class Writer {
   static constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
   double share_;  ///< Of the samples that become rows.
   int panel_{};
-  const render::Axis* x_{};  ///< Of that panel.
+  const render::figure::Axis* x_{};  ///< Of that panel.
   std::string comments_;
   std::string rows_;
 };
@@ -203,4 +207,4 @@ std::string figure_csv(const ReportFigure& figure, std::size_t most_rows) {
   return Writer(figure, most_rows).text();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

@@ -6,7 +6,7 @@
 
 #include "figures/report_figure.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// Rows `panel,what,name,x,y,low,high` in the units of the figure's axes, which comment lines (#)
 /// above the header state, with the axes whose scale is logarithmic. `what` is curve, marks (a
@@ -19,4 +19,4 @@ namespace tribolog {
 /// @return empty for a figure without panels: diagrams and drawings show no data.
 std::string figure_csv(const ReportFigure& figure, std::size_t most_rows);
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

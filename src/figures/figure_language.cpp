@@ -2,16 +2,16 @@
 
 #include <utility>
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
 class DrawnTexts {
  public:
-  explicit DrawnTexts(const Catalogue& catalogue) : catalogue_(catalogue) {}
+  explicit DrawnTexts(const wording::Catalogue& catalogue) : catalogue_(catalogue) {}
 
-  void translate(render::Figure& figure) const {
+  void translate(render::figure::Figure& figure) const {
     change(figure.title);
-    for (render::Panel& panel : figure.panels) translate(panel);
+    for (render::figure::Panel& panel : figure.panels) translate(panel);
     if (figure.diagram) translate(*figure.diagram);
     if (figure.scene) translate(*figure.scene);
   }
@@ -21,28 +21,28 @@ class DrawnTexts {
     if (!text.empty()) text = catalogue_.translate(text);
   }
 
-  void translate(render::Panel& panel) const {
+  void translate(render::figure::Panel& panel) const {
     change(panel.title);
     change(panel.notice);
-    for (render::Axis* axis : {&panel.x, &panel.y}) {
+    for (render::figure::Axis* axis : {&panel.x, &panel.y}) {
       change(axis->title);
-      for (render::AxisName& name : axis->names) change(name.text);
+      for (render::figure::AxisName& name : axis->names) change(name.text);
     }
-    for (render::Band& band : panel.bands) change(band.label);
-    for (render::Series& series : panel.series) change(series.label);
-    for (render::PointLabel& label : panel.point_labels) change(label.text);
-    for (render::ReferenceLine& line : panel.reference_lines) change(line.text);
+    for (render::figure::Band& band : panel.bands) change(band.label);
+    for (render::figure::Series& series : panel.series) change(series.label);
+    for (render::figure::PointLabel& label : panel.point_labels) change(label.text);
+    for (render::figure::ReferenceLine& line : panel.reference_lines) change(line.text);
   }
 
-  void translate(render::Diagram& diagram) const {
-    for (render::Block& block : diagram.blocks) {
+  void translate(render::figure::Diagram& diagram) const {
+    for (render::figure::Block& block : diagram.blocks) {
       for (std::string& line : block.lines) change(line);
     }
-    for (render::Wire& wire : diagram.wires) {
+    for (render::figure::Wire& wire : diagram.wires) {
       if (wire.label) change(wire.label->text);
     }
-    for (render::Dimension& dimension : diagram.dimensions) change(dimension.text);
-    for (render::DiagramText& text : diagram.texts) change(text.text);
+    for (render::figure::Dimension& dimension : diagram.dimensions) change(dimension.text);
+    for (render::figure::DiagramText& text : diagram.texts) change(text.text);
   }
 
   template <typename Parts>
@@ -50,7 +50,7 @@ class DrawnTexts {
     for (auto& part : parts) change(part.label);
   }
 
-  void translate(render::Scene& scene) const {
+  void translate(render::figure::Scene& scene) const {
     change_labels(scene.bodies);
     change_labels(scene.drums);
     change_labels(scene.arrows);
@@ -58,25 +58,26 @@ class DrawnTexts {
     change_labels(scene.sectors);
     change_labels(scene.dimensions);
     change_labels(scene.lines);
-    for (render::SceneText& text : scene.texts) change(text.text);
+    for (render::figure::SceneText& text : scene.texts) change(text.text);
   }
 
-  const Catalogue& catalogue_;
+  const wording::Catalogue& catalogue_;
 };
 
 }  // namespace
 
-render::Figure drawn_in_language(render::Figure figure, Language language) {
-  const Catalogue* const catalogue = catalogue_of(language);
+render::figure::Figure drawn_in_language(render::figure::Figure figure,
+                                         wording::Language language) {
+  const wording::Catalogue* const catalogue = wording::catalogue_of(language);
   if (catalogue != nullptr) DrawnTexts(*catalogue).translate(figure);
   return figure;
 }
 
-ReportFigure as_file_in_language(ReportFigure figure, Language language) {
+ReportFigure as_file_in_language(ReportFigure figure, wording::Language language) {
   figure.figure = drawn_in_language(std::move(figure.figure), language);
-  figure.title = in_language(language, figure.title);
-  figure.alt = in_language(language, figure.alt);
+  figure.title = wording::in_language(language, figure.title);
+  figure.alt = wording::in_language(language, figure.alt);
   return figure;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

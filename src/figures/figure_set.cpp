@@ -13,10 +13,10 @@
 #include "figures/sweep_torque.h"
 #include "figures/torque_choice.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
-std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& calibration) {
-  using namespace figures;
+std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
+                                     const calibration::Calibration& calibration) {
   std::vector<std::optional<ReportFigure>> candidates;
   candidates.push_back(sweep_motion_figure(dataset, calibration));
   candidates.push_back(rough_torque_figure(dataset, calibration));
@@ -47,4 +47,4 @@ std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& 
   return figures;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

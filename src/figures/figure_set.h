@@ -13,11 +13,12 @@
 #include "figures/report_figure.h"
 #include "joint/dataset.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// @param dataset the one that the calibration was made from; its recordings supply the samples.
 /// Never throws for what the numbers are: samples that are not finite leave gaps, an empty or
 /// one-sample recording gives a figure without that curve, or no figure.
-std::vector<ReportFigure> figure_set(const Dataset& dataset, const Calibration& calibration);
+std::vector<ReportFigure> figure_set(const joint::Dataset& dataset,
+                                     const calibration::Calibration& calibration);
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

@@ -22,9 +22,10 @@ double day_of(const std::string& utc) {
          (hour * 3600.0 + minute * 60.0 + second) / seconds_per_day;
 }
 
-AxisScale quantity_axis(const std::string& unit, double largest) {
-  if (unit == "rad") return degrees();
-  if (unit == "N·m" || unit == "N·m·s/rad" || unit == "N·m/rad") return prefixed(unit, largest);
+wording::AxisScale quantity_axis(const std::string& unit, double largest) {
+  if (unit == "rad") return wording::degrees();
+  if (unit == "N·m" || unit == "N·m·s/rad" || unit == "N·m/rad")
+    return wording::prefixed(unit, largest);
   return {1.0, unit};
 }
 

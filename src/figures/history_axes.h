@@ -11,7 +11,7 @@ namespace tribolog::figures {
 double day_of(const std::string& utc);
 
 /// Angles in degrees, torques and what is made of them with a prefix, all else as it is.
-AxisScale quantity_axis(const std::string& unit, double largest);
+wording::AxisScale quantity_axis(const std::string& unit, double largest);
 
 /// The day alone.
 std::string date_of(const std::string& utc);

@@ -14,23 +14,23 @@ namespace {
 
 std::string cycles_words(const LoopView& view) {
   if (view.cycles < 1.0) return "measured";
-  return "measured, " + counted(static_cast<std::size_t>(view.cycles), "cycle");
+  return "measured, " + wording::counted(static_cast<std::size_t>(view.cycles), "cycle");
 }
 
 /// "A 3.924, C 4.759, ... N·m", in the order of the calibration.
-std::string points_words(const Calibration& calibration, LoopSignal signal,
-                         const AxisScale& scale) {
-  Extent values;
-  for (const LoopPoint& point : calibration.hysteresis.points) {
+std::string points_words(const calibration::Calibration& calibration, LoopSignal signal,
+                         const wording::AxisScale& scale) {
+  wording::Extent values;
+  for (const method::hysteresis::LoopPoint& point : calibration.hysteresis.points) {
     values.add(scale(reading(point, signal)));
   }
   const double largest = values.largest();
   std::vector<std::string> words;
-  for (const LoopPoint& point : calibration.hysteresis.points) {
+  for (const method::hysteresis::LoopPoint& point : calibration.hysteresis.points) {
     const double value = reading(point, signal);
-    words.push_back(fmt::format("{} {}", point.name, to_place(scale(value), largest, 4)));
+    words.push_back(fmt::format("{} {}", point.name, wording::to_place(scale(value), largest, 4)));
   }
-  return words.empty() ? std::string() : listed(words) + " " + scale.unit;
+  return words.empty() ? std::string() : wording::listed(words) + " " + scale.unit;
 }
 
 std::string bristle_words(const LoopView& view) {
@@ -40,7 +40,7 @@ std::string bristle_words(const LoopView& view) {
 }
 
 /// What the reader must know of where the curves come from.
-std::string origin_words(const Calibration& calibration, const LoopView& view) {
+std::string origin_words(const calibration::Calibration& calibration, const LoopView& view) {
   const std::size_t loops = calibration.hysteresis.traces.size();
   const std::string which =
       loops > 1 ? fmt::format(" The first of {} oscillations is shown.", loops) : std::string();
@@ -49,11 +49,11 @@ std::string origin_words(const Calibration& calibration, const LoopView& view) {
 
 }  // namespace
 
-std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
+std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& calibration) {
   const auto view = loop_view(calibration);
   if (!view) return std::nullopt;
-  const HysteresisResult& loop = calibration.hysteresis;
-  const LoopTrace& trace = *view->trace;
+  const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
+  const method::hysteresis::LoopTrace& trace = *view->trace;
   const bool model = view->model_torque_Nm != nullptr && loop.bristle_source != "recorded";
   const LoopCurves torque{LoopSignal::torque,
                           "driving torque T",
@@ -61,7 +61,7 @@ std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
                           model ? view->model_torque_Nm : &trace.torque_Nm,
                           cycles_words(*view),
                           model ? "first strokes, LuGre fit" : "first strokes",
-                          prefixed("N·m", extent_of(trace.torque_Nm).largest())};
+                          wording::prefixed("N·m", wording::extent_of(trace.torque_Nm).largest())};
   ReportFigure out = two_panels(calibration, *view, torque);
   out.number = 15;
   out.id = "fig-15-hysteresis";
@@ -69,13 +69,14 @@ std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
   if (!out.figure.panels.empty()) {
     add_visible(out.figure.panels.front(),
                 line("mid-line of the steady loop", shown(trace.midline_q_rad, view->angle),
-                     shown(trace.midline_Nm, torque.scale), render::palette::black, 3.0,
-                     render::LineStyle::dash));
+                     shown(trace.midline_Nm, torque.scale), render::figure::palette::black, 3.0,
+                     render::figure::LineStyle::dash));
   }
-  const AxisScale newton_metre = prefixed("N·m", loop.loop_height_Nm);
-  const std::string height = with_unit(loop.loop_height_Nm, newton_metre, 4);
-  const std::string midline =
-      loop.midline_Nm ? with_interval(*loop.midline_Nm, torque.scale) : std::string("unknown");
+  const wording::AxisScale newton_metre = wording::prefixed("N·m", loop.loop_height_Nm);
+  const std::string height = wording::with_unit(loop.loop_height_Nm, newton_metre, 4);
+  const std::string midline = loop.midline_Nm
+                                  ? wording::with_interval(*loop.midline_Nm, torque.scale)
+                                  : std::string("unknown");
   const std::string points = points_words(calibration, LoopSignal::torque, torque.scale);
   out.caption = fmt::format("Loop of {} height; the mid-line of the steady loop averages {}.{}{}",
                             height, midline, points.empty() ? "" : " Readings: " + points + ".",
@@ -92,23 +93,24 @@ std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration) {
 
 namespace {
 
-std::optional<ReportFigure> bristle_figure(const Calibration& calibration, LoopSignal signal) {
+std::optional<ReportFigure> bristle_figure(const calibration::Calibration& calibration,
+                                           LoopSignal signal) {
   const auto view = loop_view(calibration);
   if (!view) return std::nullopt;
   const bool rate = signal == LoopSignal::deflection_rate;
   const std::vector<double>& values = rate ? view->trace->dz_rad_s : view->trace->z_rad;
-  const double largest = extent_of(values).largest();
-  if (extent_of(values).empty) return std::nullopt;
+  const double largest = wording::extent_of(values).largest();
+  if (wording::extent_of(values).empty) return std::nullopt;
   const LoopCurves bristle{signal,
                            rate ? "bristle rate ż" : "bristle deflection z",
                            &values,
                            &values,
                            view->modelled ? "LuGre model, all cycles" : "recorded, all cycles",
                            "first strokes",
-                           prefixed(rate ? "rad/s" : "rad", largest)};
+                           wording::prefixed(rate ? "rad/s" : "rad", largest)};
   ReportFigure out = two_panels(calibration, *view, bristle);
   const std::string points = points_words(calibration, signal, bristle.scale);
-  const std::string most = with_unit(largest, bristle.scale, 4);
+  const std::string most = wording::with_unit(largest, bristle.scale, 4);
   out.caption = fmt::format("{} of the bristles, up to {} at the motor.{}{}",
                             rate ? "Rate of deflection" : "Mean deflection", most,
                             points.empty() ? "" : " At the points: " + points + ".",
@@ -121,7 +123,7 @@ std::optional<ReportFigure> bristle_figure(const Calibration& calibration, LoopS
 
 }  // namespace
 
-std::optional<ReportFigure> bristle_loop_figure(const Calibration& calibration) {
+std::optional<ReportFigure> bristle_loop_figure(const calibration::Calibration& calibration) {
   auto out = bristle_figure(calibration, LoopSignal::deflection);
   if (!out) return out;
   out->number = 16;
@@ -134,7 +136,7 @@ std::optional<ReportFigure> bristle_loop_figure(const Calibration& calibration) 
   return out;
 }
 
-std::optional<ReportFigure> bristle_rate_loop_figure(const Calibration& calibration) {
+std::optional<ReportFigure> bristle_rate_loop_figure(const calibration::Calibration& calibration) {
   auto out = bristle_figure(calibration, LoopSignal::deflection_rate);
   if (!out) return out;
   out->number = 17;

@@ -13,12 +13,12 @@
 namespace tribolog::figures {
 
 /// Figure 15: T(q) with the mid-line, and T(t). Absent without a loop.
-std::optional<ReportFigure> torque_loop_figure(const Calibration& calibration);
+std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& calibration);
 
 /// Figure 16: z(q) and z(t). Absent if no bristle state is to be had.
-std::optional<ReportFigure> bristle_loop_figure(const Calibration& calibration);
+std::optional<ReportFigure> bristle_loop_figure(const calibration::Calibration& calibration);
 
 /// Figure 17: dz/dt(q) and dz/dt(t). Absent if no bristle state is to be had.
-std::optional<ReportFigure> bristle_rate_loop_figure(const Calibration& calibration);
+std::optional<ReportFigure> bristle_rate_loop_figure(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::figures

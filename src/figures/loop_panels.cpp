@@ -18,7 +18,7 @@ constexpr double near_share = 0.25;  // of the loop's width, beyond its ends
 
 }  // namespace
 
-double reading(const LoopPoint& point, LoopSignal signal) {
+double reading(const method::hysteresis::LoopPoint& point, LoopSignal signal) {
   switch (signal) {
     case LoopSignal::torque:
       return point.torque_Nm;
@@ -37,12 +37,12 @@ std::vector<double> LoopView::until(double end_s, const std::vector<double>& sig
   return {signal.begin(), signal.begin() + length};
 }
 
-AxisScale LoopView::time() const { return {1.0, "s", trace->t_s.front()}; }
+wording::AxisScale LoopView::time() const { return {1.0, "s", trace->t_s.front()}; }
 
-std::optional<LoopView> loop_view(const Calibration& calibration) {
-  const HysteresisResult& loop = calibration.hysteresis;
+std::optional<LoopView> loop_view(const calibration::Calibration& calibration) {
+  const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
   if (!loop.found || loop.traces.empty()) return std::nullopt;
-  const LoopTrace& trace = loop.traces.front();
+  const method::hysteresis::LoopTrace& trace = loop.traces.front();
   if (trace.t_s.empty() || trace.q_rad.empty() || trace.torque_Nm.empty()) return std::nullopt;
 
   LoopView view;
@@ -56,7 +56,7 @@ std::optional<LoopView> loop_view(const Calibration& calibration) {
   const double start = trace.t_s.front();
   view.first_strokes_end_s = view.shown_end_s = trace.t_s.back();
   if (!loop.oscillations.empty()) {
-    const Oscillation& oscillation = loop.oscillations.front();
+    const method::hysteresis::Oscillation& oscillation = loop.oscillations.front();
     // Beyond belief counts as not known.
     view.cycles = std::abs(oscillation.cycles) < most_cycles ? oscillation.cycles : 0.0;
     view.centre_rad = oscillation.centre_rad;
@@ -67,40 +67,44 @@ std::optional<LoopView> loop_view(const Calibration& calibration) {
     }
   }
   // The readings belong to the first strokes by definition.
-  for (const LoopPoint& point : loop.points) {
+  for (const method::hysteresis::LoopPoint& point : loop.points) {
     if (std::isfinite(point.t_s)) {
       view.first_strokes_end_s = std::max(view.first_strokes_end_s, point.t_s);
       view.shown_end_s = std::max(view.shown_end_s, point.t_s);
     }
   }
   if (!std::isfinite(view.centre_rad)) view.centre_rad = 0.0;
-  Extent angles;
+  wording::Extent angles;
   for (const double q : trace.q_rad) angles.add(q - view.centre_rad);
   if (angles.empty) return std::nullopt;
-  view.angle = prefixed("rad", angles.largest());
+  view.angle = wording::prefixed("rad", angles.largest());
   view.angle.offset = view.centre_rad;
   return view;
 }
 
-void add_loop_points(render::Panel& panel, const std::vector<LoopPoint>& points, LoopSignal signal,
-                     bool over_time, const LoopView& view, const AxisScale& y) {
-  for (const LoopPoint& point : points) {
+void add_loop_points(render::figure::Panel& panel,
+                     const std::vector<method::hysteresis::LoopPoint>& points, LoopSignal signal,
+                     bool over_time, const LoopView& view, const wording::AxisScale& y) {
+  for (const method::hysteresis::LoopPoint& point : points) {
     const std::string name(1, point.name);
     const SeriesStyle style = estimator_style(name);
-    add_visible(panel, render::PointLabel{
-                           over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
-                           y(reading(point, signal)), name, render::palette::black, style.marker});
+    add_visible(panel,
+                render::figure::PointLabel{
+                    over_time ? view.time()(point.t_s) : view.angle(point.q_rad),
+                    y(reading(point, signal)), name, render::figure::palette::black, style.marker});
   }
 }
 
-bool add_gravity_peak(render::Panel& panel, const Calibration& calibration, const LoopView& view) {
+bool add_gravity_peak(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                      const LoopView& view) {
   if (!calibration.q_peak_rad || !std::isfinite(calibration.q_peak_rad->value)) return false;
   const double peak = calibration.q_peak_rad->value;
-  const Extent angles = extent_of(view.trace->q_rad);
+  const wording::Extent angles = wording::extent_of(view.trace->q_rad);
   const double margin = near_share * angles.span();
   if (peak < angles.low - margin || peak > angles.high + margin) return false;
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, view.angle(peak),
-                                   "q_{peak}", peak_colour, render::LineStyle::dash_dot});
+  panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::vertical,
+                                   view.angle(peak), "q_{peak}", peak_colour,
+                                   render::figure::LineStyle::dash_dot});
   return true;
 }
 
@@ -108,21 +112,21 @@ namespace {
 
 constexpr int two_panels_px = 1500;
 
-render::Panel over_angle(const Calibration& calibration, const LoopView& view,
-                         const LoopCurves& curves) {
-  render::Panel panel;
-  panel.x.title = axis_title("joint angle from the loop's centre q − q_{0}",
-                             AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = axis_title(curves.title, curves.scale);
+render::figure::Panel over_angle(const calibration::Calibration& calibration, const LoopView& view,
+                                 const LoopCurves& curves) {
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+                                      wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title(curves.title, curves.scale);
   if (curves.all != nullptr) {
     add_visible(panel, line(curves.all_label, shown(view.trace->q_rad, view.angle),
                             shown(*curves.all, curves.scale), cloud, cloud_px));
   }
-  render::Series strokes =
+  render::figure::Series strokes =
       line(curves.strokes_label,
            shown(view.until(view.first_strokes_end_s, view.trace->q_rad), view.angle),
            shown(view.until(view.first_strokes_end_s, *curves.strokes), curves.scale),
-           render::palette::blue, strokes_px);
+           render::figure::palette::blue, strokes_px);
   strokes.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
   add_visible(panel, std::move(strokes));
   add_gravity_peak(panel, calibration, view);
@@ -130,28 +134,29 @@ render::Panel over_angle(const Calibration& calibration, const LoopView& view,
   return panel;
 }
 
-render::Panel over_time(const Calibration& calibration, const LoopView& view,
-                        const LoopCurves& curves) {
-  render::Panel panel;
+render::figure::Panel over_time(const calibration::Calibration& calibration, const LoopView& view,
+                                const LoopCurves& curves) {
+  render::figure::Panel panel;
   panel.x.title = "time t [s]";
-  panel.y.title = axis_title(curves.title, curves.scale);
+  panel.y.title = wording::axis_title(curves.title, curves.scale);
   panel.show_legend = false;
-  const AxisScale time = view.time();
-  const auto add = [&](const std::vector<double>& signal, render::Colour colour, double width) {
+  const wording::AxisScale time = view.time();
+  const auto add = [&](const std::vector<double>& signal, render::figure::Colour colour,
+                       double width) {
     add_visible(panel,
                 line("", shown(view.until(view.shown_end_s, view.trace->t_s), time),
                      shown(view.until(view.shown_end_s, signal), curves.scale), colour, width));
   };
   // Over time the strokes hide what they were taken from.
   if (curves.all != nullptr && curves.all != curves.strokes) add(*curves.all, cloud, cloud_px);
-  add(*curves.strokes, render::palette::blue, strokes_px);
+  add(*curves.strokes, render::figure::palette::blue, strokes_px);
   add_loop_points(panel, calibration.hysteresis.points, curves.signal, true, view, curves.scale);
   return panel;
 }
 
 }  // namespace
 
-ReportFigure two_panels(const Calibration& calibration, const LoopView& view,
+ReportFigure two_panels(const calibration::Calibration& calibration, const LoopView& view,
                         const LoopCurves& curves) {
   ReportFigure out;
   out.stage = "hysteresis";

@@ -7,12 +7,12 @@
 
 #include "simulate/model_portrait.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
 struct Portrait {
-  const FrictionModelEntry* entry;
-  ModelPortrait curves;
+  const friction::FrictionModelEntry* entry;
+  simulate::ModelPortrait curves;
 };
 
 /// One experiment: which curve, how it is drawn, and what its numbers say.
@@ -22,13 +22,14 @@ struct Sitting {
   const char* explanation;
   const char* x_title;
   double x_factor;  ///< From SI to the axis' unit.
-  PortraitCurve ModelPortrait::* curve;
-  std::string (*caption)(const ModelPortrait&);
+  simulate::PortraitCurve simulate::ModelPortrait::* curve;
+  std::string (*caption)(const simulate::ModelPortrait&);
   std::vector<double> arrows;
 };
 
-render::Series series_of(const PortraitCurve& curve, double x_factor, const std::string& label) {
-  render::Series out;
+render::figure::Series series_of(const simulate::PortraitCurve& curve, double x_factor,
+                                 const std::string& label) {
+  render::figure::Series out;
   out.label = label;
   out.y = curve.torque_Nm;
   out.x.reserve(curve.x.size());
@@ -46,7 +47,7 @@ struct Range {
       high = std::max(high, v);
     }
   }
-  void set(render::Axis& axis) const {
+  void set(render::figure::Axis& axis) const {
     constexpr double margin = 0.06;
     axis.minimum = low - margin * (high - low) * (low < 0 ? 1 : 0);
     axis.maximum = high + margin * (high - low);
@@ -55,7 +56,7 @@ struct Range {
 
 ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sitting& sitting,
                    const Range& x, const Range& y) {
-  const FrictionModelEntry& entry = *portrait.entry;
+  const friction::FrictionModelEntry& entry = *portrait.entry;
   ReportFigure out;
   out.id = fmt::format("{}-{}", sitting.id, entry.name);
   std::replace(out.id.begin(), out.id.end(), '_', '-');
@@ -66,21 +67,22 @@ ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sittin
   out.figure.title = entry.title;
   out.figure.width_px = 1280;
   out.figure.height_px = 820;
-  render::Panel panel;
+  render::figure::Panel panel;
   panel.x.title = sitting.x_title;
   panel.y.title = "friction T_{f} [N]";
   x.set(panel.x);
   y.set(panel.y);
-  render::Series own = series_of(portrait.curves.*sitting.curve, sitting.x_factor, entry.title);
-  own.colour = render::palette::blue;
+  render::figure::Series own =
+      series_of(portrait.curves.*sitting.curve, sitting.x_factor, entry.title);
+  own.colour = render::figure::palette::blue;
   own.width_px = 4.0;
   own.direction_arrows_at = sitting.arrows;
   panel.series.push_back(std::move(own));
   if (portrait.entry != lugre.entry) {  // over it, in dashes: where they agree, both are seen
-    render::Series other =
+    render::figure::Series other =
         series_of(lugre.curves.*sitting.curve, sitting.x_factor, lugre.entry->title);
-    other.colour = render::palette::black;
-    other.style = render::LineStyle::dash;
+    other.colour = render::figure::palette::black;
+    other.style = render::figure::LineStyle::dash;
     other.width_px = 1.5;
     panel.series.push_back(std::move(other));
   }
@@ -95,22 +97,22 @@ std::string signed_text(double value) {
   return (value < 0 ? "−" : "+") + fmt::format("{:.4f}", std::abs(value));
 }
 
-std::string break_away_words(const ModelPortrait& p) {
+std::string break_away_words(const simulate::ModelPortrait& p) {
   return fmt::format("largest {:.3f} N, then {:.3f} N in sliding.", p.largest_Nm, p.sliding_Nm);
 }
 
-std::string static_words(const ModelPortrait& p) {
+std::string static_words(const simulate::ModelPortrait& p) {
   const auto& torque = p.steady.torque_Nm;
   return fmt::format("{:.3f} N next to rest, {:.3f} N at five Stribeck velocities.",
                      torque[torque.size() / 2], torque.back());
 }
 
-std::string loop_words(const ModelPortrait& p) {
+std::string loop_words(const simulate::ModelPortrait& p) {
   return fmt::format("torque where a small inner loop closes: {} N off where it began.",
                      signed_text(p.inner_loop_gap_Nm));
 }
 
-std::string lag_words(const ModelPortrait& p) {
+std::string lag_words(const simulate::ModelPortrait& p) {
   return fmt::format("at rising speed {} N more than at falling speed, on the average.",
                      signed_text(p.lag_Nm));
 }
@@ -122,7 +124,7 @@ std::vector<Sitting> sittings() {
        "Friction of steady sliding at each speed. The Stribeck effect is the fall from rest.",
        "speed [mm/s]",
        1e3,
-       &ModelPortrait::steady,
+       &simulate::ModelPortrait::steady,
        static_words,
        {}},
       {"presliding-loop",
@@ -132,7 +134,7 @@ std::vector<Sitting> sittings() {
        "closes where it was left, and the outer curve goes on as if nothing had been.",
        "displacement [µm]",
        1e6,
-       &ModelPortrait::loop,
+       &simulate::ModelPortrait::loop,
        loop_words,
        {0.55, 0.7, 0.85}},
       {"lag-loop",
@@ -141,7 +143,7 @@ std::vector<Sitting> sittings() {
        "forward. Friction that lags is larger at rising speed.",
        "speed [mm/s]",
        1e3,
-       &ModelPortrait::lag,
+       &simulate::ModelPortrait::lag,
        lag_words,
        {0.25, 0.75}},
       {"break-away",
@@ -150,17 +152,17 @@ std::vector<Sitting> sittings() {
        "the break-away force.",
        "displacement [µm]",
        1e6,
-       &ModelPortrait::break_away,
+       &simulate::ModelPortrait::break_away,
        break_away_words,
        {}}};
 }
 
 }  // namespace
 
-std::vector<ModelExperiment> model_experiments(const ContactParameters& contact) {
+std::vector<ModelExperiment> model_experiments(const friction::ContactParameters& contact) {
   std::vector<Portrait> portraits;
-  for (const FrictionModelEntry& entry : dynamic_friction_models()) {
-    portraits.push_back({&entry, portrait_of(entry, contact)});
+  for (const friction::FrictionModelEntry& entry : friction::dynamic_friction_models()) {
+    portraits.push_back({&entry, simulate::portrait_of(entry, contact)});
   }
   const auto lugre = std::find_if(portraits.begin(), portraits.end(),
                                   [](const Portrait& p) { return p.entry->name == "lugre"; });
@@ -169,7 +171,7 @@ std::vector<ModelExperiment> model_experiments(const ContactParameters& contact)
     Range x;
     Range y;
     for (const Portrait& one : portraits) {
-      const PortraitCurve& curve = one.curves.*sitting.curve;
+      const simulate::PortraitCurve& curve = one.curves.*sitting.curve;
       std::vector<double> scaled = curve.x;
       for (double& value : scaled) value *= sitting.x_factor;
       x.add(scaled);
@@ -184,4 +186,4 @@ std::vector<ModelExperiment> model_experiments(const ContactParameters& contact)
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

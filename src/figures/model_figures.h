@@ -7,7 +7,7 @@
 #include "figures/report_figure.h"
 #include "friction/catalogue.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// The charts of one experiment, one a model; all with the same axes, and LuGre's curve
 /// over each in dashes.
@@ -20,6 +20,6 @@ struct ModelExperiment {
 
 /// Static curve, pre-sliding loop, frictional lag and break-away of every model, with parameters
 /// that match the contact.
-std::vector<ModelExperiment> model_experiments(const ContactParameters& contact);
+std::vector<ModelExperiment> model_experiments(const friction::ContactParameters& contact);
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

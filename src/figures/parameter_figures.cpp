@@ -17,8 +17,8 @@ namespace tribolog::figures {
 
 namespace {
 
-namespace colour = render::palette;
-using render::LineStyle;
+namespace colour = render::figure::palette;
+using render::figure::LineStyle;
 
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 constexpr double chosen_px = 5.0;
@@ -27,25 +27,27 @@ constexpr double circle_px = 31.0;
 constexpr double diamond_px = 14.0;
 
 struct LawStyle {
-  render::Colour colour;
-  LineStyle style;
+  render::figure::Colour colour;
+  render::figure::LineStyle style;
 };
 
-LawStyle style_of(CurveLaw law) {
-  constexpr std::array<LawStyle, 5> styles{{{colour::grey, LineStyle::dot},
-                                            {colour::green, LineStyle::dash},
-                                            {colour::orange, LineStyle::dash_dot},
-                                            {colour::purple, LineStyle::dash_dot_dot},
-                                            {colour::black, LineStyle::solid}}};
+LawStyle style_of(method::viscous::CurveLaw law) {
+  constexpr std::array<LawStyle, 5> styles{
+      {{colour::grey, render::figure::LineStyle::dot},
+       {colour::green, render::figure::LineStyle::dash},
+       {colour::orange, render::figure::LineStyle::dash_dot},
+       {colour::purple, render::figure::LineStyle::dash_dot_dot},
+       {colour::black, render::figure::LineStyle::solid}}};
   return styles[static_cast<std::size_t>(law)];
 }
 
-render::Panel curves_panel(const Calibration& c, const AxisScale& scale) {
-  const CurveModelChoice& choice = c.curve_model;
-  render::Panel panel;
-  panel.x.title = "size of " + speed_quantity(c.manifest) + " [rad/s]";
-  panel.y.title = axis_title("friction along the motion T_{f}", scale);
-  const Extent speeds = extent_of(choice.curve_speed_rad_s);
+render::figure::Panel curves_panel(const calibration::Calibration& c,
+                                   const wording::AxisScale& scale) {
+  const method::viscous::CurveModelChoice& choice = c.curve_model;
+  render::figure::Panel panel;
+  panel.x.title = "size of " + wording::speed_quantity(c.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
+  const wording::Extent speeds = wording::extent_of(choice.curve_speed_rad_s);
   if (speeds.low > 0 && speeds.high > wide_range * speeds.low) {
     panel.x.logarithmic = true;
     panel.x.minimum = 0.8 * speeds.low;
@@ -53,41 +55,43 @@ render::Panel curves_panel(const Calibration& c, const AxisScale& scale) {
   }
   add_folded_curve(panel, c, choice.curve, scale, true);
   panel.error_bars.clear();  // those are figure 21's
-  for (render::Series& series : panel.series) {
+  for (render::figure::Series& series : panel.series) {
     // To be seen beside the lines, and both where the directions agree.
     const bool is_backward = series.label.find("backward") != std::string::npos;
     series.marker_size_px = is_backward ? diamond_px : circle_px;
   }
-  for (const CurveModelTrial& trial : choice.ladder) {
+  for (const method::viscous::CurveModelTrial& trial : choice.ladder) {
     if (!trial.excluded_because.empty()) continue;
     const bool is_chosen = trial.model.law == choice.chosen.law;
     const LawStyle style = style_of(trial.model.law);
-    add_visible(panel, line(in_words(trial.model.law) + (is_chosen ? " (chosen)" : ""),
-                            choice.curve_speed_rad_s, shown(trial.curve_Nm, scale), style.colour,
-                            is_chosen ? chosen_px : other_px, style.style));
+    add_visible(panel,
+                line(method::viscous::in_words(trial.model.law) + (is_chosen ? " (chosen)" : ""),
+                     choice.curve_speed_rad_s, shown(trial.curve_Nm, scale), style.colour,
+                     is_chosen ? chosen_px : other_px, style.style));
   }
   return panel;
 }
 
-render::Panel errors_panel(const CurveModelChoice& choice) {
-  Extent errors;
-  for (const CurveModelTrial& t : choice.ladder) {
+render::figure::Panel errors_panel(const method::viscous::CurveModelChoice& choice) {
+  wording::Extent errors;
+  for (const method::viscous::CurveModelTrial& t : choice.ladder) {
     if (!t.excluded_because.empty()) continue;
     errors.add(t.held_out_rms_Nm);
     errors.add(t.training_rms_Nm);
   }
-  const AxisScale scale = prefixed("N·m", errors.largest());
-  render::Panel panel;
+  const wording::AxisScale scale = wording::prefixed("N·m", errors.largest());
+  render::figure::Panel panel;
   panel.x.title = "parameters of the model";
   panel.x.counts = true;
-  panel.y.title = axis_title("rms error", scale);
+  panel.y.title = wording::axis_title("rms error", scale);
   panel.y.minimum = 0;
-  render::Series held = line("at speeds held out: decides", {}, {}, colour::vermilion);
-  render::Series training = line("on its own data", {}, {}, colour::blue, 2.5, LineStyle::dash);
-  held.marker = render::Marker::circle;
-  training.marker = render::Marker::square;
+  render::figure::Series held = line("at speeds held out: decides", {}, {}, colour::vermilion);
+  render::figure::Series training =
+      line("on its own data", {}, {}, colour::blue, 2.5, render::figure::LineStyle::dash);
+  held.marker = render::figure::Marker::circle;
+  training.marker = render::figure::Marker::square;
   held.marker_size_px = training.marker_size_px = 13.0;
-  for (const CurveModelTrial& t : choice.ladder) {
+  for (const method::viscous::CurveModelTrial& t : choice.ladder) {
     if (!t.excluded_because.empty()) continue;
     const double parameters = t.model.parameters();
     held.x.push_back(parameters);
@@ -95,11 +99,12 @@ render::Panel errors_panel(const CurveModelChoice& choice) {
     held.y.push_back(scale(t.held_out_rms_Nm));
     training.y.push_back(scale(t.training_rms_Nm));
     if (t.model.law == choice.chosen.law) {
-      add_visible(panel, render::PointLabel{parameters, held.y.back(), "chosen", colour::vermilion,
-                                            render::Marker::none});
+      add_visible(panel,
+                  render::figure::PointLabel{parameters, held.y.back(), "chosen", colour::vermilion,
+                                             render::figure::Marker::none});
     }
   }
-  const Extent counts = extent_of(held.x);
+  const wording::Extent counts = wording::extent_of(held.x);
   panel.x.minimum = counts.low - 0.5;
   panel.x.maximum = counts.high + 0.5;
   add_visible(panel, std::move(held));
@@ -109,25 +114,27 @@ render::Panel errors_panel(const CurveModelChoice& choice) {
 
 }  // namespace
 
-std::optional<ReportFigure> curve_model_figure(const Calibration& c) {
-  const CurveModelChoice& choice = c.curve_model;
-  const ViscousCurve* curve = c.viscous.find(choice.curve);
+std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c) {
+  const method::viscous::CurveModelChoice& choice = c.curve_model;
+  const method::viscous::ViscousCurve* curve = c.viscous.find(choice.curve);
   if (!choice.chosen_any || curve == nullptr) return std::nullopt;
-  const CurveModelTrial* chosen = choice.find(choice.chosen.law);
+  const method::viscous::CurveModelTrial* chosen = choice.find(choice.chosen.law);
   if (chosen == nullptr) return std::nullopt;
   ReportFigure out;
   out.id = "fig-curve-models";
   out.title = "Which friction model the curve carries";
   out.stage = "friction_parameters";
   out.figure.panels.push_back(
-      curves_panel(c, prefixed("N·m", extent_of(curve->friction_Nm).largest())));
+      curves_panel(c, wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest())));
   if (out.figure.panels.front().series.empty()) return std::nullopt;
   out.figure.panels.push_back(errors_panel(choice));
   out.figure.height_px = 1400;
-  const std::string error = size_words(chosen->held_out_rms_Nm, torque_floor_Nm, "N·m");
+  const std::string error =
+      wording::size_words(chosen->held_out_rms_Nm, wording::torque_floor_Nm, "N·m");
   out.caption = fmt::format(
-      "Chosen: {} ({}), with an error of {} at speeds held out.", in_words(choice.chosen),
-      counted(static_cast<std::size_t>(choice.chosen.parameters()), "parameter"), error);
+      "Chosen: {} ({}), with an error of {} at speeds held out.",
+      method::viscous::in_words(choice.chosen),
+      wording::counted(static_cast<std::size_t>(choice.chosen.parameters()), "parameter"), error);
   out.how_to_read =
       "Above, the models on the curve; where a term for load or direction was taken up they are "
       "drawn at the mean load and the mean of the directions, and the points scatter about them. "
@@ -138,14 +145,15 @@ std::optional<ReportFigure> curve_model_figure(const Calibration& c) {
   out.alt = fmt::format(
       "Friction curves of {} over the measured curve, and their errors over the "
       "number of parameters. Chosen: {}, {} at speeds held out.",
-      counted(choice.ladder.size(), "model"), in_words(choice.chosen), error);
+      wording::counted(choice.ladder.size(), "model"), method::viscous::in_words(choice.chosen),
+      error);
   return out;
 }
 
 namespace {
 
-void add_line(render::Panel& panel, const std::optional<DirectionLine>& l, bool rising,
-              const AxisScale& scale) {
+void add_line(render::figure::Panel& panel, const std::optional<method::viscous::DirectionLine>& l,
+              bool rising, const wording::AxisScale& scale) {
   if (!l) return;
   const auto at = [&](double w) {
     return scale(l->coulomb_Nm.value + l->viscous_Nms_rad.value * w);
@@ -154,35 +162,38 @@ void add_line(render::Panel& panel, const std::optional<DirectionLine>& l, bool 
       panel,
       line(rising ? "line, forward" : "line, backward", {l->slowest_rad_s, l->fastest_rad_s},
            {at(l->slowest_rad_s), at(l->fastest_rad_s)}, rising ? rising_colour : falling_colour,
-           4.0, rising ? render::LineStyle::solid : render::LineStyle::dash));
+           4.0, rising ? render::figure::LineStyle::solid : render::figure::LineStyle::dash));
 }
 
-std::string words(const std::optional<DirectionLine>& l, const char* direction) {
+std::string words(const std::optional<method::viscous::DirectionLine>& l, const char* direction) {
   if (!l) return fmt::format(" {}: too few speeds.", direction);
   return fmt::format(
       " {}: Coulomb {}, viscous {}, from {}.", direction,
-      with_interval(l->coulomb_Nm, prefixed("N·m", l->coulomb_Nm.value)),
-      with_interval(l->viscous_Nms_rad, prefixed("N·m·s/rad", l->viscous_Nms_rad.value)),
-      counted(l->runs, "run"));
+      wording::with_interval(l->coulomb_Nm, wording::prefixed("N·m", l->coulomb_Nm.value)),
+      wording::with_interval(l->viscous_Nms_rad,
+                             wording::prefixed("N·m·s/rad", l->viscous_Nms_rad.value)),
+      wording::counted(l->runs, "run"));
 }
 
 }  // namespace
 
-std::optional<ReportFigure> direction_lines_figure(const Calibration& c) {
+std::optional<ReportFigure> direction_lines_figure(const calibration::Calibration& c) {
   if (c.viscous.from_sweep) return std::nullopt;
-  const CurveDirectionLines* lines = c.direction_lines.find(stated_estimator);
+  const method::viscous::CurveDirectionLines* lines =
+      c.direction_lines.find(method::hysteresis::stated_estimator);
   if (lines == nullptr) lines = c.direction_lines.find(c.selection.recommended);
   if (lines == nullptr || (!lines->rising && !lines->falling)) return std::nullopt;
-  const ViscousCurve* curve = c.viscous.find(lines->estimator);
+  const method::viscous::ViscousCurve* curve = c.viscous.find(lines->estimator);
   if (curve == nullptr) return std::nullopt;
-  const AxisScale scale = prefixed("N·m", extent_of(curve->friction_Nm).largest());
+  const wording::AxisScale scale =
+      wording::prefixed("N·m", wording::extent_of(curve->friction_Nm).largest());
   ReportFigure out;
   out.id = "fig-directions";
   out.title = "Friction of each direction";
   out.stage = "friction_parameters";
-  render::Panel panel;
-  panel.x.title = "size of " + speed_quantity(c.manifest) + " [rad/s]";
-  panel.y.title = axis_title("friction along the motion T_{f}", scale);
+  render::figure::Panel panel;
+  panel.x.title = "size of " + wording::speed_quantity(c.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
   add_folded_curve(panel, c, lines->estimator, scale, true);
   add_line(panel, lines->rising, true, scale);
   add_line(panel, lines->falling, false, scale);
@@ -198,66 +209,70 @@ std::optional<ReportFigure> direction_lines_figure(const Calibration& c) {
   out.alt = fmt::format(
       "Friction over the size of the {} speed, forward and backward, each with a "
       "straight line.{}{}",
-      shaft(c.manifest), words(lines->rising, "Forward"), words(lines->falling, "Backward"));
+      wording::shaft(c.manifest), words(lines->rising, "Forward"),
+      words(lines->falling, "Backward"));
   return out;
 }
 
 namespace {
 
-render::Series markers(const std::string& label, std::vector<double> x, std::vector<double> y) {
-  render::Series s = line(label, std::move(x), std::move(y), render::palette::blue);
-  s.style = render::LineStyle::none;
-  s.marker = render::Marker::circle;
+render::figure::Series markers(const std::string& label, std::vector<double> x,
+                               std::vector<double> y) {
+  render::figure::Series s = line(label, std::move(x), std::move(y), render::figure::palette::blue);
+  s.style = render::figure::LineStyle::none;
+  s.marker = render::figure::Marker::circle;
   s.marker_size_px = 12.0;
   return s;
 }
 
-render::Panel over_load(const LoadDependenceResult& r, const AxisScale& scale) {
+render::figure::Panel over_load(const method::viscous::LoadDependenceResult& r,
+                                const wording::AxisScale& scale) {
   const double viscous = r.viscous_Nms_rad ? r.viscous_Nms_rad->value : 0.0;
   std::vector<double> load;
   std::vector<double> friction;
-  for (const LoadPoint& p : r.points) {
+  for (const method::viscous::LoadPoint& p : r.points) {
     load.push_back(scale(p.load_Nm));
     friction.push_back(scale(p.friction_Nm - viscous * p.speed_rad_s));
   }
-  render::Panel panel;
-  panel.x.title = axis_title("size of the gravity torque", scale);
-  panel.y.title =
-      axis_title(r.viscous_Nms_rad ? "friction less its viscous part" : "friction T_{f}", scale);
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("size of the gravity torque", scale);
+  panel.y.title = wording::axis_title(
+      r.viscous_Nms_rad ? "friction less its viscous part" : "friction T_{f}", scale);
   add_visible(panel, markers("(T(+) − T(−)) / 2 at equal angle", load, friction));
   const auto fitted = [&](double at) { return scale(r.unloaded_Nm.value + r.per_load.value * at); };
   const std::vector<double> ends{r.lowest_load_Nm, r.highest_load_Nm};
   add_visible(panel, line("fit", shown(ends, scale), {fitted(ends[0]), fitted(ends[1])},
-                          render::palette::vermilion, 4.0));
+                          render::figure::palette::vermilion, 4.0));
   return panel;
 }
 
-render::Panel over_angle(const Calibration& c, const AxisScale& scale) {
+render::figure::Panel over_angle(const calibration::Calibration& c,
+                                 const wording::AxisScale& scale) {
   std::vector<double> angle;
   std::vector<double> friction;
   std::vector<double> fit;
-  for (const LoadPoint& p : c.load_dependence.points) {
-    angle.push_back(degrees()(p.q_rad));
+  for (const method::viscous::LoadPoint& p : c.load_dependence.points) {
+    angle.push_back(wording::degrees()(p.q_rad));
     friction.push_back(scale(p.friction_Nm));
     fit.push_back(scale(p.fit_Nm));
   }
-  render::Panel panel;
+  render::figure::Panel panel;
   panel.x.title = "joint angle q [°]";
-  panel.y.title = axis_title("friction T_{f}", scale);
+  panel.y.title = wording::axis_title("friction T_{f}", scale);
   add_visible(panel, markers("(T(+) − T(−)) / 2 at equal angle", angle, friction));
-  add_visible(panel, line("fit", angle, fit, render::palette::vermilion, 4.0));
+  add_visible(panel, line("fit", angle, fit, render::figure::palette::vermilion, 4.0));
   panel.show_legend = false;
   return panel;
 }
 
 }  // namespace
 
-std::optional<ReportFigure> load_dependence_figure(const Calibration& c) {
-  const LoadDependenceResult& r = c.load_dependence;
+std::optional<ReportFigure> load_dependence_figure(const calibration::Calibration& c) {
+  const method::viscous::LoadDependenceResult& r = c.load_dependence;
   if (!r.examined || r.points.empty()) return std::nullopt;
-  Extent friction;
-  for (const LoadPoint& p : r.points) friction.add(p.friction_Nm);
-  const AxisScale scale = prefixed("N·m", friction.largest());
+  wording::Extent friction;
+  for (const method::viscous::LoadPoint& p : r.points) friction.add(p.friction_Nm);
+  const wording::AxisScale scale = wording::prefixed("N·m", friction.largest());
   ReportFigure out;
   out.id = "fig-load-dependence";
   out.title = "Friction against load";
@@ -276,9 +291,10 @@ std::optional<ReportFigure> load_dependence_figure(const Calibration& c) {
       "Points along a rising line are friction that grows with the load; below, it then has its "
       "least where gravity torque passes zero. A fit that misses a pattern over the angle means "
       "friction that depends on the angle itself.";
-  out.alt = fmt::format(
-      "Friction over the gravity torque from {} to {}, and over the joint angle. {}",
-      with_unit(r.lowest_load_Nm, scale, 3), with_unit(r.highest_load_Nm, scale, 3), out.caption);
+  out.alt =
+      fmt::format("Friction over the gravity torque from {} to {}, and over the joint angle. {}",
+                  wording::with_unit(r.lowest_load_Nm, scale, 3),
+                  wording::with_unit(r.highest_load_Nm, scale, 3), out.caption);
   return out;
 }
 

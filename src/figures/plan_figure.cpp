@@ -7,46 +7,46 @@
 
 #include <fmt/format.h>
 
-#include "export/plan/plan_table.h"
+#include "exports/experiment/plan_table.h"
 #include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/number_text.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
-namespace colour = render::palette;
+namespace colour = render::figure::palette;
 
 struct PartLook {
-  Role role;
-  render::Colour colour;
+  joint::Role role;
+  render::figure::Colour colour;
 };
 
-const std::vector<PartLook> all_parts{{Role::rough_sweep, colour::blue},
-                                      {Role::precise_sweep, colour::purple},
-                                      {Role::oscillation, colour::vermilion},
-                                      {Role::constant_speed, colour::green},
-                                      {Role::break_away, colour::orange}};
+const std::vector<PartLook> all_parts{{joint::Role::rough_sweep, colour::blue},
+                                      {joint::Role::precise_sweep, colour::purple},
+                                      {joint::Role::oscillation, colour::vermilion},
+                                      {joint::Role::constant_speed, colour::green},
+                                      {joint::Role::break_away, colour::orange}};
 
 /// A signal at a time of the plan.
-using Signal = double (*)(const ExperimentPlan&, double t_s);
+using Signal = double (*)(const plan::ExperimentPlan&, double t_s);
 
-double angle_deg(const ExperimentPlan& plan, double t) {
-  return plan.angle_rad(t) * degrees_per_rad;
+double angle_deg(const plan::ExperimentPlan& plan, double t) {
+  return plan.angle_rad(t) * joint::degrees_per_rad;
 }
-double motor_speed(const ExperimentPlan& plan, double t) {
+double motor_speed(const plan::ExperimentPlan& plan, double t) {
   return plan.speed_rad_s(t) * plan.joint.facts.gear_ratio;
 }
-double ramp_torque(const ExperimentPlan& plan, double t) {
-  const PlannedSegment& s = plan.segments[plan.segment_at(t)];
+double ramp_torque(const plan::ExperimentPlan& plan, double t) {
+  const plan::PlannedSegment& s = plan.segments[plan.segment_at(t)];
   const bool leads = s.ramp && t >= s.from_s && t < s.to_s;
   return leads ? s.ramp->direction * s.ramp->rate_Nm_s * (t - s.from_s) : 0;
 }
 
 /// A stretch of the signal, evenly sampled.
-render::Series stretch(const ExperimentPlan& plan, Signal signal, double from_s, double to_s,
-                       int samples, double t_factor) {
-  render::Series series;
+render::figure::Series stretch(const plan::ExperimentPlan& plan, Signal signal, double from_s,
+                               double to_s, int samples, double t_factor) {
+  render::figure::Series series;
   for (int i = 0; i <= samples; ++i) {
     const double t = from_s + (to_s - from_s) * i / samples;
     series.x.push_back(t * t_factor);
@@ -59,16 +59,17 @@ constexpr int samples_of_segment = 400;
 constexpr double minutes_per_s = 1 / 60.0;
 
 /// The signal over the whole time, with the recordings of some parts on top of it.
-render::Panel time_panel(const ExperimentPlan& plan, const std::string& y_title, Signal signal,
-                         const std::vector<PartLook>& parts, bool with_legend) {
-  render::Panel panel;
+render::figure::Panel time_panel(const plan::ExperimentPlan& plan, const std::string& y_title,
+                                 Signal signal, const std::vector<PartLook>& parts,
+                                 bool with_legend) {
+  render::figure::Panel panel;
   panel.x.title = "time t [min]";
   panel.y.title = y_title;
   panel.show_legend = with_legend;
   // By segments: a travel lasts a moment, and its peak must not fall between two samples.
-  render::Series between;
-  for (const PlannedSegment& s : plan.segments) {
-    const render::Series part =
+  render::figure::Series between;
+  for (const plan::PlannedSegment& s : plan.segments) {
+    const render::figure::Series part =
         stretch(plan, signal, s.start_s, s.end_s(), samples_of_segment, minutes_per_s);
     between.x.insert(between.x.end(), part.x.begin(), part.x.end());
     between.y.insert(between.y.end(), part.y.begin(), part.y.end());
@@ -76,24 +77,24 @@ render::Panel time_panel(const ExperimentPlan& plan, const std::string& y_title,
   between.label = with_legend ? "travel and rest" : "";
   between.colour = colour::grey;
   between.width_px = 2;
-  figures::add_visible(panel, std::move(between));
+  add_visible(panel, std::move(between));
   for (const PartLook& look : parts) {
     bool is_first = true;
-    for (const PlannedSegment& s : plan.segments) {
+    for (const plan::PlannedSegment& s : plan.segments) {
       if (s.role != look.role) continue;
-      render::Series series =
+      render::figure::Series series =
           stretch(plan, signal, s.from_s, s.to_s, samples_of_segment, minutes_per_s);
-      if (is_first && with_legend) series.label = part_title(look.role);
+      if (is_first && with_legend) series.label = exports::experiment::part_title(look.role);
       is_first = false;
       series.colour = look.colour;
       series.width_px = 3.5;
-      figures::add_visible(panel, std::move(series));
+      add_visible(panel, std::move(series));
     }
   }
   return panel;
 }
 
-ReportFigure motion_figure(const ExperimentPlan& plan) {
+ReportFigure motion_figure(const plan::ExperimentPlan& plan) {
   ReportFigure out;
   out.id = "plan-motion";
   out.title = "The plan over time";
@@ -101,7 +102,7 @@ ReportFigure motion_figure(const ExperimentPlan& plan) {
   out.figure.panels = {
       time_panel(plan, "joint angle q [°]", angle_deg, all_parts, true),
       time_panel(plan, "motor speed dφ/dt [rad/s]", motor_speed, all_parts, false)};
-  const bool has_ramps = plan.part(Role::break_away).recordings > 0;
+  const bool has_ramps = plan.part(joint::Role::break_away).recordings > 0;
   if (has_ramps) {
     out.figure.panels.push_back(
         time_panel(plan, "ramp torque, motor [N·m]", ramp_torque, {all_parts.back()}, false));
@@ -109,12 +110,13 @@ ReportFigure motion_figure(const ExperimentPlan& plan) {
   out.figure.panels_share_x = true;
   out.figure.height_px = has_ramps ? 1400 : 1050;
   std::vector<std::string> parts;
-  for (const PlannedPart& part : plan.parts) {
+  for (const plan::PlannedPart& part : plan.parts) {
     if (part.recordings == 0) continue;
-    parts.push_back(fmt::format("{} ({})", part_title(part.role), duration_text(part.duration_s)));
+    parts.push_back(fmt::format("{} ({})", exports::experiment::part_title(part.role),
+                                exports::experiment::duration_text(part.duration_s)));
   }
-  out.caption =
-      fmt::format("{} in all: {}.", duration_text(plan.duration_s()), figures::listed(parts));
+  out.caption = fmt::format("{} in all: {}.", exports::experiment::duration_text(plan.duration_s()),
+                            wording::listed(parts));
   out.how_to_read = "Coloured: what is recorded and identified; grey: travel and rest between.";
   if (!plan.positions_rad.empty()) {
     out.how_to_read += " The oscillations are too small to be seen at this scale.";
@@ -122,14 +124,15 @@ ReportFigure motion_figure(const ExperimentPlan& plan) {
   if (has_ramps)
     out.how_to_read += " During the ramps the set angle stands while the torque rises.";
   out.alt = fmt::format("{} panels over {}: joint angle, motor speed{}.", has_ramps ? 3 : 2,
-                        duration_text(plan.duration_s()), has_ramps ? " and ramp torque" : "");
+                        exports::experiment::duration_text(plan.duration_s()),
+                        has_ramps ? " and ramp torque" : "");
   return out;
 }
 
-std::optional<ReportFigure> oscillation_figure(const ExperimentPlan& plan) {
-  const auto first =
-      std::find_if(plan.segments.begin(), plan.segments.end(),
-                   [](const PlannedSegment& s) { return s.role == Role::oscillation; });
+std::optional<ReportFigure> oscillation_figure(const plan::ExperimentPlan& plan) {
+  const auto first = std::find_if(
+      plan.segments.begin(), plan.segments.end(),
+      [](const plan::PlannedSegment& s) { return s.role == joint::Role::oscillation; });
   if (first == plan.segments.end()) return std::nullopt;
   const double from = std::max(0.0, first->start_s - 0.1);
   const double period = 1 / plan.frequency_Hz;
@@ -139,20 +142,22 @@ std::optional<ReportFigure> oscillation_figure(const ExperimentPlan& plan) {
   out.id = "plan-oscillation";
   out.title = "Start of the first oscillation";
   out.stage = "plan";
-  render::Panel panel;
+  render::figure::Panel panel;
   panel.x.title = "time t [s]";
-  panel.y.title =
-      fmt::format("q − ({}) [µrad]", figures::significant(centre * degrees_per_rad, 6) + "°");
-  render::Series before = stretch(plan, angle_deg, from, first->from_s, samples_of_segment, 1);
+  panel.y.title = fmt::format("q − ({}) [µrad]",
+                              wording::significant(centre * joint::degrees_per_rad, 6) + "°");
+  render::figure::Series before =
+      stretch(plan, angle_deg, from, first->from_s, samples_of_segment, 1);
   before.label = "travel, rest and start";
   before.colour = colour::grey;
-  render::Series recorded = stretch(plan, angle_deg, first->from_s, to, 4 * samples_of_segment, 1);
+  render::figure::Series recorded =
+      stretch(plan, angle_deg, first->from_s, to, 4 * samples_of_segment, 1);
   recorded.label = "recorded: whole cycles of a sine";
   recorded.colour = colour::vermilion;
   recorded.width_px = 3.5;
-  for (render::Series* s : {&before, &recorded}) {
-    for (double& y : s->y) y = (y * rad_per_degree - centre) * 1e6;
-    figures::add_visible(panel, std::move(*s));
+  for (render::figure::Series* s : {&before, &recorded}) {
+    for (double& y : s->y) y = (y * joint::rad_per_degree - centre) * 1e6;
+    add_visible(panel, std::move(*s));
   }
   out.figure.panels = {std::move(panel)};
   out.figure.height_px = 700;
@@ -160,9 +165,10 @@ std::optional<ReportFigure> oscillation_figure(const ExperimentPlan& plan) {
       "Three cycles of the first of {} oscillations: amplitude {} µrad at the joint, {} mrad at "
       "the "
       "motor, {} Hz.",
-      plan.part(Role::oscillation).recordings, figures::significant(plan.amplitude_rad * 1e6, 3),
-      figures::significant(plan.amplitude_rad * plan.joint.facts.gear_ratio * 1e3, 3),
-      figures::significant(plan.frequency_Hz, 3));
+      plan.part(joint::Role::oscillation).recordings,
+      wording::significant(plan.amplitude_rad * 1e6, 3),
+      wording::significant(plan.amplitude_rad * plan.joint.facts.gear_ratio * 1e3, 3),
+      wording::significant(plan.frequency_Hz, 3));
   out.how_to_read =
       "The speed rises from rest without a jump before the first recorded cycle and falls to rest "
       "behind the last. The log must show such a sine: a drive that smooths its set points, or a "
@@ -173,7 +179,7 @@ std::optional<ReportFigure> oscillation_figure(const ExperimentPlan& plan) {
 
 }  // namespace
 
-std::vector<ReportFigure> plan_figures(const ExperimentPlan& plan) {
+std::vector<ReportFigure> plan_figures(const plan::ExperimentPlan& plan) {
   if (plan.segments.empty()) return {};
   std::vector<ReportFigure> all{motion_figure(plan)};
   if (auto close = oscillation_figure(plan)) all.push_back(std::move(*close));
@@ -184,4 +190,4 @@ std::vector<ReportFigure> plan_figures(const ExperimentPlan& plan) {
   return all;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

@@ -9,7 +9,7 @@
 #include "render/figure/figure.h"
 #include "wording/axis_scale.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// `title`, `caption`, `how_to_read` and `alt` are plain UTF-8 text: no markup, no HTML.
 /// Texts inside `figure` use the markup of render/figure/figure.h.
@@ -21,34 +21,30 @@ struct ReportFigure {
   std::string how_to_read;  ///< What to look for, and what a bad one looks like.
   std::string alt;          ///< The picture in words, made from the numbers.
   std::string stage;        ///< Name of the StageReport that it belongs to.
-  render::Figure figure;
+  render::figure::Figure figure;
 };
-
-}  // namespace tribolog
-
-namespace tribolog::figures {
 
 // Numbers of a recording or a result made ready for a panel: scaled, selected, never altered.
 
 /// All values as the axis shows them.
-std::vector<double> shown(const std::vector<double>& si_values, const AxisScale& scale);
+std::vector<double> shown(const std::vector<double>& si_values, const wording::AxisScale& scale);
 
 /// A line with the shorter of the two lengths.
-render::Series line(const std::string& label, std::vector<double> x, std::vector<double> y,
-                    render::Colour colour, double width_px = 2.5,
-                    render::LineStyle style = render::LineStyle::solid);
+render::figure::Series line(const std::string& label, std::vector<double> x, std::vector<double> y,
+                            render::figure::Colour colour, double width_px = 2.5,
+                            render::figure::LineStyle style = render::figure::LineStyle::solid);
 
 /// Adds the series if at least one of its points can be drawn.
 /// @return whether it was added.
-bool add_visible(render::Panel& panel, render::Series series);
+bool add_visible(render::figure::Panel& panel, render::figure::Series series);
 
 /// Adds the labelled point if it can be drawn.
-void add_visible(render::Panel& panel, render::PointLabel label);
+void add_visible(render::figure::Panel& panel, render::figure::PointLabel label);
 
 /// The colour mixed with white. Opaque: where a pale line crosses itself it grows no darker.
-render::Colour lightened(render::Colour colour, double share_of_white);
+render::figure::Colour lightened(render::figure::Colour colour, double share_of_white);
 
 /// The same colour, `alpha` of 255 opaque.
-render::Colour faded(render::Colour colour, int alpha);
+render::figure::Colour faded(render::figure::Colour colour, int alpha);
 
 }  // namespace tribolog::figures

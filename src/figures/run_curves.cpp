@@ -20,9 +20,10 @@ namespace {
 constexpr double bin_px = 14.0;  // a bin's marker, on which the reference's still leaves a ring
 constexpr int reference_points = 200;
 
-std::vector<double> speeds_of(const ViscousCurvesResult& viscous) {
+std::vector<double> speeds_of(const method::viscous::ViscousCurvesResult& viscous) {
   std::vector<double> speeds;
-  for (const ConstantSpeedRun& run : viscous.runs) speeds.push_back(run.speed_rad_s);
+  for (const method::viscous::ConstantSpeedRun& run : viscous.runs)
+    speeds.push_back(run.speed_rad_s);
   return speeds;
 }
 
@@ -31,9 +32,10 @@ bool on_side(double speed, bool positive) { return positive ? speed > 0.0 : spee
 
 }  // namespace
 
-void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
+void add_run_curve(render::figure::Panel& panel,
+                   const method::viscous::ViscousCurvesResult& viscous,
                    const std::string& estimator, const std::string& label,
-                   const std::vector<double>& values, const AxisScale& scale) {
+                   const std::vector<double>& values, const wording::AxisScale& scale) {
   const std::vector<double> speeds = speeds_of(viscous);
   const std::size_t size = std::min(speeds.size(), values.size());
   bool labelled = false;
@@ -45,12 +47,12 @@ void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
       x.push_back(speeds[i]);
       y.push_back(scale(values[i]));
     }
-    render::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
+    render::figure::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
     apply(estimator_style(estimator), series);
     if (viscous.from_sweep) {
-      series.style = render::LineStyle::none;
+      series.style = render::figure::LineStyle::none;
 
-      series.marker = render::Marker::circle;
+      series.marker = render::figure::Marker::circle;
       if (estimator != "reference") series.marker_size_px = bin_px;
     }
 
@@ -58,7 +60,8 @@ void add_run_curve(render::Panel& panel, const ViscousCurvesResult& viscous,
   }
 }
 
-void add_reference(render::Panel& panel, const Calibration& calibration, const AxisScale& scale) {
+void add_reference(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                   const wording::AxisScale& scale) {
   const auto& analytic = calibration.manifest.reference;
   const std::string label = reference_label(calibration);
   if (calibration.quality.reference != "analytic" || !analytic) {
@@ -66,7 +69,7 @@ void add_reference(render::Panel& panel, const Calibration& calibration, const A
                   scale);
     return;
   }
-  const Extent speeds = extent_of(speeds_of(calibration.viscous));
+  const wording::Extent speeds = wording::extent_of(speeds_of(calibration.viscous));
   bool labelled = false;
   for (const double end : {speeds.low, speeds.high}) {
     std::vector<double> x;
@@ -77,18 +80,18 @@ void add_reference(render::Panel& panel, const Calibration& calibration, const A
       x.push_back(end * share);
       y.push_back(scale(analytic->torque_Nm(end * share)));
     }
-    render::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
+    render::figure::Series series = line(labelled ? "" : label, std::move(x), std::move(y), {});
     apply(estimator_style("reference"), series);
     labelled = add_visible(panel, std::move(series)) || labelled;
     if (speeds.low > 0.0 || speeds.high < 0.0) break;
   }
 }
 
-std::string reference_label(const Calibration& calibration) {
+std::string reference_label(const calibration::Calibration& calibration) {
   if (calibration.quality.reference != "direction_difference") {
     return "reference: " + reference_words(calibration.quality.reference);
   }
-  const std::string speed = speed_symbol(calibration.manifest);
+  const std::string speed = wording::speed_symbol(calibration.manifest);
   return "reference: (T(+" + speed + ") − T(−" + speed + ")) / 2";
 }
 
@@ -98,11 +101,12 @@ std::string reference_words(const std::string& reference) {
   return reference.empty() ? "none" : reference;
 }
 
-std::string candidate_words(const Calibration& calibration, const std::string& estimator) {
-  const SurrogateMass* mass = calibration.masses.find(estimator);
+std::string candidate_words(const calibration::Calibration& calibration,
+                            const std::string& estimator) {
+  const method::hysteresis::SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return estimator_words(estimator);
   return fmt::format("{} ({})", estimator_words(estimator),
-                     rounded(mass->mass_kg, AxisScale{1.0, "kg"}));
+                     wording::rounded(mass->mass_kg, wording::AxisScale{1.0, "kg"}));
 }
 
 namespace {
@@ -112,8 +116,9 @@ constexpr double under_px = 6.0;  // the reference lies under the fitted laws an
 constexpr int line_points = 60;   // a straight law is bent on a logarithmic axis
 
 /// A curve folded: size over size of speed, one direction.
-render::Series folded(const ViscousCurvesResult& viscous, const std::vector<double>& friction_Nm,
-                      bool forward, const AxisScale& scale) {
+render::figure::Series folded(const method::viscous::ViscousCurvesResult& viscous,
+                              const std::vector<double>& friction_Nm, bool forward,
+                              const wording::AxisScale& scale) {
   std::vector<double> x;
   std::vector<double> y;
   for (std::size_t i = 0; i < std::min(viscous.runs.size(), friction_Nm.size()); ++i) {
@@ -127,41 +132,42 @@ render::Series folded(const ViscousCurvesResult& viscous, const std::vector<doub
 }
 
 /// The two directions, strong for the recommended candidate.
-render::Colour colour_of(bool forward, bool recommended) {
+render::figure::Colour colour_of(bool forward, bool recommended) {
   if (recommended) return forward ? rising_colour : falling_colour;
-  return forward ? render::palette::sky_blue : render::palette::orange;
+  return forward ? render::figure::palette::sky_blue : render::figure::palette::orange;
 }
 
 }  // namespace
 
-void add_folded_curve(render::Panel& panel, const Calibration& calibration,
-                      const std::string& estimator, const AxisScale& scale, bool recommended) {
-  const ViscousCurve* curve = calibration.viscous.find(estimator);
+void add_folded_curve(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                      const std::string& estimator, const wording::AxisScale& scale,
+                      bool recommended) {
+  const method::viscous::ViscousCurve* curve = calibration.viscous.find(estimator);
   if (curve == nullptr) return;
   const std::string who = candidate_words(calibration, estimator);
   for (const bool forward : {true, false}) {
-    render::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
+    render::figure::Series series = folded(calibration.viscous, curve->friction_Nm, forward, scale);
     series.label = who + (forward ? ", forward" : ", backward");
     series.colour = colour_of(forward, recommended);
-    series.style = render::LineStyle::none;
+    series.style = render::figure::LineStyle::none;
     // Small on large: where the directions agree, both are seen.
     if (recommended) {
-      series.marker = forward ? render::Marker::circle : render::Marker::diamond;
+      series.marker = forward ? render::figure::Marker::circle : render::figure::Marker::diamond;
       series.marker_size_px = forward ? 23.0 : 10.0;
     } else {
-      series.marker = forward ? render::Marker::plus : render::Marker::cross;
+      series.marker = forward ? render::figure::Marker::plus : render::figure::Marker::cross;
       series.marker_size_px = 12.0;
     }
     add_visible(panel, std::move(series));
   }
   if (!recommended) return;
-  Extent sizes;
+  wording::Extent sizes;
   for (const double friction : curve->friction_Nm) sizes.add(std::abs(friction));
   const double span = sizes.span();
-  const CurveBand* band = calibration.intervals.band(estimator);
+  const method::intervals::CurveBand* band = calibration.intervals.band(estimator);
   for (std::size_t i = 0; i < std::min(calibration.viscous.runs.size(), curve->friction_Nm.size());
        ++i) {
-    const ConstantSpeedRun& run = calibration.viscous.runs[i];
+    const method::viscous::ConstantSpeedRun& run = calibration.viscous.runs[i];
     const double size = curve->friction_Nm[i] * (run.speed_rad_s > 0.0 ? 1.0 : -1.0);
     // The band carries gravity's error too; it is common to all runs.
     const double half =
@@ -172,10 +178,10 @@ void add_folded_curve(render::Panel& panel, const Calibration& calibration,
   }
 }
 
-void add_folded_reference(render::Panel& panel, const Calibration& calibration,
-                          const Extent& speeds, const AxisScale& scale) {
+void add_folded_reference(render::figure::Panel& panel, const calibration::Calibration& calibration,
+                          const wording::Extent& speeds, const wording::AxisScale& scale) {
   const auto& analytic = calibration.manifest.reference;
-  render::Series series;
+  render::figure::Series series;
   if (calibration.quality.reference == "analytic" && analytic && speeds.low > 0.0) {
     for (int i = 0; i <= line_points; ++i) {
       const double share = static_cast<double>(i) / line_points;
@@ -189,16 +195,17 @@ void add_folded_reference(render::Panel& panel, const Calibration& calibration,
   apply(estimator_style("reference"), series);
   series.width_px = under_px;
   if (calibration.viscous.from_sweep) {
-    series.style = render::LineStyle::none;
-    series.marker = render::Marker::plus;
+    series.style = render::figure::LineStyle::none;
+    series.marker = render::figure::Marker::plus;
     series.marker_size_px = 10.0;
   }
   series.label = reference_label(calibration);
   add_visible(panel, std::move(series));
 }
 
-void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& friction,
-                     const AxisScale& scale) {
+void add_fitted_laws(render::figure::Panel& panel,
+                     const method::selection::FrictionParametersResult& friction,
+                     const wording::AxisScale& scale) {
   if (friction.waiboer) {
     std::vector<double> x;
     std::vector<double> y;
@@ -210,10 +217,10 @@ void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& frict
       y.push_back(scale(friction.fit_Nm[i]));
     }
     add_visible(panel, line("Waiboer's law, fitted", std::move(x), std::move(y),
-                            render::palette::purple, 3.0, render::LineStyle::dash));
+                            render::figure::palette::purple, 3.0, render::figure::LineStyle::dash));
   }
   if (!friction.coulomb_viscous) return;
-  const CoulombViscousFit& law = *friction.coulomb_viscous;
+  const method::selection::CoulombViscousFit& law = *friction.coulomb_viscous;
   if (!(law.slowest_rad_s >= 0.0) || !std::isfinite(law.fastest_rad_s)) return;
   std::vector<double> x;
   std::vector<double> y;
@@ -223,8 +230,9 @@ void add_fitted_laws(render::Panel& panel, const FrictionParametersResult& frict
     x.push_back(speed);
     y.push_back(scale(law.coulomb_Nm.value + law.viscous_Nms_rad.value * speed));
   }
-  add_visible(panel, line("Coulomb + viscous, fitted", std::move(x), std::move(y),
-                          render::palette::green, 3.0, render::LineStyle::dash_dot));
+  add_visible(panel,
+              line("Coulomb + viscous, fitted", std::move(x), std::move(y),
+                   render::figure::palette::green, 3.0, render::figure::LineStyle::dash_dot));
 }
 
 }  // namespace tribolog::figures

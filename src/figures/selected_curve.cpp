@@ -15,35 +15,37 @@ namespace {
 
 constexpr double wide_range = 30.0;  // fastest over slowest: a logarithmic axis shows the dip
 
-std::string fit_words(const Calibration& calibration) {
-  const FrictionParametersResult& friction = calibration.friction;
+std::string fit_words(const calibration::Calibration& calibration) {
+  const method::selection::FrictionParametersResult& friction = calibration.friction;
   std::string text;
   if (friction.coulomb_viscous) {
-    const CoulombViscousFit& law = *friction.coulomb_viscous;
+    const method::selection::CoulombViscousFit& law = *friction.coulomb_viscous;
     text += fmt::format(
         " Coulomb friction {}, viscous {} at the {}.",
-        with_interval(law.coulomb_Nm, prefixed("N·m", law.coulomb_Nm.value)),
-        with_interval(law.viscous_Nms_rad, prefixed("N·m·s/rad", law.viscous_Nms_rad.value)),
-        shaft(calibration.manifest));
+        wording::with_interval(law.coulomb_Nm, wording::prefixed("N·m", law.coulomb_Nm.value)),
+        wording::with_interval(law.viscous_Nms_rad,
+                               wording::prefixed("N·m·s/rad", law.viscous_Nms_rad.value)),
+        wording::shaft(calibration.manifest));
   }
   if (friction.waiboer && friction.waiboer->converged) {
-    text += fmt::format(" The scatter about Waiboer's law is {}.",
-                        size_words(friction.waiboer->residual_Nm, torque_floor_Nm, "N·m"));
+    text += fmt::format(
+        " The scatter about Waiboer's law is {}.",
+        wording::size_words(friction.waiboer->residual_Nm, wording::torque_floor_Nm, "N·m"));
   }
   return text;
 }
 
 }  // namespace
 
-std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration) {
-  const SelectionResult& selection = calibration.selection;
-  Extent speeds;
-  Extent friction;
-  for (const ConstantSpeedRun& run : calibration.viscous.runs) {
+std::optional<ReportFigure> selected_curve_figure(const calibration::Calibration& calibration) {
+  const method::selection::SelectionResult& selection = calibration.selection;
+  wording::Extent speeds;
+  wording::Extent friction;
+  for (const method::viscous::ConstantSpeedRun& run : calibration.viscous.runs) {
     if (run.speed_rad_s != 0.0) speeds.add(std::abs(run.speed_rad_s));
   }
   for (const std::string& name : {selection.recommended, selection.paper_rule}) {
-    if (const ViscousCurve* curve = calibration.viscous.find(name))
+    if (const method::viscous::ViscousCurve* curve = calibration.viscous.find(name))
       friction.add(curve->friction_Nm);
   }
   if (speeds.empty || friction.empty) return std::nullopt;
@@ -53,10 +55,10 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
   out.id = "fig-21-selected-curve";
   out.title = "Selected friction curve";
   out.stage = "friction_parameters";
-  const AxisScale scale = prefixed("N·m", friction.largest());
-  render::Panel panel;
-  panel.x.title = "size of " + speed_quantity(calibration.manifest) + " [rad/s]";
-  panel.y.title = axis_title("friction along the motion T_{f}", scale);
+  const wording::AxisScale scale = wording::prefixed("N·m", friction.largest());
+  render::figure::Panel panel;
+  panel.x.title = "size of " + wording::speed_quantity(calibration.manifest) + " [rad/s]";
+  panel.y.title = wording::axis_title("friction along the motion T_{f}", scale);
   if (!calibration.viscous.from_sweep && speeds.high > wide_range * speeds.low) {
     panel.x.logarithmic = true;
     panel.x.minimum = 0.8 * speeds.low;
@@ -94,10 +96,10 @@ std::optional<ReportFigure> selected_curve_figure(const Calibration& calibration
             "coincide within their bars (drawn where longer than a marker) and lie on the "
             "reference; a constant gap between them is twice the error in gravity torque. The "
             "fitted laws should pass through the points without a pattern.";
-  out.alt =
-      fmt::format("Friction torque against speed from {} to {}; {}.{}{}",
-                  significant(speeds.low, 3), with_unit(speeds.high, AxisScale{1.0, "rad/s"}, 3),
-                  recommended, paper, fit_words(calibration));
+  out.alt = fmt::format("Friction torque against speed from {} to {}; {}.{}{}",
+                        wording::significant(speeds.low, 3),
+                        wording::with_unit(speeds.high, wording::AxisScale{1.0, "rad/s"}, 3),
+                        recommended, paper, fit_words(calibration));
   return out;
 }
 

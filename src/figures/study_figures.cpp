@@ -13,87 +13,103 @@
 #include "joint/degrees.h"
 #include "wording/reading_label.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 namespace {
 
-namespace colour = render::palette;
-using figures::SeriesStyle;
-using render::LineStyle;
-using render::Marker;
+namespace colour = render::figure::palette;
+using render::figure::LineStyle;
+using render::figure::Marker;
 
 constexpr int panel_height_px = 560;
-constexpr render::Colour colour_of_promise{0, 158, 115, 60};
+constexpr render::figure::Colour colour_of_promise{0, 158, 115, 60};
 
 SeriesStyle style_of(const std::string& reading) {
-  if (reading == "A_steady") return {colour::sky_blue, LineStyle::dot, Marker::circle, 2.5, 9.0};
-  if (reading == "B_steady") return {colour::vermilion, LineStyle::dot, Marker::diamond, 2.5, 11.0};
-  if (reading == "fit") return {colour::purple, LineStyle::dash_dot, Marker::cross, 2.5, 12.0};
+  if (reading == "A_steady")
+    return {colour::sky_blue, render::figure::LineStyle::dot, render::figure::Marker::circle, 2.5,
+            9.0};
+  if (reading == "B_steady")
+    return {colour::vermilion, render::figure::LineStyle::dot, render::figure::Marker::diamond, 2.5,
+            11.0};
+  if (reading == "fit")
+    return {colour::purple, render::figure::LineStyle::dash_dot, render::figure::Marker::cross, 2.5,
+            12.0};
   if (reading == "bristle_stiffness") {
-    return {colour::blue, LineStyle::solid, Marker::circle, 2.5, 10.0};
+    return {colour::blue, render::figure::LineStyle::solid, render::figure::Marker::circle, 2.5,
+            10.0};
   }
   if (reading == "static_torque") {
-    return {colour::vermilion, LineStyle::dash, Marker::square, 2.5, 10.0};
+    return {colour::vermilion, render::figure::LineStyle::dash, render::figure::Marker::square, 2.5,
+            10.0};
   }
   if (reading == "sweep_friction") {
-    return {colour::grey, LineStyle::dot, Marker::plus, 2.5, 12.0};
+    return {colour::grey, render::figure::LineStyle::dot, render::figure::Marker::plus, 2.5, 12.0};
   }
   if (reading == "coulomb")
-    return {colour::green, LineStyle::dash_dot, Marker::triangle, 2.5, 11.0};
+    return {colour::green, render::figure::LineStyle::dash_dot, render::figure::Marker::triangle,
+            2.5, 11.0};
   if (reading == "viscous") {
-    return {colour::orange, LineStyle::dash_dot_dot, Marker::diamond, 2.5, 11.0};
+    return {colour::orange, render::figure::LineStyle::dash_dot_dot,
+            render::figure::Marker::diamond, 2.5, 11.0};
   }
-  if (reading == "q_peak") return {colour::black, LineStyle::solid, Marker::circle, 2.5, 10.0};
-  return figures::estimator_style(reading);
+  if (reading == "q_peak")
+    return {colour::black, render::figure::LineStyle::solid, render::figure::Marker::circle, 2.5,
+            10.0};
+  return estimator_style(reading);
 }
 
 /// A number of an estimator's errors, as the axis shows it.
-using Shown = std::function<double(const ErrorStatistics&)>;
+using Shown = std::function<double(const study::ErrorStatistics&)>;
 
-double bias_percent(const ErrorStatistics& e) { return 100 * e.bias / std::abs(e.truth); }
-double scatter_percent(const ErrorStatistics& e) { return 100 * e.scatter / std::abs(e.truth); }
-double coverage_percent(const ErrorStatistics& e) {
+double bias_percent(const study::ErrorStatistics& e) { return 100 * e.bias / std::abs(e.truth); }
+double scatter_percent(const study::ErrorStatistics& e) {
+  return 100 * e.scatter / std::abs(e.truth);
+}
+double coverage_percent(const study::ErrorStatistics& e) {
   return e.all_alike() ? std::nan("") : 100 * e.coverage.value;
 }
-double bias_millidegree(const ErrorStatistics& e) { return 1e3 * e.bias * degrees_per_rad; }
+double bias_millidegree(const study::ErrorStatistics& e) {
+  return 1e3 * e.bias * joint::degrees_per_rad;
+}
 
-render::Panel panel_of(const StudyResult& study, const StudyFactor& factor,
-                       const std::vector<std::string>& readings, const std::string& y_title,
-                       const Shown& shown) {
-  render::Panel panel;
+render::figure::Panel panel_of(const study::StudyResult& study, const study::StudyFactor& factor,
+                               const std::vector<std::string>& readings, const std::string& y_title,
+                               const Shown& shown) {
+  render::figure::Panel panel;
   panel.x.title = factor.axis;
   panel.x.logarithmic = factor.logarithmic;
   panel.y.title = y_title;
   for (const std::string& reading : readings) {
-    render::Series series;
-    series.label = figures::reading_label(reading);
-    for (const StudyLevel& level : factor.levels) {
-      const StudiedReading* r = study.case_of(level).find(reading);
+    render::figure::Series series;
+    series.label = wording::reading_label(reading);
+    for (const study::StudyLevel& level : factor.levels) {
+      const study::StudiedReading* r = study.case_of(level).find(reading);
       if (r == nullptr) continue;  // not found at this level: the table says so
       const double y = shown(r->errors);
       if (!std::isfinite(y)) continue;
       series.x.push_back(level.value);
       series.y.push_back(y);
     }
-    figures::apply(style_of(reading), series);
+    apply(style_of(reading), series);
     // Marks of one size class: no curve may hide the others.
     series.width_px = 2.5;
     series.marker_size_px = std::min(series.marker_size_px, 12.0);
-    figures::add_visible(panel, std::move(series));
+    add_visible(panel, std::move(series));
   }
   return panel;
 }
 
-void add_line(render::Panel& panel, double at, const std::string& text) {
-  render::ReferenceLine line;
-  line.direction = render::ReferenceLine::Direction::horizontal;
+void add_line(render::figure::Panel& panel, double at, const std::string& text) {
+  render::figure::ReferenceLine line;
+  line.direction = render::figure::ReferenceLine::Direction::horizontal;
   line.at = at;
   line.text = text;
   panel.reference_lines.push_back(std::move(line));
 }
 
-render::Panel coverage_panel(const StudyResult& study, const StudyFactor& factor,
-                             const std::vector<std::string>& readings) {
-  render::Panel panel =
+render::figure::Panel coverage_panel(const study::StudyResult& study,
+                                     const study::StudyFactor& factor,
+                                     const std::vector<std::string>& readings) {
+  render::figure::Panel panel =
       panel_of(study, factor, readings, "intervals that hold the truth [%]", coverage_percent);
   panel.y.minimum = -4;
   panel.y.maximum = 104;
@@ -104,11 +120,12 @@ render::Panel coverage_panel(const StudyResult& study, const StudyFactor& factor
   return panel;
 }
 
-void add_panel(render::Panel panel, ReportFigure& out) {
+void add_panel(render::figure::Panel panel, ReportFigure& out) {
   if (!panel.series.empty()) out.figure.panels.push_back(std::move(panel));
 }
 
-ReportFigure empty_figure(const StudyFactor& factor, const char* kind, const std::string& what) {
+ReportFigure empty_figure(const study::StudyFactor& factor, const char* kind,
+                          const std::string& what) {
   ReportFigure out;
   out.id = fmt::format("study-{}-{}", kind, factor.key);
   std::replace(out.id.begin(), out.id.end(), '_', '-');
@@ -128,18 +145,19 @@ std::optional<ReportFigure> finished(ReportFigure out) {
 }
 
 /// "point B −0.61 to −0.59 %": the range of a reading's bias over the levels.
-std::string bias_range(const StudyResult& study, const StudyFactor& factor,
+std::string bias_range(const study::StudyResult& study, const study::StudyFactor& factor,
                        const std::string& reading) {
-  figures::Extent extent;
-  for (const StudyLevel& level : factor.levels) {
-    const StudiedReading* r = study.case_of(level).find(reading);
+  wording::Extent extent;
+  for (const study::StudyLevel& level : factor.levels) {
+    const study::StudiedReading* r = study.case_of(level).find(reading);
     if (r != nullptr) extent.add(bias_percent(r->errors));
   }
   if (extent.empty) return {};
-  return fmt::format("{} {:+.3f} to {:+.3f} %", reading_words(reading), extent.low, extent.high);
+  return fmt::format("{} {:+.3f} to {:+.3f} %", truth::reading_words(reading), extent.low,
+                     extent.high);
 }
 
-std::string bias_words(const StudyResult& study, const StudyFactor& factor,
+std::string bias_words(const study::StudyResult& study, const study::StudyFactor& factor,
                        const std::vector<std::string>& readings) {
   std::string words;
   for (const std::string& reading : readings) {
@@ -149,25 +167,28 @@ std::string bias_words(const StudyResult& study, const StudyFactor& factor,
   return words.empty() ? "no estimator was found at any level" : words;
 }
 
-std::optional<ReportFigure> gravity_figure(const StudyResult& study, const StudyFactor& factor) {
+std::optional<ReportFigure> gravity_figure(const study::StudyResult& study,
+                                           const study::StudyFactor& factor) {
   const std::vector<std::string> readings_of_points{"A", "B", "A_steady", "B_steady", "midline"};
   const std::vector<std::string> averages{"AB", "CD", "EF", "sweep", "fit", "midline"};
   std::vector<std::string> all{"A", "B", "A_steady", "B_steady"};
   all.insert(all.end(), averages.begin(), averages.end());
   ReportFigure out = empty_figure(factor, "gravity", "gravity torque");
-  render::Panel points = panel_of(study, factor, readings_of_points, "bias [%]", bias_percent);
+  render::figure::Panel points =
+      panel_of(study, factor, readings_of_points, "bias [%]", bias_percent);
   points.title = "single points and the mid-line";
   add_line(points, 0, "");
   add_panel(std::move(points), out);
-  render::Panel means = panel_of(study, factor, averages, "bias [%]", bias_percent);
+  render::figure::Panel means = panel_of(study, factor, averages, "bias [%]", bias_percent);
   means.title = "estimators that average";
   add_line(means, 0, "");
   add_panel(std::move(means), out);
-  render::Panel scatter = panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
+  render::figure::Panel scatter =
+      panel_of(study, factor, all, "standard deviation [%]", scatter_percent);
   scatter.title = "scatter from run to run";
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
-  render::Panel coverage = coverage_panel(study, factor, all);
+  render::figure::Panel coverage = coverage_panel(study, factor, all);
   coverage.title = "coverage of the stated 95 % intervals";
   add_panel(std::move(coverage), out);
   out.caption = fmt::format(
@@ -183,25 +204,26 @@ std::optional<ReportFigure> gravity_figure(const StudyResult& study, const Study
   return finished(std::move(out));
 }
 
-std::optional<ReportFigure> friction_figure(const StudyResult& study, const StudyFactor& factor) {
+std::optional<ReportFigure> friction_figure(const study::StudyResult& study,
+                                            const study::StudyFactor& factor) {
   const std::vector<std::string> parameters{"bristle_stiffness", "static_torque", "sweep_friction",
                                             "coulomb", "viscous"};
   std::vector<std::string> all = parameters;
   all.emplace_back("q_peak");
   ReportFigure out = empty_figure(factor, "friction", "angle and friction parameters");
-  render::Panel bias = panel_of(study, factor, parameters, "bias [%]", bias_percent);
+  render::figure::Panel bias = panel_of(study, factor, parameters, "bias [%]", bias_percent);
   add_line(bias, 0, "");
   add_panel(std::move(bias), out);
-  render::Panel scatter =
+  render::figure::Panel scatter =
       panel_of(study, factor, parameters, "standard deviation [%]", scatter_percent);
   scatter.show_legend = false;
   add_panel(std::move(scatter), out);
-  render::Panel angle =
+  render::figure::Panel angle =
       panel_of(study, factor, {"q_peak"}, "bias of q_{peak} [10^{−3} °]", bias_millidegree);
   add_line(angle, 0, "");
   angle.show_legend = false;
   add_panel(std::move(angle), out);
-  render::Panel coverage = coverage_panel(study, factor, all);
+  render::figure::Panel coverage = coverage_panel(study, factor, all);
   coverage.show_legend = true;
   add_panel(std::move(coverage), out);
   out.caption = fmt::format(
@@ -220,9 +242,9 @@ std::optional<ReportFigure> friction_figure(const StudyResult& study, const Stud
 
 }  // namespace
 
-std::vector<ReportFigure> study_figures(const StudyResult& study) {
+std::vector<ReportFigure> study_figures(const study::StudyResult& study) {
   std::vector<ReportFigure> out;
-  for (const StudyFactor& factor : study.factors) {
+  for (const study::StudyFactor& factor : study.factors) {
     for (auto* const make : {gravity_figure, friction_figure}) {
       if (auto figure = make(study, factor)) out.push_back(std::move(*figure));
     }
@@ -230,4 +252,4 @@ std::vector<ReportFigure> study_figures(const StudyResult& study) {
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

@@ -11,7 +11,7 @@ namespace tribolog::figures {
 
 /// Joint angle, motor speed and driving torque over time, in three panels that share it. Samples
 /// used are coloured by direction, those left out are grey. Absent without a rough sweep.
-std::optional<ReportFigure> sweep_motion_figure(const Dataset& dataset,
-                                                const Calibration& calibration);
+std::optional<ReportFigure> sweep_motion_figure(const joint::Dataset& dataset,
+                                                const calibration::Calibration& calibration);
 
 }  // namespace tribolog::figures

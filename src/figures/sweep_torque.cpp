@@ -25,36 +25,38 @@ namespace {
 
 constexpr double visible_share = 0.004;  // of the angle range: a narrower interval is not drawn
 
-bool wide_enough(const CogSweepResult& sweep, double low, double high) {
+bool wide_enough(const method::gravity::CogSweepResult& sweep, double low, double high) {
   return high - low > visible_share * (sweep.highest_rad - sweep.lowest_rad);
 }
 
 /// The arg-max as a labelled point, with a bar over the angles that noise cannot tell from it.
-void add_argmax(render::Panel& panel, const CogSweepResult& sweep, const AxisScale& torque) {
-  const AxisScale deg = degrees();
+void add_argmax(render::figure::Panel& panel, const method::gravity::CogSweepResult& sweep,
+                const wording::AxisScale& torque) {
+  const wording::AxisScale deg = wording::degrees();
   const double level = torque(sweep.argmax_torque_Nm);
-  render::Series interval =
+  render::figure::Series interval =
       line("interval of the largest T", {deg(sweep.argmax_low_rad), deg(sweep.argmax_high_rad)},
-           {level, level}, render::palette::black, 2.5);
-  interval.marker = render::Marker::plus;
+           {level, level}, render::figure::palette::black, 2.5);
+  interval.marker = render::figure::Marker::plus;
   if (wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
     add_visible(panel, std::move(interval));
   }
-  add_visible(panel, render::PointLabel{deg(sweep.argmax_rad), level,
-                                        "largest T at " + with_unit(sweep.argmax_rad, deg, 4),
-                                        render::palette::black, render::Marker::diamond});
+  add_visible(panel, render::figure::PointLabel{
+                         deg(sweep.argmax_rad), level,
+                         "largest T at " + wording::with_unit(sweep.argmax_rad, deg, 4),
+                         render::figure::palette::black, render::figure::Marker::diamond});
 }
 
 /// The fitted q_peak as a vertical line; its interval as a band where it is wide enough to see.
 /// @param torques what the panel shows: the height of the band.
-void add_peak(render::Panel& panel, const CogSweepResult& sweep, const Extent& torques,
-              const AxisScale& torque) {
+void add_peak(render::figure::Panel& panel, const method::gravity::CogSweepResult& sweep,
+              const wording::Extent& torques, const wording::AxisScale& torque) {
   if (!std::isfinite(sweep.q_peak_rad.value)) return;
-  const AxisScale deg = degrees();
+  const wording::AxisScale deg = wording::degrees();
 
-  const Estimate& peak = sweep.q_peak_rad;
+  const statistics::Estimate& peak = sweep.q_peak_rad;
   if (wide_enough(sweep, peak.low, peak.high) && !torques.empty) {
-    render::Band band;
+    render::figure::Band band;
     band.label = "95 % interval of q_{peak}";
     band.x = {deg(peak.low), deg(peak.high)};
     band.low = {torque(torques.low), torque(torques.low)};
@@ -62,20 +64,23 @@ void add_peak(render::Panel& panel, const CogSweepResult& sweep, const Extent& t
     band.colour = faded(peak_colour, 50);
     panel.bands.push_back(std::move(band));
   }
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, deg(peak.value),
-                                   "q_{peak} = " + with_interval(peak, deg), peak_colour,
-                                   render::LineStyle::dash_dot});
+  panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::vertical,
+                                   deg(peak.value),
+                                   "q_{peak} = " + wording::with_interval(peak, deg), peak_colour,
+                                   render::figure::LineStyle::dash_dot});
 }
 
 /// "the largest torque, 4.77 N·m, stands at −22.2° (noise allows −22.9° to −21.6°)"
-std::string argmax_words(const CogSweepResult& sweep) {
-  const AxisScale deg = degrees();
-  std::string text = fmt::format("the largest torque, {}, stands at {}",
-                                 with_unit(sweep.argmax_torque_Nm, AxisScale{1.0, "N·m"}, 4),
-                                 with_unit(sweep.argmax_rad, deg, 4));
+std::string argmax_words(const method::gravity::CogSweepResult& sweep) {
+  const wording::AxisScale deg = wording::degrees();
+  std::string text =
+      fmt::format("the largest torque, {}, stands at {}",
+                  wording::with_unit(sweep.argmax_torque_Nm, wording::AxisScale{1.0, "N·m"}, 4),
+                  wording::with_unit(sweep.argmax_rad, deg, 4));
   if (wide_enough(sweep, sweep.argmax_low_rad, sweep.argmax_high_rad)) {
-    text += fmt::format(" (noise allows {} to {})", with_unit(sweep.argmax_low_rad, deg, 4),
-                        with_unit(sweep.argmax_high_rad, deg, 4));
+    text +=
+        fmt::format(" (noise allows {} to {})", wording::with_unit(sweep.argmax_low_rad, deg, 4),
+                    wording::with_unit(sweep.argmax_high_rad, deg, 4));
   }
   if (sweep.argmax_at_end) text += ", the end of the sweep: no peak was crossed there";
   return text;
@@ -88,42 +93,45 @@ struct Direction {
   Stroke stroke;
   const std::vector<double>& fit_Nm;
   std::string words;
-  render::Colour colour;
-  render::LineStyle fit_style;
+  render::figure::Colour colour;
+  render::figure::LineStyle fit_style;
 };
 
-std::vector<Direction> directions_of(const CogSweepResult& sweep) {
-  return {
-      {Stroke::rising, sweep.fit_rising_Nm, "q rising", rising_colour, render::LineStyle::solid},
-      {Stroke::falling, sweep.fit_falling_Nm, "q falling", falling_colour,
-       render::LineStyle::dash}};
+std::vector<Direction> directions_of(const method::gravity::CogSweepResult& sweep) {
+  return {{Stroke::rising, sweep.fit_rising_Nm, "q rising", rising_colour,
+           render::figure::LineStyle::solid},
+          {Stroke::falling, sweep.fit_falling_Nm, "q falling", falling_colour,
+           render::figure::LineStyle::dash}};
 }
 
-Extent torques_of(const CogSweepResult& sweep, const std::vector<SweepTrace>& samples,
-                  const Direction& direction) {
-  Extent extent = extent_of(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm));
+wording::Extent torques_of(const method::gravity::CogSweepResult& sweep,
+                           const std::vector<SweepTrace>& samples, const Direction& direction) {
+  wording::Extent extent =
+      wording::extent_of(signal_of(samples, direction.stroke, &SweepTrace::torque_Nm));
   if (direction.fit_Nm.size() == sweep.fit_q_rad.size()) extent.add(direction.fit_Nm);
   return extent;
 }
 
-void add_direction(render::Panel& panel, const CogSweepResult& sweep,
+void add_direction(render::figure::Panel& panel, const method::gravity::CogSweepResult& sweep,
                    const std::vector<SweepTrace>& sweeps, const Direction& direction,
-                   const AxisScale& torque) {
-  render::Series samples = line(
-      direction.words, shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), degrees()),
-      shown(signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm), torque),
-      lightened(direction.colour, paleness), 1.0, render::LineStyle::none);
-  samples.marker = render::Marker::circle;
+                   const wording::AxisScale& torque) {
+  render::figure::Series samples =
+      line(direction.words,
+           shown(signal_of(sweeps, direction.stroke, &SweepTrace::q_rad), wording::degrees()),
+           shown(signal_of(sweeps, direction.stroke, &SweepTrace::torque_Nm), torque),
+           lightened(direction.colour, paleness), 1.0, render::figure::LineStyle::none);
+  samples.marker = render::figure::Marker::circle;
   samples.marker_size_px = dot_px;
   add_visible(panel, std::move(samples));
   if (direction.fit_Nm.size() != sweep.fit_q_rad.size()) return;
   add_visible(panel,
-              line("fit, " + direction.words, shown(sweep.fit_q_rad, degrees()),
+              line("fit, " + direction.words, shown(sweep.fit_q_rad, wording::degrees()),
                    shown(direction.fit_Nm, torque), direction.colour, 3.5, direction.fit_style));
 }
 
 /// How far the fitted curve is from the arg-max; tells which direction it was found in.
-double distance_to_argmax(const CogSweepResult& sweep, const Direction& direction) {
+double distance_to_argmax(const method::gravity::CogSweepResult& sweep,
+                          const Direction& direction) {
   double nearest = std::numeric_limits<double>::infinity();
   double distance = nearest;
   for (std::size_t i = 0; i < sweep.fit_q_rad.size() && i < direction.fit_Nm.size(); ++i) {
@@ -135,45 +143,47 @@ double distance_to_argmax(const CogSweepResult& sweep, const Direction& directio
   return distance;
 }
 
-void add_words(ReportFigure& out, const CogSweepResult& sweep, const std::string& name,
-               const std::string& amplitude) {
-  out.caption =
-      fmt::format("{}: least squares puts the gravity peak at {}{}; {}.", name,
-                  with_interval(sweep.q_peak_rad, degrees()), amplitude, argmax_words(sweep));
+void add_words(ReportFigure& out, const method::gravity::CogSweepResult& sweep,
+               const std::string& name, const std::string& amplitude) {
+  out.caption = fmt::format("{}: least squares puts the gravity peak at {}{}; {}.", name,
+                            wording::with_interval(sweep.q_peak_rad, wording::degrees()), amplitude,
+                            argmax_words(sweep));
   if (sweep.coulomb_Nm) {
     out.caption +=
         fmt::format(" Half the distance of the directions is {} of friction.",
-                    with_interval(*sweep.coulomb_Nm, prefixed("N·m", sweep.coulomb_Nm->value)));
+                    wording::with_interval(*sweep.coulomb_Nm,
+                                           wording::prefixed("N·m", sweep.coulomb_Nm->value)));
   }
   out.alt = fmt::format("Driving torque against joint angle, {} to {}: gravity peak at {}, {}.",
-                        with_unit(sweep.lowest_rad, degrees(), 3),
-                        with_unit(sweep.highest_rad, degrees(), 3),
-                        with_interval(sweep.q_peak_rad, degrees()), argmax_words(sweep));
+                        wording::with_unit(sweep.lowest_rad, wording::degrees(), 3),
+                        wording::with_unit(sweep.highest_rad, wording::degrees(), 3),
+                        wording::with_interval(sweep.q_peak_rad, wording::degrees()),
+                        argmax_words(sweep));
 }
 
 }  // namespace
 
-std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
-                                                const Calibration& calibration) {
-  const CogSweepResult& sweep = calibration.rough;
+std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
+                                                const calibration::Calibration& calibration) {
+  const method::gravity::CogSweepResult& sweep = calibration.rough;
   if (!sweep.found) return std::nullopt;
-  const auto samples = sweep_traces(sweep, dataset, Role::rough_sweep);
+  const auto samples = sweep_traces(sweep, dataset, joint::Role::rough_sweep);
   const auto directions = directions_of(sweep);
-  Extent torques;
+  wording::Extent torques;
   for (const Direction& direction : directions) {
-    const Extent one = torques_of(sweep, samples, direction);
+    const wording::Extent one = torques_of(sweep, samples, direction);
     if (!one.empty) torques.add({one.low, one.high});
   }
-  const AxisScale torque = levelled("N·m", torques);
+  const wording::AxisScale torque = wording::levelled("N·m", torques);
 
   ReportFigure out;
   out.number = 13;
   out.id = "fig-13-rough-torque";
   out.title = "Rough sweep: driving torque against angle";
   out.stage = "cog_rough";
-  render::Panel panel;
-  panel.x.title = axis_title("joint angle q", degrees());
-  panel.y.title = axis_title("driving torque T", torque, "N·m");
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("joint angle q", wording::degrees());
+  panel.y.title = wording::axis_title("driving torque T", torque, "N·m");
   for (const Direction& direction : directions) {
     add_direction(panel, sweep, samples, direction, torque);
   }
@@ -183,8 +193,9 @@ std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
   out.figure.panels.push_back(std::move(panel));
   add_words(out, sweep, "Rough sweep",
             fmt::format(", with a gravity torque of {} at the {}",
-                        with_interval(sweep.gravity_Nm, prefixed("N·m", sweep.gravity_Nm.value)),
-                        shaft(dataset.manifest)));
+                        wording::with_interval(sweep.gravity_Nm,
+                                               wording::prefixed("N·m", sweep.gravity_Nm.value)),
+                        wording::shaft(dataset.manifest)));
   out.how_to_read =
       "The two directions should be the same cosine, one friction torque above and below gravity, "
       "and the fit should run through the middle of the samples everywhere. A fit that leaves the "
@@ -193,11 +204,11 @@ std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
   return out;
 }
 
-std::optional<ReportFigure> precise_torque_figure(const Dataset& dataset,
-                                                  const Calibration& calibration) {
-  const CogSweepResult& sweep = calibration.precise;
+std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
+                                                  const calibration::Calibration& calibration) {
+  const method::gravity::CogSweepResult& sweep = calibration.precise;
   if (!sweep.found) return std::nullopt;
-  const auto samples = sweep_traces(sweep, dataset, Role::precise_sweep);
+  const auto samples = sweep_traces(sweep, dataset, joint::Role::precise_sweep);
   const auto directions = directions_of(sweep);
   const bool falling_has_it =
       distance_to_argmax(sweep, directions[1]) < distance_to_argmax(sweep, directions[0]);
@@ -208,11 +219,11 @@ std::optional<ReportFigure> precise_torque_figure(const Dataset& dataset,
   out.title = "Precise sweep: driving torque near its maximum";
   out.stage = "cog_precise";
   for (const Direction& direction : directions) {
-    const Extent torques = torques_of(sweep, samples, direction);
-    const AxisScale torque = levelled("N·m", torques);
-    render::Panel panel;
-    panel.x.title = axis_title("joint angle q", degrees());
-    panel.y.title = axis_title("driving torque T", torque, "N·m");
+    const wording::Extent torques = torques_of(sweep, samples, direction);
+    const wording::AxisScale torque = wording::levelled("N·m", torques);
+    render::figure::Panel panel;
+    panel.x.title = wording::axis_title("joint angle q", wording::degrees());
+    panel.y.title = wording::axis_title("driving torque T", torque, "N·m");
     add_direction(panel, sweep, samples, direction, torque);
     if (panel.series.empty()) continue;
     add_peak(panel, sweep, torques, torque);

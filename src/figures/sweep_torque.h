@@ -10,12 +10,12 @@
 namespace tribolog::figures {
 
 /// Figure 13: the rough sweep, both directions in one panel. Absent if the stage found nothing.
-std::optional<ReportFigure> rough_torque_figure(const Dataset& dataset,
-                                                const Calibration& calibration);
+std::optional<ReportFigure> rough_torque_figure(const joint::Dataset& dataset,
+                                                const calibration::Calibration& calibration);
 
 /// Figure 14: the precise sweep. Each direction has its own panel: the curvature at the peak is a
 /// ten-thousandth of the friction that lies between the directions.
-std::optional<ReportFigure> precise_torque_figure(const Dataset& dataset,
-                                                  const Calibration& calibration);
+std::optional<ReportFigure> precise_torque_figure(const joint::Dataset& dataset,
+                                                  const calibration::Calibration& calibration);
 
 }  // namespace tribolog::figures

@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t fewest_for_slope = 3;
 constexpr std::size_t most_stretches = 60;
 
-std::vector<double> joint_speed(const Recording& recording) {
+std::vector<double> joint_speed(const joint::Recording& recording) {
   if (recording.size() >= fewest_for_slope) {
-    std::vector<double> slope = find_plateaus(recording).speed_rad_s;
+    std::vector<double> slope = method::motion::find_plateaus(recording).speed_rad_s;
     if (slope.size() == recording.size()) return slope;
   }
   std::vector<double> logged = recording.dq_rad_s;
@@ -27,13 +27,13 @@ Stroke stroke_of(double speed) {
   return speed < 0.0 ? Stroke::falling : Stroke::left_out;
 }
 
-bool complete(const Recording& recording) {
+bool complete(const joint::Recording& recording) {
   return recording.size() > 0 && recording.q_rad.size() == recording.size() &&
          recording.torque_Nm.size() == recording.size();
 }
 
-SweepTrace samples_of(const Recording& recording, const std::vector<bool>& used, double start_s,
-                      double gear_ratio) {
+SweepTrace samples_of(const joint::Recording& recording, const std::vector<bool>& used,
+                      double start_s, double gear_ratio) {
   SweepTrace samples;
   samples.q_rad = recording.q_rad;
   samples.torque_Nm = recording.torque_Nm;
@@ -64,8 +64,8 @@ std::vector<Stretch> joined(const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-std::vector<SweepTrace> sweep_traces(const CogSweepResult& sweep, const Dataset& dataset,
-                                     Role role) {
+std::vector<SweepTrace> sweep_traces(const method::gravity::CogSweepResult& sweep,
+                                     const joint::Dataset& dataset, joint::Role role) {
   const auto recordings = sweep.recordings.empty() ? dataset.with_role(role) : sweep.recordings;
   std::vector<SweepTrace> all;
   double start_s = 0.0;

@@ -22,8 +22,8 @@ struct SweepTrace {
 
 /// The recordings that the stage was given, in its order; those of `role` if the result names none.
 /// Recordings without a sample are passed over. A mask of another length counts as "all left out".
-std::vector<SweepTrace> sweep_traces(const CogSweepResult& sweep, const Dataset& dataset,
-                                     Role role);
+std::vector<SweepTrace> sweep_traces(const method::gravity::CogSweepResult& sweep,
+                                     const joint::Dataset& dataset, joint::Role role);
 
 std::size_t count(const std::vector<SweepTrace>& sweeps, Stroke stroke);
 

@@ -23,17 +23,18 @@ namespace {
 
 /// Pointers into the calibration, null where there is none; must not outlive it.
 struct Choice {
-  const LoopPoint* chosen{};  ///< The paper's, in the first strokes.
-  const LoopPoint* other{};   ///< Its opposite there.
-  const LoopPoint* chosen_steady{};
-  const LoopPoint* other_steady{};
-  const Estimate* midline{};
+  const method::hysteresis::LoopPoint* chosen{};  ///< The paper's, in the first strokes.
+  const method::hysteresis::LoopPoint* other{};   ///< Its opposite there.
+  const method::hysteresis::LoopPoint* chosen_steady{};
+  const method::hysteresis::LoopPoint* other_steady{};
+  const statistics::Estimate* midline{};
 };
 
 constexpr double worth_saying = 0.01;  // of the shift: a peak known better needs no word
 
-const LoopPoint* find(const std::vector<LoopPoint>& points, const std::string& name) {
-  for (const LoopPoint& point : points) {
+const method::hysteresis::LoopPoint* find(const std::vector<method::hysteresis::LoopPoint>& points,
+                                          const std::string& name) {
+  for (const method::hysteresis::LoopPoint& point : points) {
     if (name.size() == 1 && point.name == name.front()) return &point;
   }
   return nullptr;
@@ -46,14 +47,14 @@ std::string opposite(const std::string& name) {
   return at == std::string::npos ? std::string() : std::string(1, pairs[at ^ 1U]);
 }
 
-std::string mass_words(const Calibration& calibration, const std::string& estimator) {
-  const SurrogateMass* mass = calibration.masses.find(estimator);
+std::string mass_words(const calibration::Calibration& calibration, const std::string& estimator) {
+  const method::hysteresis::SurrogateMass* mass = calibration.masses.find(estimator);
   if (mass == nullptr) return {};
-  return " (" + with_interval(mass->mass_kg, AxisScale{1.0, "kg"}) + ")";
+  return " (" + wording::with_interval(mass->mass_kg, wording::AxisScale{1.0, "kg"}) + ")";
 }
 
-Choice choice_of(const Calibration& calibration) {
-  const HysteresisResult& loop = calibration.hysteresis;
+Choice choice_of(const calibration::Calibration& calibration) {
+  const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
   const std::string& name = calibration.selection.paper_rule;
   Choice choice;
   choice.chosen = find(loop.points, name);
@@ -66,39 +67,41 @@ Choice choice_of(const Calibration& calibration) {
 
 /// "the paper's rule reads 3.866 N·m at B (78.81 kg); the mid-line ... averages ...": for caption,
 /// alt.
-std::string choice_words(const Calibration& calibration, const Choice& choice,
-                         const AxisScale& torque) {
+std::string choice_words(const calibration::Calibration& calibration, const Choice& choice,
+                         const wording::AxisScale& torque) {
   std::string text;
   if (choice.chosen != nullptr) {
     const std::string name(1, choice.chosen->name);
     text += fmt::format("the paper's rule reads {} at {}{}",
-                        with_unit(choice.chosen->torque_Nm, torque, 4), name,
+                        wording::with_unit(choice.chosen->torque_Nm, torque, 4), name,
                         mass_words(calibration, name));
   }
   if (choice.midline != nullptr) {
     if (!text.empty()) text += "; ";
     text += fmt::format("the mid-line of the steady loop averages {}{}",
-                        with_interval(*choice.midline, torque), mass_words(calibration, "midline"));
+                        wording::with_interval(*choice.midline, torque),
+                        mass_words(calibration, "midline"));
   }
   return text;
 }
 
 /// Eq. (14) in a sentence, with the uncertainty of the peak itself. Empty
 /// without a chosen point or a peak.
-std::string shift_words(const Calibration& calibration, const Choice& choice) {
+std::string shift_words(const calibration::Calibration& calibration, const Choice& choice) {
   if (choice.chosen == nullptr || !calibration.q_peak_rad) return {};
-  const Estimate& peak = *calibration.q_peak_rad;
+  const statistics::Estimate& peak = *calibration.q_peak_rad;
   const double shift = choice.chosen->q_rad - peak.value;
   const double half = peak.half_width();
   if (!std::isfinite(shift)) return {};
-  const AxisScale scale = prefixed("rad", shift);
-  std::string text = fmt::format(" Eq. (14) shifts the angle by {}", with_unit(shift, scale, 3));
+  const wording::AxisScale scale = wording::prefixed("rad", shift);
+  std::string text =
+      fmt::format(" Eq. (14) shifts the angle by {}", wording::with_unit(shift, scale, 3));
   if (half > worth_saying * std::abs(shift) && std::isfinite(half)) {
     text += fmt::format("{} to ± {}",
                         half > std::abs(shift) ? ", but the peak itself is only known"
                                                : "; the peak itself is known",
 
-                        with_unit(half, scale, 2));
+                        wording::with_unit(half, scale, 2));
   }
   return text + ".";
 }
@@ -108,45 +111,47 @@ constexpr double same_share = 0.08;    // of the close-up's reach: one reading, 
 constexpr double dimension_at = 0.22;  // of the loop's height, above its lowest torque
 
 /// Whether two readings of a point would lie on each other in the close-up.
-bool coincide(const LoopPoint* first, const LoopPoint* steady, double same_Nm) {
+bool coincide(const method::hysteresis::LoopPoint* first,
+              const method::hysteresis::LoopPoint* steady, double same_Nm) {
   return first != nullptr && steady != nullptr &&
          std::abs(first->torque_Nm - steady->torque_Nm) <= same_Nm;
 }
 
-void add_loop(render::Panel& panel, const Calibration& calibration, const LoopView& view,
-              const AxisScale& torque, bool legend) {
-  const LoopTrace& trace = *view.trace;
+void add_loop(render::figure::Panel& panel, const calibration::Calibration& calibration,
+              const LoopView& view, const wording::AxisScale& torque, bool legend) {
+  const method::hysteresis::LoopTrace& trace = *view.trace;
   const bool model =
       view.model_torque_Nm != nullptr && calibration.hysteresis.bristle_source != "recorded";
   const auto& strokes = model ? *view.model_torque_Nm : trace.torque_Nm;
   add_visible(panel, line(legend ? "measured" : "", shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));
-  render::Series first = line(legend ? (model ? "first strokes, LuGre fit" : "first strokes") : "",
-                              shown(view.until(view.first_strokes_end_s, trace.q_rad), view.angle),
-                              shown(view.until(view.first_strokes_end_s, strokes), torque),
-                              render::palette::blue, strokes_px);
+  render::figure::Series first =
+      line(legend ? (model ? "first strokes, LuGre fit" : "first strokes") : "",
+           shown(view.until(view.first_strokes_end_s, trace.q_rad), view.angle),
+           shown(view.until(view.first_strokes_end_s, strokes), torque),
+           render::figure::palette::blue, strokes_px);
   first.direction_arrows_at = {0.1, 0.3, 0.5, 0.7, 0.95};
   add_visible(panel, std::move(first));
   add_visible(panel, line(legend ? "mid-line of the steady loop" : "",
                           shown(trace.midline_q_rad, view.angle), shown(trace.midline_Nm, torque),
-                          render::palette::black, 3.0, render::LineStyle::dash));
+                          render::figure::palette::black, 3.0, render::figure::LineStyle::dash));
 }
 
 /// A dimension line with an arrow head at each end.
-void add_dimension(render::Panel& panel, double from, double to, double level,
-                   render::Colour colour, const std::string& text) {
+void add_dimension(render::figure::Panel& panel, double from, double to, double level,
+                   render::figure::Colour colour, const std::string& text) {
   const double middle = (from + to) / 2;
   for (const double end : {from, to}) {
-    render::Series half = line("", {middle, end}, {level, level}, colour, 2.5);
+    render::figure::Series half = line("", {middle, end}, {level, level}, colour, 2.5);
     half.direction_arrows_at = {1.0};
     add_visible(panel, std::move(half));
   }
-  add_visible(
-      panel, render::PointLabel{middle, level, text, render::palette::black, render::Marker::none});
+  add_visible(panel, render::figure::PointLabel{middle, level, text, render::figure::palette::black,
+                                                render::figure::Marker::none});
 }
 
-void add_reading(render::Panel& panel, const LoopPoint* point, const std::string& extra,
-                 const LoopView& view, const AxisScale& torque) {
+void add_reading(render::figure::Panel& panel, const method::hysteresis::LoopPoint* point,
+                 const std::string& extra, const LoopView& view, const wording::AxisScale& torque) {
   if (point == nullptr) return;
   const std::string name(1, point->name);
   const SeriesStyle style = estimator_style(name);
@@ -155,51 +160,53 @@ void add_reading(render::Panel& panel, const LoopPoint* point, const std::string
     panel.error_bars.push_back(
         {x, torque(point->torque_low_Nm), torque(point->torque_high_Nm), style.colour});
   }
-  add_visible(panel,
-              render::PointLabel{x, torque(point->torque_Nm),
-                                 name + extra + ": " + with_unit(point->torque_Nm, torque, 4),
-                                 render::palette::black, style.marker});
+  add_visible(panel, render::figure::PointLabel{
+                         x, torque(point->torque_Nm),
+                         name + extra + ": " + wording::with_unit(point->torque_Nm, torque, 4),
+                         render::figure::palette::black, style.marker});
 }
 
-render::Panel whole_loop(const Calibration& calibration, LoopView view, const Choice& choice,
-                         const AxisScale& torque) {
-  render::Panel panel;
+render::figure::Panel whole_loop(const calibration::Calibration& calibration, LoopView view,
+                                 const Choice& choice, const wording::AxisScale& torque) {
+  render::figure::Panel panel;
   const bool at_peak = add_gravity_peak(panel, calibration, view);
-  panel.x.title = axis_title(at_peak ? "joint angle from the gravity peak q − q_{peak}"
-                                     : "joint angle from the loop's centre q − q_{0}",
-                             AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = axis_title("driving torque T", torque);
+  panel.x.title = wording::axis_title(at_peak ? "joint angle from the gravity peak q − q_{peak}"
+                                              : "joint angle from the loop's centre q − q_{0}",
+                                      wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title("driving torque T", torque);
   add_loop(panel, calibration, view, torque, true);
   if (choice.chosen == nullptr) return panel;
   const std::string name(1, choice.chosen->name);
   const SeriesStyle style = estimator_style(name);
   const double x = view.angle(choice.chosen->q_rad);
-  add_visible(panel,
-              render::PointLabel{x, torque(choice.chosen->torque_Nm), name + ", the paper's choice",
-                                 render::palette::black, style.marker});
+  add_visible(panel, render::figure::PointLabel{x, torque(choice.chosen->torque_Nm),
+                                                name + ", the paper's choice",
+                                                render::figure::palette::black, style.marker});
   if (!at_peak || !std::isfinite(x)) return panel;
   const double peak = view.angle(present(calibration.q_peak_rad).value);
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::vertical, x,
-                                   "q_{" + name + "}", style.colour, render::LineStyle::dot});
-  const Extent torques = extent_of(view.trace->torque_Nm);
+  panel.reference_lines.push_back({render::figure::ReferenceLine::Direction::vertical, x,
+                                   "q_{" + name + "}", style.colour,
+                                   render::figure::LineStyle::dot});
+  const wording::Extent torques = wording::extent_of(view.trace->torque_Nm);
   add_dimension(panel, peak, x, torque(torques.low + dimension_at * torques.span()), style.colour,
-                "eq. (14): q_{" + name + "} − q_{peak} = " + significant(x - peak, 3) + " " +
-                    view.angle.unit);
+                "eq. (14): q_{" + name + "} − q_{peak} = " + wording::significant(x - peak, 3) +
+                    " " + view.angle.unit);
   return panel;
 }
 
-render::Panel around_midline(const Calibration& calibration, const LoopView& view,
-                             const Choice& choice, const AxisScale& torque) {
-  render::Panel panel;
+render::figure::Panel around_midline(const calibration::Calibration& calibration,
+                                     const LoopView& view, const Choice& choice,
+                                     const wording::AxisScale& torque) {
+  render::figure::Panel panel;
   panel.title = "Close-up around the mid-line";
   panel.show_legend = false;
-  panel.x.title = axis_title("joint angle from the loop's centre q − q_{0}",
-                             AxisScale{view.angle.factor, view.angle.unit});
-  panel.y.title = axis_title("driving torque T", torque);
+  panel.x.title = wording::axis_title("joint angle from the loop's centre q − q_{0}",
+                                      wording::AxisScale{view.angle.factor, view.angle.unit});
+  panel.y.title = wording::axis_title("driving torque T", torque);
   const double middle = choice.midline->value;
-  Extent distances;
+  wording::Extent distances;
   distances.add(choice.midline->half_width());
-  for (const LoopPoint* point :
+  for (const method::hysteresis::LoopPoint* point :
        {choice.chosen, choice.other, choice.chosen_steady, choice.other_steady}) {
     if (point != nullptr) distances.add(point->torque_Nm - middle);
   }
@@ -208,7 +215,7 @@ render::Panel around_midline(const Calibration& calibration, const LoopView& vie
     panel.y.minimum = torque(middle - reach);
     panel.y.maximum = torque(middle + reach);
   }
-  const Extent angles = extent_of(shown(view.trace->q_rad, view.angle));
+  const wording::Extent angles = wording::extent_of(shown(view.trace->q_rad, view.angle));
   if (choice.midline->half_width() > 0.0 && !angles.empty) {
     panel.bands.push_back({"",
                            {angles.low, angles.high},
@@ -217,9 +224,10 @@ render::Panel around_midline(const Calibration& calibration, const LoopView& vie
                            faded(peak_colour, 60)});
   }
   add_loop(panel, calibration, view, torque, false);
-  panel.reference_lines.push_back({render::ReferenceLine::Direction::horizontal, torque(middle),
-                                   "mean of the mid-line " + with_interval(*choice.midline, torque),
-                                   peak_colour, render::LineStyle::dash});
+  panel.reference_lines.push_back(
+      {render::figure::ReferenceLine::Direction::horizontal, torque(middle),
+       "mean of the mid-line " + wording::with_interval(*choice.midline, torque), peak_colour,
+       render::figure::LineStyle::dash});
   add_reading(panel, choice.chosen, "", view, torque);
   add_reading(panel, choice.other, "", view, torque);
   const double same_Nm = same_share * reach;
@@ -235,24 +243,25 @@ render::Panel around_midline(const Calibration& calibration, const LoopView& vie
 
 }  // namespace
 
-std::optional<ReportFigure> torque_choice_figure(const Calibration& calibration) {
+std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration& calibration) {
   auto view = loop_view(calibration);
   const Choice choice = choice_of(calibration);
   if (!view || (choice.chosen == nullptr && choice.midline == nullptr)) return std::nullopt;
-  const AxisScale torque = prefixed("N·m", extent_of(view->trace->torque_Nm).largest());
+  const wording::AxisScale torque =
+      wording::prefixed("N·m", wording::extent_of(view->trace->torque_Nm).largest());
 
   ReportFigure out;
   out.number = 22;
   out.id = "fig-22-torque-choice";
   out.title = "Choice of torque and angle on the loop";
   out.stage = "selection";
-  render::Panel probe;
+  render::figure::Panel probe;
   if (add_gravity_peak(probe, calibration, *view)) {
     view->angle.offset = present(calibration.q_peak_rad).value;
   }
   out.figure.panels.push_back(whole_loop(calibration, *view, choice, torque));
   if (choice.midline != nullptr && std::isfinite(choice.midline->value)) {
-    render::Panel near = around_midline(calibration, *view, choice, torque);
+    render::figure::Panel near = around_midline(calibration, *view, choice, torque);
     near.x.title = out.figure.panels.front().x.title;
     out.figure.panels.push_back(std::move(near));
     out.figure.panels_share_x = true;

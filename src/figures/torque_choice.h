@@ -12,6 +12,6 @@ namespace tribolog::figures {
 /// eq. (14). Below, torque closed up around the mid-line: the chosen point, its steady counterpart
 /// and its opposite, and the mid-line with its interval. Absent without a loop, or without both a
 /// chosen point and a mid-line.
-std::optional<ReportFigure> torque_choice_figure(const Calibration& calibration);
+std::optional<ReportFigure> torque_choice_figure(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::figures

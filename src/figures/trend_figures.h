@@ -6,7 +6,7 @@
 #include "figures/report_figure.h"
 #include "history/joint_trend.h"
 
-namespace tribolog {
+namespace tribolog::figures {
 
 /// One figure for each quantity with a point, those with a change first; "trend-1-1" is that of the
 /// first quantity of the first joint: values with their intervals, the reference with its scatter,
@@ -14,4 +14,4 @@ namespace tribolog {
 /// where any are.
 std::vector<ReportFigure> trend_figures(const std::vector<history::JointTrend>& trends);
 
-}  // namespace tribolog
+}  // namespace tribolog::figures

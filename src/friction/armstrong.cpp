@@ -6,7 +6,7 @@
 #include "friction/exponential_step.h"
 #include "friction/sign_change.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 enum Member : std::size_t { deflection, lagged_speed, stuck_time, stribeck, sliding };
@@ -139,4 +139,4 @@ void ArmstrongFriction::event_values(std::span<const double> state, double /*spe
   values[0] = sticks ? torque - break_away_Nm(state[stuck_time], state[stribeck]) : 1.0;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

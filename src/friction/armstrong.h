@@ -13,7 +13,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: x [rad], wl [rad/s], time in this stick t2 [s], Stribeck torque Ts [N·m] of the present
 /// sliding (of the last one while sticking), and 0 in sticking or the direction (-1, 1) of sliding.
@@ -63,4 +63,4 @@ class ArmstrongFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -7,7 +7,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots BlimanSorineFriction::Parameters::by_name() {
   return {{"fast_torque_Nm", "f1 > 0", &fast_torque_Nm},
@@ -75,4 +75,4 @@ void BlimanSorineFriction::state_scales(std::span<double> scales) const {
   scales[1] = p_.fast_torque_Nm;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

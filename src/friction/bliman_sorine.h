@@ -11,7 +11,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: x1, x2 [N·m].
 class BlimanSorineFriction final : public DynamicFriction {
@@ -47,4 +47,4 @@ class BlimanSorineFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -17,7 +17,7 @@
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 constexpr int elements = 10;
@@ -168,4 +168,4 @@ const FrictionModelEntry& dynamic_friction_model(std::string_view name) {
                               known);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -11,7 +11,7 @@
 #include "friction/dynamic_friction.h"
 #include "friction/static_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// What one contact looks like to every model: stiffness at rest, break-away and Coulomb torque,
 /// Stribeck velocity and viscous part. Default: table 1 of the paper as meant (Canudas de Wit et
@@ -70,4 +70,4 @@ const std::vector<StaticLawEntry>& static_friction_laws();
 /// @throw std::invalid_argument naming the models that there are.
 const FrictionModelEntry& dynamic_friction_model(std::string_view name);
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -5,7 +5,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 ParameterSlots DahlFriction::Parameters::by_name() {
   return {{"stiffness_Nm_rad", "s0 > 0, at zero torque", &stiffness_Nm_rad},
           {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
@@ -55,4 +55,4 @@ void DahlFriction::advance(std::span<double> state, const SpeedStep& step) const
 
 void DahlFriction::state_scales(std::span<double> scales) const { scales[0] = p_.coulomb_Nm; }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -8,7 +8,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: the torque T [N·m].
 class DahlFriction final : public DynamicFriction {
@@ -40,4 +40,4 @@ class DahlFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -7,7 +7,7 @@
 
 #include "friction/exponential_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// value and d value / d p_k, k = 0..N-1.
 template <int N>
@@ -114,4 +114,4 @@ double value_of(const Dual<N>& x) {
   return x.value;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

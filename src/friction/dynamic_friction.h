@@ -12,7 +12,7 @@
 #include "friction/named_parameters.h"
 #include "friction/speed_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 class DynamicFriction : public FrictionModel {
  public:
@@ -68,4 +68,4 @@ class DynamicFriction : public FrictionModel {
   }
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

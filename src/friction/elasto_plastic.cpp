@@ -11,7 +11,7 @@
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 /// cos(x) for 0 <= x <= pi/2 by its series, within 1e-15: std::cos takes several times as long, and
@@ -178,4 +178,4 @@ void ElastoPlasticFriction::state_scales(std::span<double> scales) const {
   scales[0] = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

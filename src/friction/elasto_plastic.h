@@ -10,7 +10,7 @@
 #include "friction/dynamic_friction.h"
 #include "friction/stribeck.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: the bristle deflection z [rad].
 class ElastoPlasticFriction final : public DynamicFriction {
@@ -60,4 +60,4 @@ class ElastoPlasticFriction final : public DynamicFriction {
   double compliance_rad_Nm_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

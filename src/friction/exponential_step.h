@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// exp(x) for x <= 0 (cut at -700, where it is 1e-304), within 2 units in the last place. Unlike
 /// std::exp it vectorises, and it gives the same bits on every machine.
@@ -174,4 +174,4 @@ Scalar exponential_step(double w0, double wm, double w1, const Scalar& g0, const
                  z0);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -6,7 +6,7 @@
 #include "friction/exponential_step.h"
 #include "friction/sign_change.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not on it
@@ -144,4 +144,4 @@ void GmsFriction::event_values(std::span<const double> state, double speed_rad_s
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

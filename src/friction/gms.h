@@ -12,7 +12,7 @@
 #include "friction/maxwell_slip.h"
 #include "friction/stribeck.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: T1 ... Tn [N·m], then for each element 0 while it sticks or the direction (-1, 1) in
 /// which it slips.
@@ -56,4 +56,4 @@ class GmsFriction final : public DynamicFriction {
   StribeckCurve curve_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

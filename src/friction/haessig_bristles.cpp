@@ -8,7 +8,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 /// Equally likely in [0, 1): SplitMix64's finaliser over a counter.
@@ -121,4 +121,4 @@ void HaessigBristleFriction::event_values(std::span<const double> state, double 
   values[0] = farthest - p_.snap_deflection_rad;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

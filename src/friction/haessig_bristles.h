@@ -12,7 +12,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: d1 ... dN [rad], then how often each bond has snapped.
 class HaessigBristleFriction final : public DynamicFriction {
@@ -58,4 +58,4 @@ class HaessigBristleFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

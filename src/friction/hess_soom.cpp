@@ -5,7 +5,7 @@
 #include "base/requirements.h"
 #include "friction/exponential_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots HessSoomFriction::Parameters::by_name() {
   return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
@@ -53,4 +53,4 @@ void HessSoomFriction::state_scales(std::span<double> scales) const {
   scales[0] = p_.stribeck_speed_rad_s;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

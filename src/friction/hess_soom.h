@@ -10,7 +10,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: the lagged speed wl [rad/s].
 class HessSoomFriction final : public DynamicFriction {
@@ -43,4 +43,4 @@ class HessSoomFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

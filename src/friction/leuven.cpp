@@ -11,7 +11,7 @@
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots LeuvenFriction::Parameters::by_name() {
   return joined(
@@ -196,4 +196,4 @@ void LeuvenFriction::event_values(std::span<const double> state, double /*speed_
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -13,7 +13,7 @@
 #include "friction/maxwell_slip.h"
 #include "friction/stribeck.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: z [rad], then the torque of each element [N·m].
 class LeuvenFriction final : public DynamicFriction {
@@ -74,4 +74,4 @@ class LeuvenFriction final : public DynamicFriction {
   double stiffness_Nm_rad_{};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

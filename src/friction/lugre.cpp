@@ -5,7 +5,7 @@
 #include "base/requirements.h"
 #include "friction/exponential_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots LuGreFriction::Parameters::by_name() {
   return {{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
@@ -67,4 +67,4 @@ void LuGreFriction::state_scales(std::span<double> scales) const {
   scales[0] = p_.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -9,7 +9,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: the mean bristle deflection z [rad].
 class LuGreFriction final : public DynamicFriction {
@@ -52,4 +52,4 @@ class LuGreFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

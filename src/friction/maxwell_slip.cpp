@@ -7,7 +7,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 // Element j slips at the deflection x_j = j/count xs. The curve's slope between two slips is the
 // sum of the stiffnesses of those that still stick.
@@ -49,4 +49,4 @@ void require_maxwell_elements(const std::vector<MaxwellElement>& elements) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

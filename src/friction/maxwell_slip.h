@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// One spring and slider.
 struct MaxwellElement {
@@ -22,4 +22,4 @@ std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double sta
 /// @throw std::invalid_argument if there is none, a value is not > 0 or the shares do not add up.
 void require_maxwell_elements(const std::vector<MaxwellElement>& elements);
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots joined(std::initializer_list<ParameterSlots> parts) {
   ParameterSlots all;
@@ -42,4 +42,4 @@ void set_values(const ParameterSlots& slots, const NamedParameters& values) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -12,7 +12,7 @@
 
 #include "friction/maxwell_slip.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// A physical number, a count, or the elements of a Maxwell-slip model.
 using ParameterValue = std::variant<double, std::uint64_t, std::vector<MaxwellElement>>;
@@ -61,4 +61,4 @@ class FrictionModel {
   [[nodiscard]] virtual NamedParameters named_parameters() const = 0;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -13,7 +13,7 @@
 #include "friction/exponential_step.h"
 #include "friction/speed_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// Exponential, 4th order: the target is the parabola through its values at a step's start, middle
 /// and end, which are found by iteration; a step over which it bends too sharply is halved.
@@ -137,4 +137,4 @@ class Relaxation {
   double settled_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -4,7 +4,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 namespace {
 
 enum Member : std::size_t { deflection, sliding };
@@ -71,4 +71,4 @@ void ResetIntegratorFriction::event_values(std::span<const double> state, double
   values[0] = is_bonded ? std::abs(state[deflection]) - p_.largest_deflection_rad : 1.0;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -9,7 +9,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// State: the deflection z [rad], then 0 while bonded or the direction (-1, 1) of sliding.
 class ResetIntegratorFriction final : public DynamicFriction {
@@ -46,4 +46,4 @@ class ResetIntegratorFriction final : public DynamicFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

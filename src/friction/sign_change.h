@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// A point of [low, high], within `resolution` of a sign change of f and on its far side. False
 /// position; while one end stays, its value is reduced after Anderson and Björck (1973).
@@ -43,4 +43,4 @@ double sign_change(const Function& f, double low, double high, double resolution
 /// share of 1e-14 moves no torque by more than rounding does.
 inline constexpr double share_resolution = 1e-14;
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -1,7 +1,7 @@
 #pragma once
 // A short piece of prescribed motion, as friction models advance over it.
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// -1, 0 or 1.
 inline double direction_of(double speed_rad_s) {
@@ -38,4 +38,4 @@ struct SpeedStep {
   }
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

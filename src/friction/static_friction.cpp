@@ -3,11 +3,11 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tribolog {
+namespace tribolog::friction {
 
 SteadyFriction::SteadyFriction(std::shared_ptr<const DynamicFriction> model)
     : model_(std::move(model)) {
   if (!model_) throw std::invalid_argument("there is no friction model to slide steadily");
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -6,7 +6,7 @@
 #include "friction/dynamic_friction.h"
 #include "friction/named_parameters.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 class StaticFriction : public FrictionModel {
  public:
@@ -33,4 +33,4 @@ class SteadyFriction final : public StaticFriction {
   std::shared_ptr<const DynamicFriction> model_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -6,7 +6,7 @@
 #include "base/requirements.h"
 #include "friction/speed_step.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots StribeckCurve::Parameters::by_name() {
   return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
@@ -49,4 +49,4 @@ double StribeckFriction::torque_at_rest_Nm(double applied_Nm) const {
   return std::clamp(applied_Nm, -most, most);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

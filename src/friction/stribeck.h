@@ -4,7 +4,7 @@
 #include "friction/named_parameters.h"
 #include "friction/static_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 /// s(w) = Tc + (Ts - Tc) exp(-(|w|/ws)^d): what eq. (1) and (5) and every model after LuGre share.
 class StribeckCurve {
@@ -61,4 +61,4 @@ class StribeckFriction final : public StaticFriction {
   StribeckCurve curve_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

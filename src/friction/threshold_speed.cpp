@@ -4,7 +4,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots ThresholdSpeedFriction::Parameters::by_name() {
   return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
@@ -38,4 +38,4 @@ double ThresholdSpeedFriction::torque_Nm(double speed_rad_s) const {
   return std::copysign(sliding_Nm(size), speed_rad_s);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

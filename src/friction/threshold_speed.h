@@ -9,7 +9,7 @@
 
 #include "friction/static_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 class ThresholdSpeedFriction final : public StaticFriction {
  public:
@@ -36,4 +36,4 @@ class ThresholdSpeedFriction final : public StaticFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

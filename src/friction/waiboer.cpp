@@ -8,7 +8,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 ParameterSlots WaiboerFriction::Parameters::by_name() {
   return {{"asperity_torque_Nm", "Ta >= 0", &asperity_torque_Nm},
@@ -45,4 +45,4 @@ double WaiboerFriction::torque_Nm(double speed_rad_s) const {
          magnitude_Nm(std::abs(speed_rad_s));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -10,7 +10,7 @@
 
 #include "friction/static_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction {
 
 class WaiboerFriction final : public StaticFriction {
  public:
@@ -39,4 +39,4 @@ class WaiboerFriction final : public StaticFriction {
   Parameters p_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::friction

@@ -19,12 +19,14 @@ namespace {
 double chance_of(double change, double side_toward_zero) {
   if (change == 0) return 1;
   if (!(side_toward_zero > 0)) return 0;
-  return std::erfc(std::abs(change) / (side_toward_zero / normal_975) / std::numbers::sqrt2);
+  return std::erfc(std::abs(change) / (side_toward_zero / statistics::normal_975) /
+                   std::numbers::sqrt2);
 }
 
 }  // namespace
 
-Change change_between(const Estimate& first, const Estimate& second, bool is_angle) {
+Change change_between(const statistics::Estimate& first, const statistics::Estimate& second,
+                      bool is_angle) {
   double change = second.value - first.value;
   if (is_angle) change = std::remainder(change, 2 * std::numbers::pi);
   const double below = std::hypot(second.value - second.low, first.high - first.value);
@@ -34,7 +36,7 @@ Change change_between(const Estimate& first, const Estimate& second, bool is_ang
   made.chance = chance_of(change, change > 0 ? below : above);
   const bool is_near_zero = first.value == 0 || (first.low <= 0 && first.high >= 0);
   if (!is_angle && !is_near_zero) {
-    made.percent = scaled(made.absolute, 100 / std::abs(first.value));
+    made.percent = statistics::scaled(made.absolute, 100 / std::abs(first.value));
   }
   return made;
 }
@@ -56,19 +58,19 @@ std::vector<double> holm_adjusted(const std::vector<double>& chances) {
 
 namespace {
 
-using archive::Facts;
-using archive::Measured;
-using archive::Quantity;
+using calibration::Facts;
+using calibration::Measured;
+using calibration::Quantity;
 
-std::string payload_text(const Facts& f) {
+std::string payload_text(const calibration::Facts& f) {
   std::string text = f.payload.empty() ? "" : "“" + f.payload + "”";
   if (f.payload_kg) text += fmt::format("{}{:.6g} kg", text.empty() ? "" : ", ", *f.payload_kg);
   if (f.payload_distance_m) text += fmt::format(" at {:.6g} m", *f.payload_distance_m);
   return text.empty() ? "none stated" : text;
 }
 
-void judge_temperature(const Facts& a, const Facts& b, const AllowedDifference& allowed,
-                       ComparedQuantity& q) {
+void judge_temperature(const calibration::Facts& a, const calibration::Facts& b,
+                       const AllowedDifference& allowed, ComparedQuantity& q) {
   if (a.temperature_C && b.temperature_C) {
     const double apart = std::abs(*a.temperature_C - *b.temperature_C);
     if (apart <= allowed.temperature_K) return;
@@ -85,8 +87,8 @@ void judge_temperature(const Facts& a, const Facts& b, const AllowedDifference& 
       fmt::format("the temperature {} is not stated; it alone can change friction", which));
 }
 
-void judge_sampling(const Facts& a, const Facts& b, const AllowedDifference& allowed,
-                    ComparedQuantity& q) {
+void judge_sampling(const calibration::Facts& a, const calibration::Facts& b,
+                    const AllowedDifference& allowed, ComparedQuantity& q) {
   if (!a.sampling_Hz || !b.sampling_Hz) return;
   const auto [slow, fast] = std::minmax(*a.sampling_Hz, *b.sampling_Hz);
   if (fast <= allowed.rate_factor * slow) return;
@@ -96,8 +98,8 @@ void judge_sampling(const Facts& a, const Facts& b, const AllowedDifference& all
                   allowed.rate_factor, *a.sampling_Hz, *b.sampling_Hz));
 }
 
-void judge_conditions(const Facts& a, const Facts& b, const AllowedDifference& allowed,
-                      ComparedQuantity& q) {
+void judge_conditions(const calibration::Facts& a, const calibration::Facts& b,
+                      const AllowedDifference& allowed, ComparedQuantity& q) {
   const QuantityTraits traits = traits_of(q.name);
   if (!has_same_gear(a, b)) {
     q.why_not.push_back(
@@ -116,17 +118,19 @@ void judge_conditions(const Facts& a, const Facts& b, const AllowedDifference& a
   if (traits.depends_on_sampling) judge_sampling(a, b, allowed, q);
 }
 
-void judge_verdicts(const Quantity& a, const Quantity& b, ComparedQuantity& q) {
+void judge_verdicts(const calibration::Quantity& a, const calibration::Quantity& b,
+                    ComparedQuantity& q) {
   for (const auto& [one, which] : {std::pair{&a, "first"}, std::pair{&b, "second"}}) {
-    if (one->verdict == Verdict::usable && one->estimate) continue;
+    if (one->verdict == calibration::Verdict::usable && one->estimate) continue;
     q.why_not.push_back(fmt::format("the {} calibration's verdict on it is “{}”", which,
-                                    tribolog::to_string(one->verdict)));
+                                    calibration::to_string(one->verdict)));
   }
   if (a.unit != b.unit) q.why_not.push_back("the units differ (" + a.unit + " and " + b.unit + ")");
 }
 
-ComparedQuantity compared(const Quantity& a, const Quantity& b, const Facts& first,
-                          const Facts& second, const AllowedDifference& allowed) {
+ComparedQuantity compared(const calibration::Quantity& a, const calibration::Quantity& b,
+                          const calibration::Facts& first, const calibration::Facts& second,
+                          const AllowedDifference& allowed) {
   ComparedQuantity q;
   q.name = a.name;
   q.words = a.words;
@@ -158,12 +162,12 @@ void give_words(std::vector<ComparedQuantity>& quantities) {
   }
 }
 
-std::string name_text(const archive::JointName& of) {
+std::string name_text(const calibration::JointName& of) {
   return fmt::format("{} {}, joint {}", printable(of.robot), printable(of.serial),
                      printable(of.joint));
 }
 
-std::vector<std::string> remarks_on(const Facts& a, const Facts& b) {
+std::vector<std::string> remarks_on(const calibration::Facts& a, const calibration::Facts& b) {
   std::vector<std::string> remarks;
   if (a.of != b.of) {
     remarks.push_back(
@@ -207,10 +211,10 @@ std::size_t Comparison::count(ChangeWord word) const {
                     [&](const ComparedQuantity& q) { return q.word == word; }));
 }
 
-Comparison compare(const Measured& first, const Measured& second, const AllowedDifference& allowed,
-                   bool different_joints) {
-  const Facts& a = first.entry.facts;
-  const Facts& b = second.entry.facts;
+Comparison compare(const calibration::Measured& first, const calibration::Measured& second,
+                   const AllowedDifference& allowed, bool different_joints) {
+  const calibration::Facts& a = first.entry.facts;
+  const calibration::Facts& b = second.entry.facts;
   if (first.entry.id == second.entry.id) {
     throw UsageError("both ids are the same calibration; there is nothing to compare");
   }
@@ -219,9 +223,10 @@ Comparison compare(const Measured& first, const Measured& second, const AllowedD
                                  name_text(a.of), name_text(b.of)));
   }
   Comparison made{first.entry, second.entry, allowed, {}, remarks_on(a, b)};
-  for (const Quantity& of_first : first.quantities) {
-    const auto of_second = std::find_if(second.quantities.begin(), second.quantities.end(),
-                                        [&](const Quantity& q) { return q.name == of_first.name; });
+  for (const calibration::Quantity& of_first : first.quantities) {
+    const auto of_second =
+        std::find_if(second.quantities.begin(), second.quantities.end(),
+                     [&](const calibration::Quantity& q) { return q.name == of_first.name; });
     if (of_second == second.quantities.end()) continue;
     if (!of_first.estimate && !of_second->estimate) continue;
     made.quantities.push_back(compared(of_first, *of_second, a, b, allowed));

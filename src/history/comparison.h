@@ -21,13 +21,15 @@
 namespace tribolog::history {
 
 struct Change {
-  Estimate absolute;                ///< In the quantity's unit.
-  std::optional<Estimate> percent;  ///< Of the first value as it stands; absent near zero.
+  statistics::Estimate absolute;  ///< In the quantity's unit.
+  std::optional<statistics::Estimate>
+      percent;       ///< Of the first value as it stands; absent near zero.
   double chance{1};  ///< Of a change at least this large without one, two-sided, normal errors.
 };
 
 /// @param is_angle the difference is taken on the circle, -pi to pi, and not in percent.
-Change change_between(const Estimate& first, const Estimate& second, bool is_angle);
+Change change_between(const statistics::Estimate& first, const statistics::Estimate& second,
+                      bool is_angle);
 
 /// Holm's step-down adjustment (1979): with these, the chance of one wrong "changed" among all is
 /// the chance that is compared with, whatever depends on what.
@@ -58,8 +60,8 @@ struct ComparedQuantity {
   std::string name;
   std::string words;
   std::string unit;
-  std::optional<Estimate> first;  ///< SI, motor side.
-  std::optional<Estimate> second;
+  std::optional<statistics::Estimate> first;  ///< SI, motor side.
+  std::optional<statistics::Estimate> second;
   std::optional<Change> change;  ///< Where both have an estimate, comparable or not.
   double adjusted_chance{1};     ///< By Holm; of those that are comparable.
   ChangeWord word{ChangeWord::not_comparable};
@@ -68,8 +70,8 @@ struct ComparedQuantity {
 };
 
 struct Comparison {
-  archive::Entry first;
-  archive::Entry second;
+  calibration::Entry first;
+  calibration::Entry second;
   AllowedDifference allowed;
   std::vector<ComparedQuantity> quantities;  ///< In the first's order; those without an estimate in
                                              ///< both are left out.
@@ -80,7 +82,7 @@ struct Comparison {
 
 /// @param different_joints allows two of different joints, which the remarks then say.
 /// @throw UsageError: different joints otherwise; the same calibration twice.
-Comparison compare(const archive::Measured& first, const archive::Measured& second,
+Comparison compare(const calibration::Measured& first, const calibration::Measured& second,
                    const AllowedDifference& allowed, bool different_joints);
 
 }  // namespace tribolog::history

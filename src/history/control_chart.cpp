@@ -69,8 +69,9 @@ class Charting {
     }
     ChartPoint& point = chart_.points[k];
     point.is_judged = true;
-    point.score = std::clamp(normal_score(frozen_->standardised(series_[k]), frozen_->freedom),
-                             -largest_score, largest_score);
+    point.score =
+        std::clamp(statistics::normal_score(frozen_->standardised(series_[k]), frozen_->freedom),
+                   -largest_score, largest_score);
     add_to_sums(k, point);
     if (way_back_) {
       if (way_back_->add(k, point.score)) end_excursion(k);

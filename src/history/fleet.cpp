@@ -11,7 +11,7 @@
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog::archive {
+namespace tribolog::history {
 
 // The distances of fleet.h.
 
@@ -22,14 +22,14 @@ using GroupKey = std::tuple<std::string, double, std::string, std::size_t>;
 /// Of the same joint and quantity.
 using Group = std::vector<FleetCell*>;
 
-std::optional<Distance> distance(const Estimate& latest, double median, std::size_t count,
-                                 double scatter, double freedom) {
+std::optional<Distance> distance(const statistics::Estimate& latest, double median,
+                                 std::size_t count, double scatter, double freedom) {
   const double widened =
       scatter * std::sqrt(1 + std::numbers::pi / (2 * static_cast<double>(count)));
-  const double size = std::max(widened, latest.half_width() / normal_975);
+  const double size = std::max(widened, latest.half_width() / statistics::normal_975);
   if (!(size > 0)) return std::nullopt;
-  return Distance{history::normal_score((latest.value - median) / size, freedom), median, widened,
-                  count};
+  return Distance{statistics::normal_score((latest.value - median) / size, freedom), median,
+                  widened, count};
 }
 
 /// Median of a sorted list without one of its elements.
@@ -45,12 +45,12 @@ void hold_against_others(const Group& group) {
   if (group.size() < fewest_others + 1) return;
   std::vector<double> latest;
   for (const FleetCell* cell : group) latest.push_back(cell->results.back().estimate.value);
-  const double scatter = pairwise_scatter(latest);
+  const double scatter = statistics::pairwise_scatter(latest);
   std::sort(latest.begin(), latest.end());
   for (FleetCell* cell : group) {
-    const Estimate& e = cell->results.back().estimate;
+    const statistics::Estimate& e = cell->results.back().estimate;
     cell->to_others = distance(e, median_without(latest, e.value), group.size() - 1, scatter,
-                               scatter_freedom(group.size()));
+                               statistics::scatter_freedom(group.size()));
   }
 }
 
@@ -69,19 +69,19 @@ void hold_against_history(const Group& group) {
     const std::vector<double> earlier = earlier_of(*cell);
     if (earlier.size() < fewest_earlier) continue;
     ++joints;
-    const double median = median_of(earlier);
+    const double median = statistics::median_of(earlier);
     const auto n = static_cast<double>(earlier.size());
     // About their own median they scatter less.
     for (const double x : earlier) deviations.push_back((x - median) * std::sqrt(n / (n - 1)));
   }
   if (deviations.empty()) return;
-  const double scatter = pairwise_scatter(deviations);
-  const double freedom = scatter_freedom(deviations.size() - joints + 1);
+  const double scatter = statistics::pairwise_scatter(deviations);
+  const double freedom = statistics::scatter_freedom(deviations.size() - joints + 1);
   for (FleetCell* cell : group) {
     const std::vector<double> earlier = earlier_of(*cell);
     if (earlier.size() < fewest_earlier) continue;
-    cell->to_history = distance(cell->results.back().estimate, median_of(earlier), earlier.size(),
-                                scatter, freedom);
+    cell->to_history = distance(cell->results.back().estimate, statistics::median_of(earlier),
+                                earlier.size(), scatter, freedom);
   }
 }
 
@@ -90,7 +90,7 @@ void measure_distances(std::vector<FleetRobot>& robots) {
   std::map<GroupKey, Group> of_name;
   for (FleetRobot& robot : robots) {
     for (FleetJoint& joint : robot.joints) {
-      const Facts& f = joint.latest.facts;
+      const calibration::Facts& f = joint.latest.facts;
       for (FleetCell& cell : joint.cells) {
         of_name[{f.of.joint, f.gear_ratio, f.of.robot, cell.column}].push_back(&cell);
       }
@@ -113,14 +113,14 @@ constexpr double least_limit = 3.5;
 constexpr double chance_outliers = 0.5;
 
 /// What the data do not show is no result, also where there is a number.
-bool is_result(const Quantity& q) {
-  return !q.unit.empty() && q.estimate && q.verdict != Verdict::not_identifiable;
+bool is_result(const calibration::Quantity& q) {
+  return !q.unit.empty() && q.estimate && q.verdict != calibration::Verdict::not_identifiable;
 }
 
 /// Columns in the order in which the calibrations have their quantities.
 class Columns {
  public:
-  std::optional<std::size_t> of(const Quantity& q) {
+  std::optional<std::size_t> of(const calibration::Quantity& q) {
     if (!is_result(q)) return std::nullopt;
     const auto [at, is_new] = places_.try_emplace(q.name, all.size());
     if (is_new) all.push_back({q.name, q.words, q.unit});
@@ -133,12 +133,12 @@ class Columns {
 };
 
 /// The joint measured from `first` up to before `end`.
-FleetJoint joint_of(std::vector<Measured>::const_iterator first,
-                    std::vector<Measured>::const_iterator end, Columns& columns) {
+FleetJoint joint_of(std::vector<calibration::Measured>::const_iterator first,
+                    std::vector<calibration::Measured>::const_iterator end, Columns& columns) {
   FleetJoint joint;
   joint.latest = (end - 1)->entry;
   joint.calibrations = static_cast<std::size_t>(end - first);
-  for (const Quantity& q : (end - 1)->quantities) {
+  for (const calibration::Quantity& q : (end - 1)->quantities) {
     const auto column = columns.of(q);
     if (column) joint.cells.push_back({*column, {}, q.verdict, {}, {}});
   }
@@ -147,9 +147,9 @@ FleetJoint joint_of(std::vector<Measured>::const_iterator first,
   for (auto at = first; at != end; ++at) {
     // What was measured behind another gear is no history of this one.
     if (at->entry.facts.gear_ratio != joint.latest.facts.gear_ratio) continue;
-    const double time_s = seconds_of_utc(at->entry.facts.measured_at);
+    const double time_s = calibration::seconds_of_utc(at->entry.facts.measured_at);
     for (FleetCell& cell : joint.cells) {
-      for (const Quantity& q : at->quantities) {
+      for (const calibration::Quantity& q : at->quantities) {
         if (!is_result(q) || q.name != columns.all[cell.column].name) continue;
         cell.results.push_back({time_s, present(q.estimate)});
         break;
@@ -175,7 +175,8 @@ void rank(Fleet& fleet) {
   fleet.limit = least_limit;
   if (fleet.distances > 0) {
     fleet.limit =
-        std::max(fleet.limit, deviate_of(chance_outliers / static_cast<double>(fleet.distances)));
+        std::max(fleet.limit,
+                 statistics::deviate_of(chance_outliers / static_cast<double>(fleet.distances)));
   }
 }
 
@@ -185,13 +186,15 @@ double FleetCell::furthest() const {
   return std::max(to_others ? std::abs(to_others->z) : 0, to_history ? std::abs(to_history->z) : 0);
 }
 
-Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions) {
+Fleet fleet_of(const std::vector<calibration::Measured>& measured,
+               const calibration::Decisions& decisions) {
   Fleet fleet;
   Columns columns;
   for (auto first = measured.begin(); first != measured.end();) {
-    const JointName& of = first->entry.facts.of;
-    const auto end = std::find_if(first, measured.end(),
-                                  [&](const Measured& m) { return m.entry.facts.of != of; });
+    const calibration::JointName& of = first->entry.facts.of;
+    const auto end = std::find_if(first, measured.end(), [&](const calibration::Measured& m) {
+      return m.entry.facts.of != of;
+    });
     const bool is_same_robot = !fleet.robots.empty() && fleet.robots.back().robot == of.robot &&
                                fleet.robots.back().serial == of.serial;
     if (!is_same_robot) fleet.robots.push_back({of.robot, of.serial, {}, 0});
@@ -199,7 +202,7 @@ Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions
     const auto decision = decisions.find(joint.latest.id);
     if (decision != decisions.end()) joint.decision = decision->second;
     for (auto at = first; at != end; ++at) {
-      const double time_s = seconds_of_utc(at->entry.facts.measured_at);
+      const double time_s = calibration::seconds_of_utc(at->entry.facts.measured_at);
       fleet.first_s = fleet.calibrations == 0 ? time_s : std::min(fleet.first_s, time_s);
       fleet.last_s = fleet.calibrations == 0 ? time_s : std::max(fleet.last_s, time_s);
       ++fleet.calibrations;
@@ -213,4 +216,4 @@ Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions
   return fleet;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::history

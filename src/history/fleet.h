@@ -18,7 +18,7 @@
 
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::history {
 
 /// How far the latest result is from what it is held against.
 struct Distance {
@@ -30,14 +30,14 @@ struct Distance {
 
 struct PastResult {
   double time_s{};  ///< Since 1970.
-  Estimate estimate;
+  statistics::Estimate estimate;
 };
 
 /// One quantity of one joint.
 struct FleetCell {
-  std::size_t column{};              ///< Of Fleet::columns.
-  std::vector<PastResult> results;   ///< In time; the last is the latest calibration's.
-  Verdict verdict{Verdict::usable};  ///< Of the latest.
+  std::size_t column{};             ///< Of Fleet::columns.
+  std::vector<PastResult> results;  ///< In time; the last is the latest calibration's.
+  calibration::Verdict verdict{calibration::Verdict::usable};  ///< Of the latest.
   std::optional<Distance> to_others;
   std::optional<Distance> to_history;
 
@@ -46,8 +46,8 @@ struct FleetCell {
 };
 
 struct FleetJoint {
-  Entry latest;
-  std::optional<Review::Decision> decision;  ///< The last one on it.
+  calibration::Entry latest;
+  std::optional<calibration::Review::Decision> decision;  ///< The last one on it.
   std::size_t calibrations{};
   std::vector<FleetCell> cells;  ///< By column; what the latest does not show is left out.
   double furthest{};
@@ -85,6 +85,7 @@ inline constexpr std::size_t fewest_earlier = 4;
 
 /// @param measured as CalibrationArchive::measured() gives them: by joint and time.
 /// @param decisions of reviewers on the entries.
-Fleet fleet_of(const std::vector<Measured>& measured, const Decisions& decisions = {});
+Fleet fleet_of(const std::vector<calibration::Measured>& measured,
+               const calibration::Decisions& decisions = {});
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::history

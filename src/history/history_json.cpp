@@ -10,8 +10,8 @@ namespace tribolog::history {
 
 namespace {
 
-OrderedJson calibration(const archive::Entry& e) {
-  const archive::Facts& f = e.facts;
+OrderedJson calibration(const calibration::Entry& e) {
+  const calibration::Facts& f = e.facts;
   return {{"id", e.id},
           {"robot", f.of.robot},
           {"serial", f.of.serial},
@@ -162,10 +162,6 @@ std::string trend_json(const std::vector<JointTrend>& trends) {
   return text_of(json);
 }
 
-}  // namespace tribolog::history
-
-namespace tribolog::archive {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -176,11 +172,11 @@ Json json_of(const std::optional<Distance>& d) {
 }
 
 Json json_of(const FleetCell& cell, const Fleet& fleet) {
-  const Estimate& latest = cell.results.back().estimate;
+  const statistics::Estimate& latest = cell.results.back().estimate;
   const FleetColumn& column = fleet.columns[cell.column];
   return {{"quantity", column.name},
           {"unit", column.unit},
-          {"verdict", tribolog::to_string(cell.verdict)},
+          {"verdict", calibration::to_string(cell.verdict)},
           {"value", latest.value},
           {"low", latest.low},
           {"high", latest.high},
@@ -203,14 +199,15 @@ std::string fleet_json(const Fleet& fleet) {
     for (const FleetJoint& joint : robot.joints) {
       Json quantities = Json::array();
       for (const FleetCell& cell : joint.cells) quantities.push_back(json_of(cell, fleet));
-      joints.push_back({{"joint", joint.latest.facts.of.joint},
-                        {"id", joint.latest.id},
-                        {"measured_at", joint.latest.facts.measured_at},
-                        {"decision", joint.decision ? Json(to_string(*joint.decision)) : Json()},
-                        {"gear_ratio", joint.latest.facts.gear_ratio},
-                        {"calibrations", joint.calibrations},
-                        {"furthest_z", joint.furthest},
-                        {"quantities", std::move(quantities)}});
+      joints.push_back(
+          {{"joint", joint.latest.facts.of.joint},
+           {"id", joint.latest.id},
+           {"measured_at", joint.latest.facts.measured_at},
+           {"decision", joint.decision ? Json(calibration::to_string(*joint.decision)) : Json()},
+           {"gear_ratio", joint.latest.facts.gear_ratio},
+           {"calibrations", joint.calibrations},
+           {"furthest_z", joint.furthest},
+           {"quantities", std::move(quantities)}});
     }
     json["robots"].push_back({{"robot", robot.robot},
                               {"serial", robot.serial},
@@ -220,4 +217,4 @@ std::string fleet_json(const Fleet& fleet) {
   return json_without_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::history

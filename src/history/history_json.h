@@ -22,13 +22,13 @@ inline OrderedJson json_of(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? OrderedJson(*value) : OrderedJson();
 }
 
-inline OrderedJson json_of(const Estimate& e) {
+inline OrderedJson json_of(const statistics::Estimate& e) {
   return {{"estimate", json_of(std::optional(e.value))},
           {"low", json_of(std::optional(e.low))},
           {"high", json_of(std::optional(e.high))}};
 }
 
-inline OrderedJson json_of(const std::optional<Estimate>& e) {
+inline OrderedJson json_of(const std::optional<statistics::Estimate>& e) {
   return e ? json_of(*e) : OrderedJson();
 }
 
@@ -48,14 +48,10 @@ std::string comparison_json(const Comparison& comparison);
 /// Schema "tribolog-archive-trend-1": SI, motor side. The same trends give the same bytes.
 std::string trend_json(const std::vector<JointTrend>& trends);
 
-}  // namespace tribolog::history
-
-namespace tribolog::archive {
-
 // The fleet sheet for scripts.
 
 /// {"schema": "tribolog-fleet-1", "limit", "robots": [{"joints": [{"quantities": [...]}]}]}: the
 /// latest result of each quantity (SI, motor side) with both distances; the furthest robot first.
 std::string fleet_json(const Fleet& fleet);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::history

@@ -15,7 +15,7 @@
 namespace tribolog::history {
 namespace {
 
-using archive::Measured;
+using calibration::Measured;
 
 /// Times between which the baseline lies, as measured_at has them.
 struct BaselineTimes {
@@ -26,7 +26,7 @@ struct BaselineTimes {
 std::string time_of(const std::string& text, const char* end_of_day) {
   if (text.empty()) return "";
   const bool is_day = text.size() == std::string("2026-01-31").size();
-  const std::string time = archive::utc_of_iso_text(is_day ? text + end_of_day : text);
+  const std::string time = calibration::utc_of_iso_text(is_day ? text + end_of_day : text);
   if (time.empty()) {
     throw UsageError("the baseline's date " + printable(text) + " is none; 2026-01-31 is one");
   }
@@ -67,14 +67,16 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
     variance += reference.variance_of(point.standard_error) / (n * n);
     expectation += expected.variance / n;
   }
-  const double half_width = student_t_975(reference.freedom) * std::sqrt(variance + expectation);
+  const double half_width =
+      statistics::student_t_975(reference.freedom) * std::sqrt(variance + expectation);
   FoundChange change;
   change.direction = e.direction;
   change.from = charted[e.start]->measured_at;
   change.alarm = charted[e.alarm]->measured_at;
   if (e.back) change.back = charted[*e.back]->measured_at;
   change.calibrations_to_alarm = e.alarm - e.start + 1;
-  change.size = symmetric_estimate(mean, half_width, "the last three against the reference");
+  change.size =
+      statistics::symmetric_estimate(mean, half_width, "the last three against the reference");
   if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
     change.percent = 100 * mean / std::abs(reference.level);
   }
@@ -84,7 +86,7 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
 /// 1970-01-01: 0.
 double day_number(const HistoryPoint& point) {
   constexpr double seconds = 86400;
-  return archive::seconds_of_utc(point.measured_at) / seconds;
+  return calibration::seconds_of_utc(point.measured_at) / seconds;
 }
 
 FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const SlowDrift& drift) {
@@ -95,9 +97,9 @@ FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const S
   change.from = charted.front()->measured_at;
   change.alarm = charted[drift.visible]->measured_at;
   change.calibrations_to_alarm = drift.visible + 1;
-  change.size = symmetric_estimate(drift.per_day * span,
-                                   student_t_975(drift.freedom) * drift.standard_error * span,
-                                   "straight line over all calibrations");
+  change.size = statistics::symmetric_estimate(
+      drift.per_day * span, statistics::student_t_975(drift.freedom) * drift.standard_error * span,
+      "straight line over all calibrations");
   change.drift_start = drift.at_start;
   if (std::abs(drift.at_start) > std::abs(change.size.value)) {
     change.percent = 100 * change.size.value / std::abs(drift.at_start);
@@ -144,11 +146,11 @@ void chart(QuantityTrend& trend, const Baseline& baseline, const BaselineTimes& 
   trend.state = drift ? TrendState::warning : TrendState::steady;
 }
 
-std::vector<std::string> cautions_on(const std::vector<Measured>& calibrations) {
+std::vector<std::string> cautions_on(const std::vector<calibration::Measured>& calibrations) {
   std::vector<std::string> cautions;
   const auto without_time =
       std::count_if(calibrations.begin(), calibrations.end(),
-                    [](const Measured& m) { return !m.entry.facts.time_is_stated; });
+                    [](const calibration::Measured& m) { return !m.entry.facts.time_is_stated; });
   if (without_time > 0) {
     cautions.push_back(fmt::format(
         "{} of {} calibrations do not say when they were measured; they stand at the time of their "
@@ -161,10 +163,10 @@ std::vector<std::string> cautions_on(const std::vector<Measured>& calibrations) 
   return cautions;
 }
 
-JointTrend trend_of(std::vector<Measured> calibrations, const Baseline& baseline,
+JointTrend trend_of(std::vector<calibration::Measured> calibrations, const Baseline& baseline,
                     const BaselineTimes& times) {
   std::stable_sort(calibrations.begin(), calibrations.end(),
-                   [](const Measured& a, const Measured& b) {
+                   [](const calibration::Measured& a, const calibration::Measured& b) {
                      return a.entry.facts.measured_at < b.entry.facts.measured_at;
                    });
   JointTrend trend;
@@ -195,13 +197,13 @@ TrendState JointTrend::state() const {
   return worst;
 }
 
-std::vector<JointTrend> joint_trends(const std::vector<Measured>& calibrations,
+std::vector<JointTrend> joint_trends(const std::vector<calibration::Measured>& calibrations,
                                      const Baseline& baseline) {
   const BaselineTimes times = times_of(baseline);
   std::vector<JointTrend> trends;
   for (std::size_t begin = 0; begin < calibrations.size();) {
     std::size_t end = begin;
-    const archive::JointName& of = calibrations[begin].entry.facts.of;
+    const calibration::JointName& of = calibrations[begin].entry.facts.of;
     while (end < calibrations.size() && calibrations[end].entry.facts.of == of) ++end;
     const auto at = [&](std::size_t k) {
       return calibrations.begin() + static_cast<std::ptrdiff_t>(k);

@@ -42,8 +42,8 @@ std::string to_string(TemperatureUse use);  ///< A sentence.
 
 struct HistoryPoint {
   std::string id;
-  std::string measured_at;  ///< "2026-01-31T12:00:00Z"
-  Estimate estimate;        ///< SI, motor side.
+  std::string measured_at;        ///< "2026-01-31T12:00:00Z"
+  statistics::Estimate estimate;  ///< SI, motor side.
   std::optional<double> temperature_C;
   LeftOut left_out{LeftOut::none};
   std::optional<double> corrected;  ///< Of a charted point: brought to the reference's temperature.
@@ -66,7 +66,7 @@ struct FoundChange {
   std::string alarm;  ///< Date on which enough calibrations showed it.
   std::string back;   ///< Date of the first that is back; empty: it stands.
   std::size_t calibrations_to_alarm{};
-  Estimate size;                  ///< Mean of the last three of it less the reference; of a
+  statistics::Estimate size;      ///< Mean of the last three of it less the reference; of a
                                   ///< drift, along its line from the first to the last.
   double drift_start{};           ///< Of a drift: its line at the first calibration.
   std::optional<double> percent;  ///< Of the reference.
@@ -90,7 +90,7 @@ struct QuantityTrend {
 };
 
 struct JointTrend {
-  archive::JointName of;
+  calibration::JointName of;
   std::size_t calibrations{};
   std::string first_at;  ///< Times of the first and the last calibration.
   std::string last_at;
@@ -106,7 +106,7 @@ struct JointTrend {
 /// One for each joint, in their order.
 /// @param calibrations as CalibrationArchive::measured() gives them, each inputs' latest revision.
 /// @throw UsageError: a baseline of fewer than fewest_learned, or dates that are none.
-std::vector<JointTrend> joint_trends(const std::vector<archive::Measured>& calibrations,
+std::vector<JointTrend> joint_trends(const std::vector<calibration::Measured>& calibrations,
                                      const Baseline& baseline);
 
 }  // namespace tribolog::history

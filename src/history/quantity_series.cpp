@@ -12,14 +12,14 @@
 namespace tribolog::history {
 namespace {
 
-using archive::Facts;
-using archive::Measured;
-using archive::Quantity;
+using calibration::Facts;
+using calibration::Measured;
+using calibration::Quantity;
 
-LeftOut left_out(const Quantity& q, const Facts& facts, const Facts& latest,
-                 const std::string& from) {
+LeftOut left_out(const calibration::Quantity& q, const calibration::Facts& facts,
+                 const calibration::Facts& latest, const std::string& from) {
   if (facts.measured_at < from) return LeftOut::before_baseline;
-  if (q.verdict != Verdict::usable) return LeftOut::not_usable;
+  if (q.verdict != calibration::Verdict::usable) return LeftOut::not_usable;
   if (!has_same_gear(facts, latest)) return LeftOut::other_gear;
   if (traits_of(q.name).depends_on_payload && !has_same_payload(facts, latest)) {
     return LeftOut::other_payload;
@@ -27,7 +27,7 @@ LeftOut left_out(const Quantity& q, const Facts& facts, const Facts& latest,
   return LeftOut::none;
 }
 
-void add(const Quantity& q, const archive::Entry& entry, LeftOut why,
+void add(const calibration::Quantity& q, const calibration::Entry& entry, LeftOut why,
          std::vector<QuantityTrend>& all) {
   auto at = std::find_if(all.begin(), all.end(),
                          [&](const QuantityTrend& t) { return t.name == q.name; });
@@ -78,12 +78,12 @@ void decide_on_temperature(QuantityTrend& trend) {
 
 }  // namespace
 
-std::vector<QuantityTrend> quantity_series(const std::vector<Measured>& calibrations,
+std::vector<QuantityTrend> quantity_series(const std::vector<calibration::Measured>& calibrations,
                                            const std::string& from) {
   std::vector<QuantityTrend> all;
-  const Facts& latest = calibrations.back().entry.facts;
-  for (const Measured& m : calibrations) {
-    for (const Quantity& q : m.quantities) {
+  const calibration::Facts& latest = calibrations.back().entry.facts;
+  for (const calibration::Measured& m : calibrations) {
+    for (const calibration::Quantity& q : m.quantities) {
       add(q, m.entry, left_out(q, m.entry.facts, latest, from), all);
     }
   }
@@ -108,10 +108,11 @@ std::vector<QuantityTrend> quantity_series(const std::vector<Measured>& calibrat
 
 SeriesPoint series_point(const HistoryPoint& point) {
   const double half_width = (point.estimate.high - point.estimate.low) / 2;
-  return {point.estimate.value, half_width / normal_975, point.temperature_C.value_or(0)};
+  return {point.estimate.value, half_width / statistics::normal_975,
+          point.temperature_C.value_or(0)};
 }
 
-std::string words_on_warming(const std::vector<Measured>& calibrations) {
+std::string words_on_warming(const std::vector<calibration::Measured>& calibrations) {
   constexpr double strong = 0.9;
   double n = 0, t = 0, x = 0, tt = 0, xx = 0, tx = 0;
   double low = 0, high = 0;

@@ -12,7 +12,7 @@ namespace tribolog::history {
 /// All quantities that have an estimate at least once, without their charts.
 /// @param calibrations of one joint, in time.
 /// @param from what was measured before is left out; empty: nothing.
-std::vector<QuantityTrend> quantity_series(const std::vector<archive::Measured>& calibrations,
+std::vector<QuantityTrend> quantity_series(const std::vector<calibration::Measured>& calibrations,
                                            const std::string& from);
 
 /// For the chart: the interval as a standard error.
@@ -20,6 +20,6 @@ SeriesPoint series_point(const HistoryPoint& point);
 
 /// Where the temperature rose or fell along with time, so that a drift cannot be told from it: that
 /// in words. Else empty.
-std::string words_on_warming(const std::vector<archive::Measured>& calibrations);
+std::string words_on_warming(const std::vector<calibration::Measured>& calibrations);
 
 }  // namespace tribolog::history

@@ -40,11 +40,11 @@ bool alike(const std::optional<double>& a, const std::optional<double>& b) {
 
 }  // namespace
 
-bool has_same_gear(const archive::Facts& a, const archive::Facts& b) {
+bool has_same_gear(const calibration::Facts& a, const calibration::Facts& b) {
   return alike(a.gear_ratio, b.gear_ratio);
 }
 
-bool has_same_payload(const archive::Facts& a, const archive::Facts& b) {
+bool has_same_payload(const calibration::Facts& a, const calibration::Facts& b) {
   return a.payload == b.payload && alike(a.payload_kg, b.payload_kg) &&
          alike(a.payload_distance_m, b.payload_distance_m);
 }

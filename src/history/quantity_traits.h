@@ -24,8 +24,8 @@ QuantityTraits traits_of(const std::string& name);
 
 // What of two calibrations' conditions is the same.
 
-bool has_same_gear(const archive::Facts& a, const archive::Facts& b);
+bool has_same_gear(const calibration::Facts& a, const calibration::Facts& b);
 /// Name, mass and distance; one that is stated and one that is not are two.
-bool has_same_payload(const archive::Facts& a, const archive::Facts& b);
+bool has_same_payload(const calibration::Facts& a, const calibration::Facts& b);
 
 }  // namespace tribolog::history

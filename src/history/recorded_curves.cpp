@@ -13,7 +13,7 @@ namespace tribolog::history {
 namespace {
 
 using Json = nlohmann::json;
-using archive::member;
+using calibration::member;
 
 double number(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
@@ -27,35 +27,37 @@ std::vector<double> numbers(const Json& list) {
 }
 
 RecordedFriction friction_of(const Json& top) {
-  const Json& viscous = member(top, "viscous");
-  const Json& runs = member(viscous, "runs");
-  const Json& chosen = member(member(top, "selection"), "recommended");
-  const Json& curves = member(viscous, "curves");
+  const Json& viscous = calibration::member(top, "viscous");
+  const Json& runs = calibration::member(viscous, "runs");
+  const Json& chosen = calibration::member(calibration::member(top, "selection"), "recommended");
+  const Json& curves = calibration::member(viscous, "curves");
   if (!runs.is_array() || !chosen.is_string()) return {};
-  const std::vector<double> friction = numbers(member(curves, chosen.get<std::string>()));
+  const std::vector<double> friction =
+      numbers(calibration::member(curves, chosen.get<std::string>()));
   if (friction.size() != runs.size()) return {};
   RecordedFriction made;
   made.estimator = chosen.get<std::string>();
   for (std::size_t k = 0; k < friction.size(); ++k) {
-    const double speed = number(member(runs[k], "speed_rad_s"));
+    const double speed = number(calibration::member(runs[k], "speed_rad_s"));
     if (!std::isfinite(speed) || !std::isfinite(friction[k])) continue;
     made.speed_rad_s.push_back(speed);
     made.friction_Nm.push_back(friction[k]);
-    made.half_width_Nm.push_back(number(member(runs[k], "torque_half_width_Nm")));
+    made.half_width_Nm.push_back(number(calibration::member(runs[k], "torque_half_width_Nm")));
   }
   return made;
 }
 
 std::vector<RecordedLoop> loops_of(const Json& top) {
   std::vector<RecordedLoop> loops;
-  const Json& oscillations = member(member(top, "hysteresis"), "oscillations");
+  const Json& oscillations =
+      calibration::member(calibration::member(top, "hysteresis"), "oscillations");
   if (!oscillations.is_array()) return loops;
   for (const Json& oscillation : oscillations) {
-    const Json& steady = member(oscillation, "steady_loop");
+    const Json& steady = calibration::member(oscillation, "steady_loop");
     RecordedLoop loop;
-    loop.centre_rad = number(member(steady, "centre_rad"));
-    loop.from_centre_rad = numbers(member(steady, "angle_from_centre_rad"));
-    loop.torque_Nm = numbers(member(steady, "torque_Nm"));
+    loop.centre_rad = number(calibration::member(steady, "centre_rad"));
+    loop.from_centre_rad = numbers(calibration::member(steady, "angle_from_centre_rad"));
+    loop.torque_Nm = numbers(calibration::member(steady, "torque_Nm"));
     const bool is_whole = std::isfinite(loop.centre_rad) && loop.torque_Nm.size() > 2 &&
                           loop.torque_Nm.size() == loop.from_centre_rad.size();
     if (is_whole) loops.push_back(std::move(loop));

@@ -163,7 +163,7 @@ std::optional<SlowDrift> line_over(const std::vector<SeriesPoint>& series,
   const double rest = product(values, values) - square(drift.per_day) * spread;
   drift.standard_error = std::sqrt(std::max(0.0, rest) / drift.freedom / spread);
   drift.at_start = level + drift.per_day * (days.front() - middle);
-  drift.score = normal_score(drift.per_day / drift.standard_error, drift.freedom);
+  drift.score = statistics::normal_score(drift.per_day / drift.standard_error, drift.freedom);
   return drift;
 }
 

@@ -8,7 +8,7 @@
 
 #include "calibration/calibration.h"
 
-namespace tribolog {
+namespace tribolog::identify {
 
 struct IdentifyOptions {
   /// Resamples of the block bootstrap behind the intervals; 0: closed forms alone.
@@ -24,7 +24,8 @@ using StageProgress = std::function<void(const std::string& stage, int done, int
 
 /// Runs every stage. Stages without data say so in their report; the rest still runs.
 /// The dataset must outlive the calibration (figures refer to its recordings).
-Calibration identify(const Dataset& dataset, const IdentifyOptions& options = {},
-                     const StageProgress& progress = {});
+calibration::Calibration identify(const joint::Dataset& dataset,
+                                  const IdentifyOptions& options = {},
+                                  const StageProgress& progress = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::identify

@@ -4,7 +4,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 
 const std::vector<LimitedQuantity>& limited_quantities() {
   static const std::vector<LimitedQuantity> all{
@@ -38,4 +38,4 @@ const LimitedQuantity* find_limited_quantity(const std::string& key) {
   return it == all.end() ? nullptr : &*it;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

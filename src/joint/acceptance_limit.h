@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 /// One `[[limit]]` of the manifest. At least one of the four is set.
 struct AcceptanceLimit {
@@ -29,4 +29,4 @@ const std::vector<LimitedQuantity>& limited_quantities();
 /// nullptr if there is none of this key.
 const LimitedQuantity* find_limited_quantity(const std::string& key);
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

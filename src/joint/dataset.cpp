@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 bool resamples_are_allowed(std::uint64_t resamples) {
   return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);
@@ -47,4 +47,4 @@ std::vector<SharedConversion> shared_conversions(const std::vector<InputFile>& i
   return all;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -14,7 +14,11 @@
 #include "joint/gravity_load.h"
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::robot {
+struct RobotDescription;
+}
+
+namespace tribolog::joint {
 
 /// Fewest resamples from which the ends of a 95 % interval can be read.
 inline constexpr std::size_t fewest_resamples = 100;
@@ -35,8 +39,6 @@ struct LoggedEffort {
   bool is_target{};       ///< A set point or a model's value: no measurement.
   bool is_behind_gear{};  ///< Of a sensor that most of the gear's friction does not pass.
 };
-
-struct RobotDescription;
 
 /// An input file as it was read; goes into the provenance.
 struct InputFile {
@@ -79,8 +81,9 @@ struct Manifest {
   IntervalSettings intervals;
   std::vector<KnownLoad> known_loads;          ///< Subtracted when the logs were read.
   std::optional<StatedGravity> known_gravity;  ///< Of the joint itself; nothing is decided by it.
-  std::shared_ptr<const StaticFriction> reference;  ///< Known curve (simulation), motor side.
-  std::vector<AcceptanceLimit> limits;              ///< What the user accepts; may be empty.
+  std::shared_ptr<const friction::StaticFriction>
+      reference;                        ///< Known curve (simulation), motor side.
+  std::vector<AcceptanceLimit> limits;  ///< What the user accepts; may be empty.
 };
 
 struct Dataset {
@@ -88,7 +91,8 @@ struct Dataset {
   std::vector<Recording> recordings;  ///< In the manifest's order.
   std::vector<InputFile> inputs;      ///< The manifest, the robot's description, the logs.
   std::vector<std::string> notes;     ///< What the reader noticed and the user should know.
-  std::shared_ptr<const RobotDescription> robot;  ///< For drawings; null where none is stated.
+  std::shared_ptr<const robot::RobotDescription>
+      robot;  ///< For drawings; null where none is stated.
 
   [[nodiscard]] std::vector<const Recording*> with_role(Role role) const;
 };
@@ -105,4 +109,4 @@ struct SharedConversion {
 /// By signal, and where logs differ in the order in which they come.
 std::vector<SharedConversion> shared_conversions(const std::vector<InputFile>& inputs);
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 inline constexpr double degrees_per_rad = 180 / std::numbers::pi;
 inline constexpr double rad_per_degree = std::numbers::pi / 180;
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

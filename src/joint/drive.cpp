@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 std::string to_string(EffortKind kind) {
   switch (kind) {
@@ -107,4 +107,4 @@ std::vector<ConversionStep> steps_to_motor_torque(const Drive& drive) {
   return steps;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 /// What the numbers of the effort column are. Never guessed: it must be stated.
 enum class EffortKind {
@@ -96,4 +96,4 @@ struct ColumnConversion {
 /// @param drive of any kind but EffortKind::none.
 std::vector<ConversionStep> steps_to_motor_torque(const Drive& drive);
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -8,7 +8,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 
 GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad, double gravity_m_s2)
     : mass_kg_(mass_kg),
@@ -52,4 +52,4 @@ StatedGravity::StatedGravity(double amplitude_Nm, double q_peak_rad)
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

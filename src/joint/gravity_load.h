@@ -8,7 +8,7 @@
 
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 
 /// Gravity torque at the joint: `m g r cos(q - q_peak)`, eq. (9) with q_peak = -q_c.
 class GravityLoad {
@@ -77,4 +77,4 @@ class StatedGravity {
   double q_peak_rad_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

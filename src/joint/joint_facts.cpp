@@ -8,7 +8,7 @@
 #include "base/requirements.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 namespace {
 
 void require_positive_if_stated(const std::optional<double>& value, const char* what,
@@ -59,4 +59,4 @@ void check_joint_facts(const JointFacts& f) {
   (void)Drive(f.gear_ratio, f.effort_kind, f.effort_side, f.torque_constant_Nm_A);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -8,7 +8,7 @@
 
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 
 /// Limits of the joint are never exceeded by a plan. What is absent is assumed, and the plan says
 /// so (assumed_joint.h).
@@ -47,4 +47,4 @@ struct JointFacts {
 /// @throw std::invalid_argument quoting the value and the rule that it breaks.
 void check_joint_facts(const JointFacts& facts);
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -1,6 +1,6 @@
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::joint {
 
 std::string to_string(Role role) {
   switch (role) {
@@ -18,4 +18,4 @@ std::string to_string(Role role) {
   return "unknown";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::joint {
 
 /// What the joint was made to do. A recording has one role; a dataset any number of each.
 enum class Role {
@@ -41,4 +41,4 @@ struct Recording {
   [[nodiscard]] std::size_t size() const { return t_s.size(); }
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::joint

@@ -8,7 +8,7 @@
 #include "friction/waiboer.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 namespace {
 
 // Shares of the torque limit, of the size that geared robot joints show.
@@ -31,7 +31,8 @@ constexpr double smoothing_s_rad = 1e6;
 
 class Assumer {
  public:
-  Assumer(const JointFacts& facts, std::vector<Assumption>& list) : facts_(facts), list_(list) {}
+  Assumer(const joint::JointFacts& facts, std::vector<Assumption>& list)
+      : facts_(facts), list_(list) {}
 
   /// @param name of the fact. @param why the usual value is what it is.
   double take(const char* name, const std::optional<double>& stated, double usual, const char* what,
@@ -47,27 +48,27 @@ class Assumer {
   }
 
  private:
-  const JointFacts& facts_;
+  const joint::JointFacts& facts_;
   std::vector<Assumption>& list_;
 };
 
 }  // namespace
 
 double AssumedJoint::friction_Nm(double motor_speed_rad_s) const {
-  const Scenario s = assumed_scenario(*this);
+  const simulate::Scenario s = assumed_scenario(*this);
   return std::max(static_Nm, s.sliding->torque_Nm(motor_speed_rad_s));
 }
 
-AssumedJoint assume_joint(const JointFacts& f) {
-  check_joint_facts(f);
+AssumedJoint assume_joint(const joint::JointFacts& f) {
+  joint::check_joint_facts(f);
   AssumedJoint j;
   j.facts = f;
   Assumer a(f, j.assumptions);
   const double limit = f.torque_limit_Nm;
   j.peak_is_known = f.q_peak_rad.has_value();
-  j.q_peak_rad = a.take("q_peak_rad", f.q_peak_rad, (f.lowest_rad + f.highest_rad) / 2,
-                        "Angle of the gravity peak", "°",
-                        "not known: middle of the range, for the simulation only", degrees_per_rad);
+  j.q_peak_rad = a.take(
+      "q_peak_rad", f.q_peak_rad, (f.lowest_rad + f.highest_rad) / 2, "Angle of the gravity peak",
+      "°", "not known: middle of the range, for the simulation only", joint::degrees_per_rad);
   j.gravity_Nm = a.take("gravity_Nm", f.gravity_Nm, usual_gravity_share * limit,
                         "Gravity torque at the motor, centre of gravity level", "N·m",
                         "40 % of the torque limit");
@@ -125,8 +126,8 @@ AssumedJoint assume_joint(const JointFacts& f) {
   return j;
 }
 
-Scenario assumed_scenario(const AssumedJoint& j) {
-  Scenario s;
+simulate::Scenario assumed_scenario(const AssumedJoint& j) {
+  simulate::Scenario s;
   s.name = "assumed joint of a plan";
   s.robot = j.facts.robot;
   s.joint = j.facts.joint;
@@ -134,16 +135,16 @@ Scenario assumed_scenario(const AssumedJoint& j) {
   s.motor_inertia_kgm2 = j.inertia_kgm2;
   constexpr double g_m_s2 = 9.81;
   constexpr double distance_m = 1;  // only m r shows in the logs
-  s.load = GravityLoad(j.gravity_Nm * s.gear_ratio / (g_m_s2 * distance_m), distance_m,
-                       j.q_peak_rad, g_m_s2);
-  s.presliding = std::make_shared<LuGreFriction>(LuGreFriction::Parameters{
+  s.load = joint::GravityLoad(j.gravity_Nm * s.gear_ratio / (g_m_s2 * distance_m), distance_m,
+                              j.q_peak_rad, g_m_s2);
+  s.presliding = std::make_shared<friction::LuGreFriction>(friction::LuGreFriction::Parameters{
       j.bristle_stiffness_Nm_rad, damping_time_s * j.bristle_stiffness_Nm_rad,
       viscous_at_rest_share * j.static_Nm, j.coulomb_Nm, j.static_Nm, j.stribeck_speed_rad_s});
-  s.sliding = std::make_shared<WaiboerFriction>(
-      WaiboerFriction::Parameters{j.static_Nm, j.stribeck_speed_rad_s, stribeck_power,
-                                  j.viscous_coefficient, viscous_power, smoothing_s_rad});
+  s.sliding = std::make_shared<friction::WaiboerFriction>(
+      friction::WaiboerFriction::Parameters{j.static_Nm, j.stribeck_speed_rad_s, stribeck_power,
+                                            j.viscous_coefficient, viscous_power, smoothing_s_rad});
   s.noise = j.noise;
   return s;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

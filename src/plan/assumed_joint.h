@@ -13,7 +13,7 @@
 #include "joint/joint_facts.h"
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 
 /// One number that the plan rests on.
 struct Assumption {
@@ -25,7 +25,7 @@ struct Assumption {
 };
 
 struct AssumedJoint {
-  JointFacts facts;
+  joint::JointFacts facts;
   bool peak_is_known{};  ///< Else `q_peak_rad` is a guess that only simulations use.
   double q_peak_rad{};
   double gravity_Nm{};    ///< Motor side.
@@ -37,7 +37,7 @@ struct AssumedJoint {
   double bristle_stiffness_Nm_rad{};
   double sample_rate_Hz{};
   double set_point_rate_Hz{};
-  Noise noise;
+  simulate::Noise noise;
   std::vector<Assumption> assumptions;  ///< All of them, those stated too.
 
   /// Largest motor torque that friction takes up to this motor speed, without inertia [N·m].
@@ -49,10 +49,10 @@ struct AssumedJoint {
 };
 
 /// @throw std::invalid_argument as check_joint_facts().
-AssumedJoint assume_joint(const JointFacts& facts);
+AssumedJoint assume_joint(const joint::JointFacts& facts);
 
 /// The joint as something to simulate: friction by LuGre and eq. (6), gravity, noise; no
 /// experiments.
-Scenario assumed_scenario(const AssumedJoint& joint);
+simulate::Scenario assumed_scenario(const AssumedJoint& joint);
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

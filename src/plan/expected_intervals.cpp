@@ -14,7 +14,7 @@
 #include "study/statistics.h"
 #include "study/study.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -36,43 +36,47 @@ constexpr std::array<std::pair<const char*, const char*>, 14> wanted{
      {"viscous_coefficient", "viscous coefficient c_v, eq. (6)"},
      {"viscous_power", "viscous power δ_v, eq. (6)"}}};
 
-Calibration identify_once(const Dataset& dataset, std::uint64_t seed) {
-  IdentifyOptions options;
+calibration::Calibration identify_once(const joint::Dataset& dataset, std::uint64_t seed) {
+  identify::IdentifyOptions options;
   options.resamples = 0;
   options.seed = seed;
   options.threads = 1;  // the runs themselves are spread over the cores
-  return identify(dataset, options);
+  return identify::identify(dataset, options);
 }
 
-std::vector<Reading> readings_with_ramps(const Calibration& c) {
-  std::vector<Reading> all = readings_of(c);
+std::vector<truth::Reading> readings_with_ramps(const calibration::Calibration& c) {
+  std::vector<truth::Reading> all = truth::readings_of(c);
   if (c.break_away.mean_Nm) {
-    all.push_back({"break_away", ReadingKind::static_torque, *c.break_away.mean_Nm});
+    all.push_back({"break_away", truth::ReadingKind::static_torque, *c.break_away.mean_Nm});
   }
   return all;
 }
 
 /// Truths of the joint; that of the ramps, whose moment of break-away is a matter of definition, is
 /// what they give without noise.
-std::vector<Reading> truths_of(const Scenario& joint, const std::vector<IdealRecording>& ideal) {
-  const Dataset dataset = simulated_dataset(joint, with_noise(ideal, {}, joint.gear_ratio));
-  std::vector<Reading> truths = true_readings(joint, dataset);
-  const std::vector<Reading> found = readings_with_ramps(identify_once(dataset, 1));
-  if (const Reading* ramps = find_reading(found, "break_away")) truths.push_back(*ramps);
+std::vector<truth::Reading> truths_of(const simulate::Scenario& joint,
+                                      const std::vector<simulate::IdealRecording>& ideal) {
+  const joint::Dataset dataset =
+      simulate::simulated_dataset(joint, simulate::with_noise(ideal, {}, joint.gear_ratio));
+  std::vector<truth::Reading> truths = study::true_readings(joint, dataset);
+  const std::vector<truth::Reading> found = readings_with_ramps(identify_once(dataset, 1));
+  if (const truth::Reading* ramps = truth::find_reading(found, "break_away"))
+    truths.push_back(*ramps);
   return truths;
 }
 
-ExpectedInterval expected(const char* name, const char* words, const Reading& truth,
-                          const std::vector<std::vector<Reading>>& runs) {
-  std::vector<Estimate> estimates;
+ExpectedInterval expected(const char* name, const char* words, const truth::Reading& truth,
+                          const std::vector<std::vector<truth::Reading>>& runs) {
+  std::vector<statistics::Estimate> estimates;
   std::vector<double> half_widths;
-  for (const std::vector<Reading>& readings : runs) {
-    if (const Reading* r = find_reading(readings, name)) {
+  for (const std::vector<truth::Reading>& readings : runs) {
+    if (const truth::Reading* r = truth::find_reading(readings, name)) {
       estimates.push_back(r->estimate);
       half_widths.push_back(r->estimate.half_width());
     }
   }
-  const ErrorStatistics errors = error_statistics(estimates, truth.estimate.value, runs.size());
+  const study::ErrorStatistics errors =
+      study::error_statistics(estimates, truth.estimate.value, runs.size());
   ExpectedInterval e;
   e.name = name;
   e.quantity = truth.quantity;
@@ -82,8 +86,8 @@ ExpectedInterval expected(const char* name, const char* words, const Reading& tr
   e.found = estimates.size();
   e.inside = static_cast<std::size_t>(std::count_if(
       estimates.begin(), estimates.end(),
-      [&](const Estimate& one) { return one.low <= e.truth && e.truth <= one.high; }));
-  e.half_width = estimates.empty() ? nan : median(half_widths);
+      [&](const statistics::Estimate& one) { return one.low <= e.truth && e.truth <= one.high; }));
+  e.half_width = estimates.empty() ? nan : statistics::median(half_widths);
   e.scatter = errors.scatter;
   return e;
 }
@@ -101,27 +105,27 @@ ExpectedIntervals expect_intervals(const ExperimentPlan& plan, const Expectation
   out.runs = options.runs;
   out.seed = options.seed;
   if (plan.segments.empty() || options.runs == 0) return out;
-  const Scenario joint = assumed_scenario(plan.joint);
+  const simulate::Scenario joint = assumed_scenario(plan.joint);
   const double rate = plan.joint.sample_rate_Hz;
-  const std::vector<IdealRecording> ideal =
+  const std::vector<simulate::IdealRecording> ideal =
       cut_by_plan(plan, simulate_plan(plan, joint, rate), rate);
-  const std::vector<Reading> truths = truths_of(joint, ideal);
-  std::vector<std::vector<Reading>> runs(options.runs);
+  const std::vector<truth::Reading> truths = truths_of(joint, ideal);
+  std::vector<std::vector<truth::Reading>> runs(options.runs);
   parallel_for(
       options.runs,
       [&](std::size_t run) {
-        const Noise noise = noise_of_run(joint.noise, options.seed, run);
-        const Dataset dataset =
-            simulated_dataset(joint, with_noise(ideal, noise, joint.gear_ratio));
+        const simulate::Noise noise = study::noise_of_run(joint.noise, options.seed, run);
+        const joint::Dataset dataset = simulate::simulated_dataset(
+            joint, simulate::with_noise(ideal, noise, joint.gear_ratio));
         runs[run] = readings_with_ramps(identify_once(dataset, noise.seed));
       },
       options.threads);
   for (const auto& [name, words] : wanted) {
-    if (const Reading* truth = find_reading(truths, name)) {
+    if (const truth::Reading* truth = truth::find_reading(truths, name)) {
       out.quantities.push_back(expected(name, words, *truth, runs));
     }
   }
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

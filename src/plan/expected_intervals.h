@@ -10,11 +10,11 @@
 #include "plan/experiment_plan.h"
 #include "truth/readings.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 
 struct ExpectedInterval {
   std::string name;  ///< Of the reading (truth/readings.h), or "break_away".
-  ReadingKind quantity{ReadingKind::gravity};
+  truth::ReadingKind quantity{truth::ReadingKind::gravity};
   std::string words;  ///< "gravity torque, mid-line"
   double truth{};     ///< Of the assumed joint.
   std::size_t runs{};
@@ -41,4 +41,4 @@ struct ExpectationOptions {
 ExpectedIntervals expect_intervals(const ExperimentPlan& plan,
                                    const ExpectationOptions& options = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

@@ -9,10 +9,8 @@
 #include "base/requirements.h"
 #include "plan/plan_builder.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 namespace {
-
-using namespace planning;
 
 ExperimentPlan plan_with(const AssumedJoint& joint, double effort) {
   ExperimentPlan plan;
@@ -48,10 +46,11 @@ double ExperimentPlan::duration_s() const {
   return segments.empty() ? 0.0 : segments.back().end_s();
 }
 
-const PlannedPart& ExperimentPlan::part(Role role) const {
+const PlannedPart& ExperimentPlan::part(joint::Role role) const {
   const auto it = std::find_if(parts.begin(), parts.end(),
                                [&](const PlannedPart& p) { return p.role == role; });
-  if (it == parts.end()) throw std::out_of_range("the plan has no row for " + to_string(role));
+  if (it == parts.end())
+    throw std::out_of_range("the plan has no row for " + joint::to_string(role));
   return *it;
 }
 
@@ -79,7 +78,7 @@ double ExperimentPlan::speed_rad_s(double t_s) const {
   return s.motion->speed(t_s - s.start_s);
 }
 
-ExperimentPlan plan_experiment(const JointFacts& facts, const PlanOptions& options) {
+ExperimentPlan plan_experiment(const joint::JointFacts& facts, const PlanOptions& options) {
   const AssumedJoint joint = assume_joint(facts);
   if (options.effort) {
     require_positive(*options.effort, "effort", "");
@@ -99,4 +98,4 @@ ExperimentPlan plan_experiment(const JointFacts& facts, const PlanOptions& optio
   return shortest;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

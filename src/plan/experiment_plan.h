@@ -17,7 +17,7 @@
 #include "plan/assumed_joint.h"
 #include "plan/planned_motions.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 
 /// A stretch in which the torque leads: it changes by rate_Nm_s from what the drive holds at its
 /// start. The joint stands until it slides; there, or after largest_travel_rad, the drive has to
@@ -30,8 +30,8 @@ struct PlannedRamp {
 };
 
 struct PlannedSegment {
-  std::string name;          ///< "oscillation 3 of 8", "travel"
-  std::optional<Role> role;  ///< Absent: travel and rest, which are no recording.
+  std::string name;                 ///< "oscillation 3 of 8", "travel"
+  std::optional<joint::Role> role;  ///< Absent: travel and rest, which are no recording.
   double start_s{};
   double from_s{};  ///< Window of the recording, absolute times.
   double to_s{};
@@ -54,7 +54,7 @@ std::string to_string(PartState state);
 
 /// One row of the plan's table.
 struct PlannedPart {
-  Role role{};
+  joint::Role role{};
   PartState state{PartState::planned};
   std::size_t recordings{};
   double duration_s{};  ///< With the travels to and within it.
@@ -85,7 +85,7 @@ struct ExperimentPlan {
   std::vector<std::string> remarks;        ///< Whole plan: budget, range that the torque leaves.
 
   [[nodiscard]] double duration_s() const;
-  [[nodiscard]] const PlannedPart& part(Role role) const;
+  [[nodiscard]] const PlannedPart& part(joint::Role role) const;
   [[nodiscard]] bool is_first_of_two() const;  ///< Some parts follow from its result.
   /// The joint's angle, speed [rad, rad/s] at a time of the plan; before and behind it stands.
   [[nodiscard]] double angle_rad(double t_s) const;
@@ -95,6 +95,6 @@ struct ExperimentPlan {
 };
 
 /// @throw std::invalid_argument as assume_joint(), or for an effort that is not > 0.
-ExperimentPlan plan_experiment(const JointFacts& facts, const PlanOptions& options = {});
+ExperimentPlan plan_experiment(const joint::JointFacts& facts, const PlanOptions& options = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

@@ -7,11 +7,11 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog::planning {
+namespace tribolog::plan {
 namespace {
 
 constexpr double margin_share = 0.01;  // of the range, at either end
-constexpr double largest_margin_rad = 1 * rad_per_degree;
+constexpr double largest_margin_rad = 1 * joint::rad_per_degree;
 constexpr double usable_torque = 0.95;  // of the limit
 constexpr double travel_share = 0.5;    // of the speed limit
 constexpr double acceleration_share = 0.5;
@@ -58,13 +58,13 @@ double WorkingRange::with_room(double angle_rad, double room_rad) const {
 }
 
 std::string degrees_text(double angle_rad, int decimals) {
-  std::string text = fmt::format("{:.{}f}", angle_rad * degrees_per_rad, decimals);
+  std::string text = fmt::format("{:.{}f}", angle_rad * joint::degrees_per_rad, decimals);
   if (text.front() == '-') text.replace(0, 1, "−");
   return text + "°";
 }
 
 WorkingRange working_range(const AssumedJoint& j, std::vector<std::string>& remarks) {
-  const JointFacts& f = j.facts;
+  const joint::JointFacts& f = j.facts;
   WorkingRange r;
   const double margin = std::min(largest_margin_rad, margin_share * (f.highest_rad - f.lowest_rad));
   r.low_rad = f.lowest_rad + margin;
@@ -112,7 +112,7 @@ void Timeline::go_to(double angle_rad) {
   angle_rad_ = angle_rad;
 }
 
-void Timeline::record(const std::string& name, Role role,
+void Timeline::record(const std::string& name, joint::Role role,
                       std::shared_ptr<const PlannedMotion> motion, double from_s, double to_s,
                       const std::optional<PlannedRamp>& ramp) {
   PlannedSegment s;
@@ -127,7 +127,8 @@ void Timeline::record(const std::string& name, Role role,
   plan_.segments.push_back(std::move(s));
 }
 
-PlannedPart part_about_the_peak(Role role, const WorkingRange& range, const ExperimentPlan& plan) {
+PlannedPart part_about_the_peak(joint::Role role, const WorkingRange& range,
+                                const ExperimentPlan& plan) {
   PlannedPart part;
   part.role = role;
   const AssumedJoint& j = plan.joint;
@@ -147,4 +148,4 @@ PlannedPart part_about_the_peak(Role role, const WorkingRange& range, const Expe
   return part;
 }
 
-}  // namespace tribolog::planning
+}  // namespace tribolog::plan

@@ -5,7 +5,7 @@
 
 #include "plan/experiment_plan.h"
 
-namespace tribolog::planning {
+namespace tribolog::plan {
 
 /// Where the joint may go and how fast.
 struct WorkingRange {
@@ -32,8 +32,9 @@ class Timeline {
   void go_to(double angle_rad);
   /// The motion begins where the joint stands.
   /// @param from_s, to_s window of the recording within the motion.
-  void record(const std::string& name, Role role, std::shared_ptr<const PlannedMotion> motion,
-              double from_s, double to_s, const std::optional<PlannedRamp>& ramp = {});
+  void record(const std::string& name, joint::Role role,
+              std::shared_ptr<const PlannedMotion> motion, double from_s, double to_s,
+              const std::optional<PlannedRamp>& ramp = {});
   [[nodiscard]] double now_s() const { return plan_.duration_s(); }
 
  private:
@@ -57,6 +58,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
 std::string degrees_text(double angle_rad, int decimals = 2);
 
 /// Why a part about the gravity peak has to wait or cannot be; PartState::planned: it can.
-PlannedPart part_about_the_peak(Role role, const WorkingRange& range, const ExperimentPlan& plan);
+PlannedPart part_about_the_peak(joint::Role role, const WorkingRange& range,
+                                const ExperimentPlan& plan);
 
-}  // namespace tribolog::planning
+}  // namespace tribolog::plan

@@ -12,7 +12,7 @@
 #include "method/motion/encoder_resolution.h"
 #include "plan/plan_builder.h"
 
-namespace tribolog::planning {
+namespace tribolog::plan {
 namespace {
 
 using std::numbers::pi;
@@ -32,7 +32,7 @@ constexpr std::size_t usual_positions = 8;
 constexpr std::size_t few_positions = 5;
 constexpr std::size_t many_positions = 12;
 /// Joint angle over which the positions may spread: gravity falls by 1.5 % at its ends.
-constexpr double largest_spread_rad = 20 * rad_per_degree;
+constexpr double largest_spread_rad = 20 * joint::rad_per_degree;
 constexpr double ripple_of_no_matter = 0.05;  // of its amplitude, left in the mean
 
 struct Shape {
@@ -81,8 +81,9 @@ double ripple_left(const AssumedJoint& j, const std::vector<double>& q_rad) {
   std::vector<double> motor;
   for (const double q : q_rad) motor.push_back(q * j.facts.gear_ratio);
   double worst = 0;
-  for (const Noise::Ripple& one : j.noise.ripple) {
-    worst = std::max(worst, share_left_in_mean({one.periods_per_turn, 1, 0}, motor));
+  for (const simulate::Noise::Ripple& one : j.noise.ripple) {
+    worst = std::max(worst,
+                     method::hysteresis::share_left_in_mean({one.periods_per_turn, 1, 0}, motor));
   }
   return worst;
 }
@@ -100,7 +101,7 @@ Positions choose_positions(const AssumedJoint& j, const WorkingRange& range, dou
   const double n = j.facts.gear_ratio;
   const double room = std::min(largest_spread_rad, range.span_rad() - 2 * amplitude_rad);
   std::vector<double> lengths{2 * pi / n};
-  for (const Noise::Ripple& one : j.noise.ripple) {
+  for (const simulate::Noise::Ripple& one : j.noise.ripple) {
     lengths.push_back(2 * pi / one.periods_per_turn / n);
   }
   Positions best{{range.with_room(j.q_peak_rad, amplitude_rad)}, 1};
@@ -124,7 +125,8 @@ std::vector<Shape> other_shapes(const AssumedJoint& j, const WorkingRange& range
   for (const double factor : other_amplitudes) {
     const Shape s = oscillation_shape(j, range, factor);
     const bool fits = 2 * s.amplitude_rad < range.span_rad();
-    if (fits && steps_across(j, s) >= fewest_steps_in_presliding) shapes.push_back(s);
+    if (fits && steps_across(j, s) >= method::motion::fewest_steps_in_presliding)
+      shapes.push_back(s);
   }
   return shapes;
 }
@@ -145,22 +147,23 @@ std::size_t wanted_positions(double effort) {
 
 void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   const AssumedJoint& j = plan.joint;
-  PlannedPart part = part_about_the_peak(Role::oscillation, range, plan);
+  PlannedPart part = part_about_the_peak(joint::Role::oscillation, range, plan);
   part.gives =
       "gravity torque free of friction, surrogate mass, bristle stiffness, break-away torque";
   const Shape shape = oscillation_shape(j, range);
   const double steps = steps_across(j, shape);
-  if (steps < fewest_steps_in_presliding) {
+  if (steps < method::motion::fewest_steps_in_presliding) {
     part.state = PartState::impossible;
     part.why = fmt::format(
         "the encoder is too coarse for pre-sliding: {:.0f} counts a motor turn give {:.2g} steps "
         "across a loop of {:.2g} rad at the motor, {:.0f} are needed",
         j.noise.encoder_counts_per_turn, steps, 2 * shape.amplitude_rad * j.facts.gear_ratio,
-        fewest_steps_in_presliding);
+        method::motion::fewest_steps_in_presliding);
     part.help = fmt::format(
         "an encoder of {:.0f} counts or more, interpolated lines counted; the sweep and the runs "
         "give gravity and sliding friction without it",
-        std::ceil(j.noise.encoder_counts_per_turn * fewest_steps_in_presliding / steps));
+        std::ceil(j.noise.encoder_counts_per_turn * method::motion::fewest_steps_in_presliding /
+                  steps));
   } else if (part.state == PartState::planned && 2 * shape.amplitude_rad > range.span_rad()) {
     part.state = PartState::impossible;
     part.why = fmt::format("its width of {:.3g} rad exceeds the range of {:.3g} rad",
@@ -194,7 +197,8 @@ void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentP
       const auto motion = std::make_shared<EasedSine>(centre_rad, s.amplitude_rad, s.frequency_Hz,
                                                       cycles, s.ease_s);
       timeline.go_to(motion->start_rad());
-      timeline.record(name, Role::oscillation, motion, s.ease_s, motion->duration_s() - s.ease_s);
+      timeline.record(name, joint::Role::oscillation, motion, s.ease_s,
+                      motion->duration_s() - s.ease_s);
     };
     for (std::size_t k = 0; k < count; ++k) {
       oscillate(fmt::format("oscillation {} of {}", k + 1, count), shape, positions.q_rad[k]);
@@ -220,4 +224,4 @@ void add_oscillations(const WorkingRange& range, Timeline& timeline, ExperimentP
   plan.parts.push_back(std::move(part));
 }
 
-}  // namespace tribolog::planning
+}  // namespace tribolog::plan

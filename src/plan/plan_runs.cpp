@@ -10,7 +10,7 @@
 #include "plan/plan_builder.h"
 #include "simulate/motion.h"
 
-namespace tribolog::planning {
+namespace tribolog::plan {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double fewest_speeds = 8;
 constexpr double most_speeds = 40;
 constexpr double usual_plateau_s = 5;
 constexpr double shortest_plateau_s = 0.2;
-constexpr double largest_travel_rad = 60 * rad_per_degree;
+constexpr double largest_travel_rad = 60 * joint::rad_per_degree;
 constexpr double slowest_over_stribeck = 0.2;
 constexpr double fastest_share = 0.95;  // of the speed limit
 constexpr double usable_torque = 0.95;
@@ -37,7 +37,8 @@ Fastest fastest_speed(const AssumedJoint& j, const WorkingRange& range) {
   const double n = j.facts.gear_ratio;
   Fastest fastest{fastest_share * j.facts.speed_limit_rad_s};
   const auto fits = [&](double v) {
-    return v * shortest_plateau_s + 2 * TravelMotion::ramp_way_rad(v, range.acceleration_rad_s2) <=
+    return v * shortest_plateau_s +
+               2 * simulate::TravelMotion::ramp_way_rad(v, range.acceleration_rad_s2) <=
            range.span_rad();
   };
   const auto is_driven = [&](double v) {
@@ -64,7 +65,8 @@ Fastest fastest_speed(const AssumedJoint& j, const WorkingRange& range) {
 void record_run(double speed_rad_s, std::size_t number, const WorkingRange& range,
                 Timeline& timeline, ExperimentPlan& plan) {
   const AssumedJoint& j = plan.joint;
-  const double ramps = 2 * TravelMotion::ramp_way_rad(speed_rad_s, range.acceleration_rad_s2);
+  const double ramps =
+      2 * simulate::TravelMotion::ramp_way_rad(speed_rad_s, range.acceleration_rad_s2);
   const double plateau_s = usual_plateau_s * std::max(plan.effort, shortest_plateau_s);
   const double plateau =
       std::min({largest_travel_rad, speed_rad_s * plateau_s, range.span_rad() - ramps});
@@ -76,7 +78,7 @@ void record_run(double speed_rad_s, std::size_t number, const WorkingRange& rang
   const auto motion = travel(from, to, speed_rad_s, range.acceleration_rad_s2, true, rest_s / 2);
   timeline.record(
       fmt::format("constant speed {}: {:.3g} rad/s", number, speed_rad_s * j.facts.gear_ratio),
-      Role::constant_speed, motion, 0, motion->duration_s());
+      joint::Role::constant_speed, motion, 0, motion->duration_s());
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ void record_run(double speed_rad_s, std::size_t number, const WorkingRange& rang
 void add_runs(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   const AssumedJoint& j = plan.joint;
   PlannedPart part;
-  part.role = Role::constant_speed;
+  part.role = joint::Role::constant_speed;
   part.gives = "friction against speed: Coulomb, Stribeck and viscous parameters";
   const double n = j.facts.gear_ratio;
   const Fastest fastest = fastest_speed(j, range);
@@ -123,7 +125,7 @@ void add_runs(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pla
   part.motion = fmt::format(
       "{} speeds in both directions from {:.3g} to {:.3g} rad/s at the motor ({:.3g}°/s to "
       "{:.3g}°/s), the fastest by the {}",
-      count, bottom, top, bottom / n * degrees_per_rad, top / n * degrees_per_rad,
+      count, bottom, top, bottom / n * joint::degrees_per_rad, top / n * joint::degrees_per_rad,
       fastest.limited_by);
   plan.parts.push_back(std::move(part));
 }
@@ -151,7 +153,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
   using std::numbers::pi;
   const AssumedJoint& j = plan.joint;
   const double n = j.facts.gear_ratio;
-  PlannedPart part = part_about_the_peak(Role::break_away, range, plan);
+  PlannedPart part = part_about_the_peak(joint::Role::break_away, range, plan);
   part.gives = "break-away torque without any model";
   const double spare = usable_torque * j.facts.torque_limit_Nm - j.gravity_Nm;
   const double change = std::min(usual_change * j.static_Nm, spare);
@@ -189,7 +191,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
       ramp.direction = k % 2 == 0 ? 1 : -1;
       timeline.record(fmt::format("break-away {} of {}, torque {}", k + 1, 2 * repeats,
                                   k % 2 == 0 ? "rising" : "falling"),
-                      Role::break_away, hold(q, rest_s + ramp_s + return_s), rest_s,
+                      joint::Role::break_away, hold(q, rest_s + ramp_s + return_s), rest_s,
                       rest_s + ramp_s, ramp);
     }
     part.recordings = static_cast<std::size_t>(2 * repeats);
@@ -197,7 +199,7 @@ void add_ramps(const WorkingRange& range, Timeline& timeline, ExperimentPlan& pl
     part.motion = fmt::format(
         "at {}, {} ramps up and {} down at {:.3g} N·m/s, by up to {:.3g} N·m at the motor from "
         "what holds the arm; a ramp ends when the joint has slid {:.2g}°",
-        degrees_text(q), repeats, repeats, up.rate_Nm_s, change, travel * degrees_per_rad);
+        degrees_text(q), repeats, repeats, up.rate_Nm_s, change, travel * joint::degrees_per_rad);
   }
   plan.parts.push_back(std::move(part));
 }
@@ -208,10 +210,10 @@ namespace {
 
 constexpr double rough_stroke_s = 70;
 constexpr double precise_stroke_s = 20;
-constexpr double precise_reach_rad = 1 * rad_per_degree;  // as in the paper
-constexpr double least_precise_reach_rad = 0.25 * rad_per_degree;
-constexpr double least_range_rad = 20 * rad_per_degree;
-constexpr double good_range_rad = 60 * rad_per_degree;
+constexpr double precise_reach_rad = 1 * joint::rad_per_degree;  // as in the paper
+constexpr double least_precise_reach_rad = 0.25 * joint::rad_per_degree;
+constexpr double least_range_rad = 20 * joint::rad_per_degree;
+constexpr double good_range_rad = 60 * joint::rad_per_degree;
 constexpr double fastest_sweep_share = 0.25;  // of the speed limit
 
 double sweep_speed(const ExperimentPlan& plan, double way_rad, double stroke_s) {
@@ -231,15 +233,15 @@ void add_sweep(const std::string& name, double from_rad, double to_rad, double s
   part.duration_s = timeline.now_s() - begins_s;
   part.motion =
       fmt::format("from {} to {} and back at {:.3g}°/s, {:.3g} rad/s at the motor",
-                  degrees_text(from_rad), degrees_text(to_rad), speed_rad_s * degrees_per_rad,
-                  speed_rad_s * plan.joint.facts.gear_ratio);
+                  degrees_text(from_rad), degrees_text(to_rad),
+                  speed_rad_s * joint::degrees_per_rad, speed_rad_s * plan.joint.facts.gear_ratio);
 }
 
 }  // namespace
 
 void add_rough_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
   PlannedPart part;
-  part.role = Role::rough_sweep;
+  part.role = joint::Role::rough_sweep;
   part.gives =
       "gravity torque, angle of the gravity peak, friction of the slow joint, torque ripple";
   const double span = range.span_rad();
@@ -270,7 +272,7 @@ void add_rough_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPl
 }
 
 void add_precise_sweep(const WorkingRange& range, Timeline& timeline, ExperimentPlan& plan) {
-  PlannedPart part = part_about_the_peak(Role::precise_sweep, range, plan);
+  PlannedPart part = part_about_the_peak(joint::Role::precise_sweep, range, plan);
   part.gives = "angle of the gravity peak, closer";
   if (part.state == PartState::planned) {
     const double peak = plan.joint.q_peak_rad;
@@ -289,4 +291,4 @@ void add_precise_sweep(const WorkingRange& range, Timeline& timeline, Experiment
   plan.parts.push_back(std::move(part));
 }
 
-}  // namespace tribolog::planning
+}  // namespace tribolog::plan

@@ -9,7 +9,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 namespace {
 
 using std::numbers::pi;
@@ -29,14 +29,14 @@ class Hold final : public PlannedMotion {
 
 class Travel final : public PlannedMotion {
  public:
-  explicit Travel(const TravelMotion::Plan& plan) : motion_(plan) {}
+  explicit Travel(const simulate::TravelMotion::Plan& plan) : motion_(plan) {}
   [[nodiscard]] double angle(double t) const override { return motion_.angle(t); }
   [[nodiscard]] double speed(double t) const override { return motion_.speed(t); }
   [[nodiscard]] double acceleration(double t) const override { return motion_.acceleration(t); }
   [[nodiscard]] double duration_s() const override { return motion_.duration_s(); }
 
  private:
-  TravelMotion motion_;
+  simulate::TravelMotion motion_;
 };
 
 }  // namespace
@@ -53,7 +53,7 @@ std::shared_ptr<const PlannedMotion> travel(double from_rad, double to_rad, doub
   const double way = std::abs(to_rad - from_rad);
   // Both ramps together take v^2 pi/(2 a).
   const double reachable = std::sqrt(most_on_ramps * way * 2 * acceleration_rad_s2 / pi);
-  return std::make_shared<Travel>(TravelMotion::Plan{
+  return std::make_shared<Travel>(simulate::TravelMotion::Plan{
       from_rad, to_rad, std::min(speed_rad_s, reachable), acceleration_rad_s2, back, rest_s});
 }
 
@@ -126,4 +126,4 @@ double EasedSine::largest_acceleration_rad_s2(double amplitude_rad, double frequ
   return amplitude_rad * w * (w + pi / (2 * ease_s));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

@@ -6,10 +6,10 @@
 
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 
 /// A motion from rest to rest; before 0 and behind its duration it stands.
-class PlannedMotion : public Motion {
+class PlannedMotion : public simulate::Motion {
  public:
   [[nodiscard]] virtual double duration_s() const = 0;
 };
@@ -58,4 +58,4 @@ class EasedSine final : public PlannedMotion {
   double duration_s_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

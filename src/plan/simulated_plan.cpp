@@ -11,14 +11,14 @@
 #include "simulate/bristle_integrator.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::plan {
 namespace {
 
 class Follower {
  public:
-  Follower(const Scenario& joint, double sample_rate_Hz)
+  Follower(const simulate::Scenario& joint, double sample_rate_Hz)
       : s_(joint),
-        lugre_(dynamic_cast<const LuGreFriction*>(joint.presliding.get())),
+        lugre_(dynamic_cast<const friction::LuGreFriction*>(joint.presliding.get())),
         rate_(sample_rate_Hz) {
     if (lugre_ == nullptr || !joint.sliding) {
       throw std::invalid_argument(
@@ -36,14 +36,14 @@ class Follower {
         const double t = static_cast<double>(i) / rate_;
         add(t, *segment.motion, t - segment.start_s);
       }
-      if (segment.role == Role::oscillation) replace_oscillation(segment, first, last);
+      if (segment.role == joint::Role::oscillation) replace_oscillation(segment, first, last);
       if (segment.ramp) replace_ramp(segment, first, last);
       note_direction(*segment.motion);
     }
     log_.rows_read = log_.size();
   }
 
-  Recording take() { return std::move(log_); }
+  joint::Recording take() { return std::move(log_); }
 
  private:
   [[nodiscard]] std::size_t first_sample_from(double t_s) const {
@@ -56,7 +56,7 @@ class Follower {
            (s_.arm_inertia_kgm2 * ddq + s_.load.torque_Nm(q)) / n;
   }
 
-  void add(double t, const Motion& motion, double within) {
+  void add(double t, const simulate::Motion& motion, double within) {
     const double q = motion.angle(within);
     const double dq = motion.speed(within);
     log_.t_s.push_back(t);
@@ -75,13 +75,13 @@ class Follower {
 
   void replace_oscillation(const PlannedSegment& segment, std::size_t first, std::size_t last) {
     if (last <= first) return;
-    const MotorSide motor(*segment.motion, s_.gear_ratio);
+    const simulate::MotorSide motor(*segment.motion, s_.gear_ratio);
     const auto& p = lugre_->parameters();
     const double z0 = direction_ * p.static_Nm / p.bristle_stiffness_Nm_rad;
     std::vector<double> z(last - first);
     std::vector<double> dz(z.size());
     const double t0 = log_.t_s[first] - segment.start_s;
-    integrate_bristle(*lugre_, motor, t0, 1 / rate_, z0, z, dz);
+    simulate::integrate_bristle(*lugre_, motor, t0, 1 / rate_, z0, z, dz);
     for (std::size_t i = first; i < last; ++i) {
       const double t = log_.t_s[i] - segment.start_s;
       const double friction = lugre_->torque_Nm(z[i - first], dz[i - first], motor.speed(t));
@@ -91,13 +91,13 @@ class Follower {
 
   void replace_ramp(const PlannedSegment& segment, std::size_t first, std::size_t last) {
     const PlannedRamp& ramp = present(segment.ramp);
-    BreakAwayExperiment e;
+    simulate::BreakAwayExperiment e;
     e.centre_rad = segment.motion->angle(0);
     e.rate_Nm_s = ramp.rate_Nm_s;
     e.largest_torque_Nm = ramp.largest_change_Nm;
     e.largest_travel_rad = ramp.largest_travel_rad;
     e.sample_rate_Hz = rate_;
-    const Recording slid = simulate_break_away_ramp(s_, e, ramp.direction, "");
+    const joint::Recording slid = simulate::simulate_break_away_ramp(s_, e, ramp.direction, "");
     const std::size_t begin = std::max(first, first_sample_from(segment.from_s));
     const std::size_t end = std::min(last, first_sample_from(segment.to_s));
     std::size_t k = begin;
@@ -122,11 +122,11 @@ class Follower {
     }
   }
 
-  const Scenario& s_;
-  const LuGreFriction* lugre_;
+  const simulate::Scenario& s_;
+  const friction::LuGreFriction* lugre_;
   double rate_;
   double direction_{1};
-  Recording log_;
+  joint::Recording log_;
 };
 
 std::vector<double> cut(const std::vector<double>& all, std::size_t first, std::size_t last) {
@@ -136,18 +136,20 @@ std::vector<double> cut(const std::vector<double>& all, std::size_t first, std::
 
 }  // namespace
 
-Recording simulate_plan(const ExperimentPlan& plan, const Scenario& joint, double sample_rate_Hz) {
+joint::Recording simulate_plan(const ExperimentPlan& plan, const simulate::Scenario& joint,
+                               double sample_rate_Hz) {
   if (plan.segments.empty()) throw std::invalid_argument("the plan holds nothing to simulate");
   Follower follower(joint, sample_rate_Hz);
   follower.follow(plan);
-  Recording log = follower.take();
+  joint::Recording log = follower.take();
   log.name = planned_log_name;
   return log;
 }
 
-std::vector<IdealRecording> cut_by_plan(const ExperimentPlan& plan, const Recording& log,
-                                        double sample_rate_Hz) {
-  std::vector<IdealRecording> all;
+std::vector<simulate::IdealRecording> cut_by_plan(const ExperimentPlan& plan,
+                                                  const joint::Recording& log,
+                                                  double sample_rate_Hz) {
+  std::vector<simulate::IdealRecording> all;
   for (const PlannedSegment& segment : plan.segments) {
     if (!segment.role) continue;
     const auto at = [&](double t) {
@@ -156,7 +158,7 @@ std::vector<IdealRecording> cut_by_plan(const ExperimentPlan& plan, const Record
     };
     const std::size_t first = at(segment.from_s);
     const std::size_t last = at(std::nextafter(segment.to_s, 1e300));
-    Recording r;
+    joint::Recording r;
     r.name = segment.name;
     r.role = *segment.role;
     r.t_s = cut(log.t_s, first, last);
@@ -169,4 +171,4 @@ std::vector<IdealRecording> cut_by_plan(const ExperimentPlan& plan, const Record
   return all;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::plan

@@ -22,40 +22,42 @@ using history::ChangeWord;
 using history::ComparedQuantity;
 using history::Comparison;
 
-Scale scale_of(const ComparedQuantity& q) {
-  const Estimate& e = q.first ? *q.first : present(q.second);
-  return quantity_scale(q.unit, e.value);
+wording::Scale scale_of(const history::ComparedQuantity& q) {
+  const statistics::Estimate& e = q.first ? *q.first : present(q.second);
+  return wording::quantity_scale(q.unit, e.value);
 }
 
 /// "3.8832 ± 0.0043", lopsided "3.8832 (3.8789 … 3.8899)"; the unit stands with the quantity.
-std::string text_of(const RoundedEstimate& rounded) {
+std::string text_of(const wording::RoundedEstimate& rounded) {
   if (!rounded.half_width.empty() || rounded.low.empty()) return rounded.plus_minus();
   return rounded.estimate + " (" + rounded.range() + ")";
 }
 
-std::string estimate_text(const std::optional<Estimate>& e, const Scale& scale) {
-  return e ? text_of(round_by_interval(*e, scale)) : or_dash("");
+std::string estimate_text(const std::optional<statistics::Estimate>& e,
+                          const wording::Scale& scale) {
+  return e ? text_of(wording::round_by_interval(*e, scale)) : or_dash("");
 }
 
 /// With a plus where it grew by a digit that is printed.
-std::string signed_text(const std::optional<Estimate>& change, const Scale& scale) {
+std::string signed_text(const std::optional<statistics::Estimate>& change,
+                        const wording::Scale& scale) {
   if (!change) return or_dash("");
-  RoundedEstimate rounded = round_by_interval(*change, scale);
-  rounded.estimate = with_plus_sign(rounded.estimate);
+  wording::RoundedEstimate rounded = wording::round_by_interval(*change, scale);
+  rounded.estimate = wording::with_plus_sign(rounded.estimate);
   return text_of(rounded);
 }
 
 /// "Coulomb torque [mN·m]"
-std::string quantity_text(const ComparedQuantity& q, const Scale& scale) {
+std::string quantity_text(const history::ComparedQuantity& q, const wording::Scale& scale) {
   return scale.unit.empty() ? q.words : q.words + " [" + scale.unit + "]";
 }
 
-std::string time_text(const archive::Facts& f) {
+std::string time_text(const calibration::Facts& f) {
   return f.measured_at + (f.time_is_stated ? "" : " (identified)");
 }
 
 std::string number_text(const std::optional<double>& value, const char* unit) {
-  return value ? with_unit(as_stated(*value), unit) : or_dash("");
+  return value ? wording::with_unit(wording::as_stated(*value), unit) : or_dash("");
 }
 
 /// What is said of quantities, with the names of those it is said of.
@@ -71,7 +73,7 @@ class SharedTexts {
   }
   void append_to(std::vector<std::string>& notes, const std::string& word) const {
     for (const auto& [text, names] : texts_) {
-      notes.push_back(as_sentence(fmt::format("{}{}: {}", figures::listed(names), word, text)));
+      notes.push_back(as_sentence(fmt::format("{}{}: {}", wording::listed(names), word, text)));
     }
   }
 
@@ -81,10 +83,10 @@ class SharedTexts {
 
 }  // namespace
 
-std::string comparison_sentence(const Comparison& c) {
-  const std::size_t changed = c.count(ChangeWord::changed);
-  const std::size_t comparable = changed + c.count(ChangeWord::no_change_seen);
-  const std::size_t others = c.count(ChangeWord::not_comparable);
+std::string comparison_sentence(const history::Comparison& c) {
+  const std::size_t changed = c.count(history::ChangeWord::changed);
+  const std::size_t comparable = changed + c.count(history::ChangeWord::no_change_seen);
+  const std::size_t others = c.count(history::ChangeWord::not_comparable);
   std::string sentence = "Nothing is comparable";
   if (changed > 0) {
     sentence = fmt::format("{} of {} comparable {} changed", changed, comparable,
@@ -99,25 +101,25 @@ std::string comparison_sentence(const Comparison& c) {
   return sentence + ".";
 }
 
-Table compared_quantities_table(const Comparison& c) {
+Table compared_quantities_table(const history::Comparison& c) {
   Table table;
   table.id = "table-changes";
   table.is_stacked = true;
   table.caption = "Each quantity and its change";
   table.columns = {{"Quantity", "", false, true}, {"First", "", true},      {"Second", "", true},
                    {"Change", "", true},          {"In percent", "", true}, {"Word", "", false}};
-  for (const ComparedQuantity& q : c.quantities) {
-    const Scale scale = scale_of(q);
-    std::optional<Estimate> change;
-    std::optional<Estimate> percent;
+  for (const history::ComparedQuantity& q : c.quantities) {
+    const wording::Scale scale = scale_of(q);
+    std::optional<statistics::Estimate> change;
+    std::optional<statistics::Estimate> percent;
     if (q.change) {
       change = q.change->absolute;
       percent = q.change->percent;
     }
     table.rows.push_back(
         {{quantity_text(q, scale), estimate_text(q.first, scale), estimate_text(q.second, scale),
-          signed_text(change, scale), signed_text(percent, {1, "%"}), to_string(q.word)},
-         q.word == ChangeWord::changed});
+          signed_text(change, scale), signed_text(percent, {1, "%"}), history::to_string(q.word)},
+         q.word == history::ChangeWord::changed});
   }
   table.note = fmt::format(
       "At the motor, with 95 % intervals; that of a change is of both, which are independent. "
@@ -127,9 +129,9 @@ Table compared_quantities_table(const Comparison& c) {
   return table;
 }
 
-Table compared_conditions_table(const Comparison& c) {
-  const archive::Facts& a = c.first.facts;
-  const archive::Facts& b = c.second.facts;
+Table compared_conditions_table(const history::Comparison& c) {
+  const calibration::Facts& a = c.first.facts;
+  const calibration::Facts& b = c.second.facts;
   Table table;
   table.id = "table-conditions";
   table.is_stacked = true;
@@ -139,8 +141,8 @@ Table compared_conditions_table(const Comparison& c) {
   const auto add = [&](const char* name, const std::string& first, const std::string& second) {
     table.rows.push_back({{name, or_dash(first), or_dash(second)}, false});
   };
-  add("Calibration", c.first.id.substr(0, archive::shown_digits),
-      c.second.id.substr(0, archive::shown_digits));
+  add("Calibration", c.first.id.substr(0, calibration::shown_digits),
+      c.second.id.substr(0, calibration::shown_digits));
   add("Robot", a.of.robot, b.of.robot);
   add("Serial number", a.of.serial, b.of.serial);
   add("Joint", a.of.joint, b.of.joint);
@@ -149,19 +151,19 @@ Table compared_conditions_table(const Comparison& c) {
   add("Temperature", number_text(a.temperature_C, "°C"), number_text(b.temperature_C, "°C"));
   add("Payload", a.payload, b.payload);
   add("Payload's mass", number_text(a.payload_kg, "kg"), number_text(b.payload_kg, "kg"));
-  add("Gear ratio", as_stated(a.gear_ratio), as_stated(b.gear_ratio));
+  add("Gear ratio", wording::as_stated(a.gear_ratio), wording::as_stated(b.gear_ratio));
   add("Sampling rate", number_text(a.sampling_Hz, "Hz"), number_text(b.sampling_Hz, "Hz"));
-  add("Verdict", to_string(a.verdict), to_string(b.verdict));
+  add("Verdict", calibration::to_string(a.verdict), calibration::to_string(b.verdict));
   add("Made by tribolog", a.tool_version, b.tool_version);
   return table;
 }
 
-std::vector<std::string> comparison_notes(const Comparison& c) {
+std::vector<std::string> comparison_notes(const history::Comparison& c) {
   SharedTexts why_not;
   SharedTexts cautions;
-  for (const ComparedQuantity& q : c.quantities) {
+  for (const history::ComparedQuantity& q : c.quantities) {
     for (const std::string& text : q.why_not) why_not.add(text, q.words);
-    if (q.word == ChangeWord::not_comparable) continue;
+    if (q.word == history::ChangeWord::not_comparable) continue;
     for (const std::string& text : q.cautions) cautions.add(text, q.words);
   }
   std::vector<std::string> notes;
@@ -171,21 +173,15 @@ std::vector<std::string> comparison_notes(const Comparison& c) {
   return notes;
 }
 
-}  // namespace tribolog::report
-
-namespace tribolog {
-
 namespace {
-
-using namespace report;
 using history::ChangeWord;
 using history::Comparison;
 
-void fill_verdict(const Comparison& c, TemplateValues& values) {
+void fill_verdict(const history::Comparison& c, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const std::size_t changed = c.count(ChangeWord::changed);
-  const std::size_t same = c.count(ChangeWord::no_change_seen);
-  const std::size_t others = c.count(ChangeWord::not_comparable);
+  const std::size_t changed = c.count(history::ChangeWord::changed);
+  const std::size_t same = c.count(history::ChangeWord::no_change_seen);
+  const std::size_t others = c.count(history::ChangeWord::not_comparable);
   const Outcome outcome = same + changed == 0         ? Outcome::absent
                           : changed > 0 || others > 0 ? Outcome::partial
                                                       : Outcome::good;
@@ -200,13 +196,15 @@ void fill_verdict(const Comparison& c, TemplateValues& values) {
 
 }  // namespace
 
-std::string comparison_page(const Comparison& comparison, const Provenance& provenance,
+std::string comparison_page(const history::Comparison& comparison,
+                            const calibration::Provenance& provenance,
                             const std::string& curves_missing,
-                            const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn, Language language) {
+                            const std::vector<figures::ReportFigure>& figures,
+                            const std::vector<render::workers::DrawnFigure>& drawn,
+                            wording::Language language) {
   TemplateValues values;
   fill_head(provenance, values);
-  const archive::JointName& of = comparison.first.facts.of;
+  const calibration::JointName& of = comparison.first.facts.of;
   values.set("TITLE", fmt::format("{}, joint {}", or_dash(of.robot), or_dash(of.joint)));
   fill_verdict(comparison, values);
   fill_table(compared_quantities_table(comparison), "CHANGES", values);
@@ -217,4 +215,4 @@ std::string comparison_page(const Comparison& comparison, const Provenance& prov
   return expand_template("diff.tpl", values, language);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -26,18 +26,15 @@ Table compared_conditions_table(const history::Comparison& comparison);
 /// several quantities stands once.
 std::vector<std::string> comparison_notes(const history::Comparison& comparison);
 
-}  // namespace tribolog::report
-
-namespace tribolog {
-
 // Two calibrations side by side as one HTML file that needs nothing else.
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 /// @param curves_missing why there are no figures, or not all; empty: all are there.
-std::string comparison_page(const history::Comparison& comparison, const Provenance& provenance,
+std::string comparison_page(const history::Comparison& comparison,
+                            const calibration::Provenance& provenance,
                             const std::string& curves_missing,
-                            const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn,
-                            Language language = Language::english);
+                            const std::vector<figures::ReportFigure>& figures,
+                            const std::vector<render::workers::DrawnFigure>& drawn,
+                            wording::Language language = wording::Language::english);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -16,21 +16,21 @@ namespace {
 constexpr int digits_of_time = 3;
 constexpr std::size_t most_logs_named = 3;
 
-std::string signal_in_words(LoggedSignal signal) {
+std::string signal_in_words(joint::LoggedSignal signal) {
   switch (signal) {
-    case LoggedSignal::time:
+    case joint::LoggedSignal::time:
       return "Time";
-    case LoggedSignal::angle:
+    case joint::LoggedSignal::angle:
       return "Angle of the joint";
-    case LoggedSignal::speed:
+    case joint::LoggedSignal::speed:
       return "Speed of the joint";
-    case LoggedSignal::effort:
+    case joint::LoggedSignal::effort:
       return "Torque at the motor";
-    case LoggedSignal::bristle:
+    case joint::LoggedSignal::bristle:
       return "Bristle deflection";
-    case LoggedSignal::bristle_rate:
+    case joint::LoggedSignal::bristle_rate:
       return "Bristle rate";
-    case LoggedSignal::temperature:
+    case joint::LoggedSignal::temperature:
       return "Temperature";
   }
   return "–";
@@ -39,24 +39,26 @@ std::string signal_in_words(LoggedSignal signal) {
 /// In quotes a name is no symbol with an index.
 std::string named(const std::string& column) { return "“" + column + "”"; }
 
-std::string step_in_words(const ConversionStep& step, const ColumnConversion& conversion) {
+std::string step_in_words(const joint::ConversionStep& step,
+                          const joint::ColumnConversion& conversion) {
   const std::string by = step.divides ? "÷ " : "× ";
   switch (step.reason) {
-    case ConversionStep::Reason::unit:
-      return by + as_stated(step.number) + " (from " + conversion.unit + ")";
-    case ConversionStep::Reason::sign:
-      return by + as_stated(step.number) + " (sign stated)";
-    case ConversionStep::Reason::torque_constant:
-      return by + with_unit(as_stated(step.number), "N·m/A") + " (torque constant)";
-    case ConversionStep::Reason::gear:
-      return by + as_stated(step.number) + " (gear ratio)";
+    case joint::ConversionStep::Reason::unit:
+      return by + wording::as_stated(step.number) + " (from " + conversion.unit + ")";
+    case joint::ConversionStep::Reason::sign:
+      return by + wording::as_stated(step.number) + " (sign stated)";
+    case joint::ConversionStep::Reason::torque_constant:
+      return by + wording::with_unit(wording::as_stated(step.number), "N·m/A") +
+             " (torque constant)";
+    case joint::ConversionStep::Reason::gear:
+      return by + wording::as_stated(step.number) + " (gear ratio)";
   }
   return "";
 }
 
-std::string steps_in_words(const ColumnConversion& conversion) {
+std::string steps_in_words(const joint::ColumnConversion& conversion) {
   std::string words;
-  for (const ConversionStep& step : conversion.steps) {
+  for (const joint::ConversionStep& step : conversion.steps) {
     if (!words.empty()) words += ' ';
     words += step_in_words(step, conversion);
   }
@@ -69,23 +71,24 @@ std::string logs_in_words(const std::vector<std::string>& files) {
     words += (words.empty() ? "" : ", ") + log_name(files[i]);
   }
   if (files.size() > most_logs_named) {
-    words += " and " + count(files.size() - most_logs_named) + " more";
+    words += " and " + wording::count(files.size() - most_logs_named) + " more";
   }
   return words;
 }
 
-std::string unit_of_angles(const KnownLoad& load) {
+std::string unit_of_angles(const joint::KnownLoad& load) {
   if (load.radian_per_unit == 1) return "rad";
-  return with_unit(as_stated(load.radian_per_unit), "rad");
+  return wording::with_unit(wording::as_stated(load.radian_per_unit), "rad");
 }
 
-std::string roles_in_words(const std::vector<Role>& roles) {
+std::string roles_in_words(const std::vector<joint::Role>& roles) {
   std::string words;
-  for (const Role role : roles) words += (words.empty() ? "" : ", ") + to_string(role);
+  for (const joint::Role role : roles)
+    words += (words.empty() ? "" : ", ") + joint::to_string(role);
   return words.empty() ? "all" : words;
 }
 
-Table conversions_table(const Calibration& c) {
+Table conversions_table(const calibration::Calibration& c) {
   Table table;
   table.id = "table-conversions";
   table.is_stacked = true;
@@ -94,54 +97,57 @@ Table conversions_table(const Calibration& c) {
       {"Signal", "", false},      {"Column", "", false}, {"Unit in the log", "", false},
       {"Steps", "", false, true}, {"Factor", "", true},  {"Result", "", false},
       {"Logs", "", false}};
-  for (const SharedConversion& shared : shared_conversions(c.inputs)) {
-    const ColumnConversion& one = shared.conversion;
-    table.rows.push_back({{signal_in_words(one.signal), named(one.column), one.unit,
-                           steps_in_words(one), as_stated(one.factor()),
-                           one.si_unit + (one.side ? ", " + to_string(*one.side) + " side" : ""),
-                           shared.is_of_all ? "all" : logs_in_words(shared.files)},
-                          false});
+  for (const joint::SharedConversion& shared : joint::shared_conversions(c.inputs)) {
+    const joint::ColumnConversion& one = shared.conversion;
+    table.rows.push_back(
+        {{signal_in_words(one.signal), named(one.column), one.unit, steps_in_words(one),
+          wording::as_stated(one.factor()),
+          one.si_unit + (one.side ? ", " + joint::to_string(*one.side) + " side" : ""),
+          shared.is_of_all ? "all" : logs_in_words(shared.files)},
+         false});
   }
   const double n = c.manifest.drive.gear_ratio();
-  for (const KnownLoad& load : c.manifest.known_loads) {
+  for (const joint::KnownLoad& load : c.manifest.known_loads) {
     std::string angles;
     for (const std::string& name : load.angles)
       angles += (angles.empty() ? "" : ", ") + named(name);
     table.rows.push_back(
         {{"Known load, subtracted from the torque", angles, unit_of_angles(load),
-          load_formula(load) + (n == 1 ? "" : " ÷ " + as_stated(n) + " (gear ratio)"), "–",
+          load_formula(load) + (n == 1 ? "" : " ÷ " + wording::as_stated(n) + " (gear ratio)"), "–",
           "N·m, motor side", roles_in_words(load.roles)},
          false});
   }
   return table;
 }
 
-std::string way_to_speed(Role role) {
+std::string way_to_speed(joint::Role role) {
   switch (role) {
-    case Role::rough_sweep:
-    case Role::precise_sweep:
+    case joint::Role::rough_sweep:
+    case joint::Role::precise_sweep:
       return "local slope of the angle at every sample";
-    case Role::constant_speed:
+    case joint::Role::constant_speed:
       return "way of a plateau over its time; the local slope of the angle finds the plateaus";
-    case Role::oscillation:
+    case joint::Role::oscillation:
       return "derivative of what is fitted to the angle: harmonics, or a smoothing spline where a "
              "torque drives it";
-    case Role::break_away:
+    case joint::Role::break_away:
       return "way over time across 20 steps of the angle or a tenth of the travel";
   }
   return "–";
 }
 
-bool uses_local_slope(Role role) { return role != Role::oscillation && role != Role::break_away; }
+bool uses_local_slope(joint::Role role) {
+  return role != joint::Role::oscillation && role != joint::Role::break_away;
+}
 
 /// "9.0 ms", or "9.0 … 12 ms".
 std::string range_in_words(double low, double high, const std::string& unit) {
-  const std::string first = significant(low, digits_of_time);
-  const std::string last = significant(high, digits_of_time);
-  return with_unit(first == last ? first : first + " … " + last, unit);
+  const std::string first = wording::significant(low, digits_of_time);
+  const std::string last = wording::significant(high, digits_of_time);
+  return wording::with_unit(first == last ? first : first + " … " + last, unit);
 }
 
-Table speeds_table(const std::vector<SpeedSource>& sources) {
+Table speeds_table(const std::vector<method::motion::SpeedSource>& sources) {
   Table table;
   table.id = "table-speeds";
   table.is_stacked = true;
@@ -152,32 +158,37 @@ Table speeds_table(const std::vector<SpeedSource>& sources) {
                    {"Window", "", false},
                    {"Cut-off", "", false}};
   constexpr double ms_per_s = 1000;
-  for (const Role role : {Role::rough_sweep, Role::precise_sweep, Role::oscillation,
-                          Role::constant_speed, Role::break_away}) {
-    std::vector<SpeedSource> of_role;
+  for (const joint::Role role :
+       {joint::Role::rough_sweep, joint::Role::precise_sweep, joint::Role::oscillation,
+        joint::Role::constant_speed, joint::Role::break_away}) {
+    std::vector<method::motion::SpeedSource> of_role;
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(of_role),
-                 [&](const SpeedSource& s) { return s.role == role; });
+                 [&](const method::motion::SpeedSource& s) { return s.role == role; });
     if (of_role.empty()) continue;
-    const auto logged = static_cast<std::size_t>(std::count_if(
-        of_role.begin(), of_role.end(), [](const SpeedSource& s) { return s.is_logged; }));
-    const auto range = [&](double SpeedSource::* number) {
+    const auto logged = static_cast<std::size_t>(
+        std::count_if(of_role.begin(), of_role.end(),
+                      [](const method::motion::SpeedSource& s) { return s.is_logged; }));
+    const auto range = [&](double method::motion::SpeedSource::* number) {
       return std::minmax_element(
           of_role.begin(), of_role.end(),
-          [&](const SpeedSource& a, const SpeedSource& b) { return a.*number < b.*number; });
+          [&](const method::motion::SpeedSource& a, const method::motion::SpeedSource& b) {
+            return a.*number < b.*number;
+          });
     };
-    const auto [shortest, longest] = range(&SpeedSource::window_s);
-    const auto [lowest, highest] = range(&SpeedSource::cut_off_Hz);
+    const auto [shortest, longest] = range(&method::motion::SpeedSource::window_s);
+    const auto [lowest, highest] = range(&method::motion::SpeedSource::cut_off_Hz);
     const bool has_window = uses_local_slope(role);
     const auto [fewest, most] = std::minmax(shortest->window, longest->window);
     table.rows.push_back(
-        {{to_string(role) + " (" + count(of_role.size()) + ")",
+        {{joint::to_string(role) + " (" + wording::count(of_role.size()) + ")",
           logged == 0                ? "no"
           : logged == of_role.size() ? "yes"
-                                     : "in " + count(logged),
+                                     : "in " + wording::count(logged),
           way_to_speed(role),
           has_window
               ? range_in_words(ms_per_s * shortest->window_s, ms_per_s * longest->window_s, "ms") +
-                    ", " + count(fewest) + (fewest == most ? "" : " … " + count(most)) + " samples"
+                    ", " + wording::count(fewest) +
+                    (fewest == most ? "" : " … " + wording::count(most)) + " samples"
               : "–",
           has_window ? range_in_words(lowest->cut_off_Hz, highest->cut_off_Hz, "Hz") : "–"},
          false});
@@ -193,16 +204,17 @@ Table speeds_table(const std::vector<SpeedSource>& sources) {
 
 }  // namespace
 
-std::string load_formula(const KnownLoad& load) {
+std::string load_formula(const joint::KnownLoad& load) {
   std::string angles;
   for (const std::string& name : load.angles) angles += (angles.empty() ? "" : " + ") + name;
-  const double phase = load.phase_rad * degree_scale().factor;
+  const double phase = load.phase_rad * wording::degree_scale().factor;
   if (phase != 0)
-    angles += (phase > 0 ? " + " : " − ") + with_unit(as_stated(std::abs(phase)), "°");
-  return with_unit(as_stated(load.amplitude_Nm), "N·m") + " cos(" + angles + ")";
+    angles +=
+        (phase > 0 ? " + " : " − ") + wording::with_unit(wording::as_stated(std::abs(phase)), "°");
+  return wording::with_unit(wording::as_stated(load.amplitude_Nm), "N·m") + " cos(" + angles + ")";
 }
 
-std::vector<Table> conversion_tables(const Calibration& c) {
+std::vector<Table> conversion_tables(const calibration::Calibration& c) {
   return {conversions_table(c), speeds_table(c.speed_sources)};
 }
 

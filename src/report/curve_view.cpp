@@ -13,20 +13,20 @@ namespace {
 
 constexpr std::size_t most_rows = 48;  ///< A printed page; the rest is in the embedded result.
 
-std::string at_run(const ViscousCurve* curve, std::size_t run) {
+std::string at_run(const method::viscous::ViscousCurve* curve, std::size_t run) {
   if (curve == nullptr || run >= curve->friction_Nm.size()) return "–";
   constexpr int decimals = 4;
-  return fixed(curve->friction_Nm[run], decimals);
+  return wording::fixed(curve->friction_Nm[run], decimals);
 }
 
-std::string mean_text(const ConstantSpeedRun& run) {
-  const Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
-                      run.torque_Nm + run.torque_half_width_Nm, ""};
-  return round_by_interval(mean, plain_scale("N·m")).plus_minus();
+std::string mean_text(const method::viscous::ConstantSpeedRun& run) {
+  const statistics::Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
+                                  run.torque_Nm + run.torque_half_width_Nm, ""};
+  return wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus();
 }
 
-void describe_run_gravity(const Calibration& c, Section& section) {
-  const RunGravityResult& r = c.run_gravity;
+void describe_run_gravity(const calibration::Calibration& c, Section& section) {
+  const method::gravity::RunGravityResult& r = c.run_gravity;
   if (c.viscous.from_sweep) return;
   if (!r.found && r.reason.empty()) return;
   if (!r.found) {
@@ -35,12 +35,14 @@ void describe_run_gravity(const Calibration& c, Section& section) {
     }
     return;
   }
-  const Estimate gravity = scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
+  const statistics::Estimate gravity =
+      statistics::scaled(r.gravity_Nm, c.manifest.drive.gear_ratio());
   section.facts.push_back(
       {"Gravity from the runs",
-       in_words(gravity, torque_scale(gravity.value)) + " at the joint, largest at " +
-           in_words(r.q_peak_rad, degree_scale()) + "; one offset for each of " +
-           count(r.runs_used) + " runs, " + count(r.runs_left_out) + " travel too short a way." +
+       wording::in_words(gravity, wording::torque_scale(gravity.value)) +
+           " at the joint, largest at " + wording::in_words(r.q_peak_rad, wording::degree_scale()) +
+           "; one offset for each of " + wording::count(r.runs_used) + " runs, " +
+           wording::count(r.runs_left_out) + " travel too short a way." +
            (r.always_lifts ? " The drive lifts the load all the way: friction that grows with the "
                              "load is in it."
                            : "")});
@@ -48,26 +50,27 @@ void describe_run_gravity(const Calibration& c, Section& section) {
 
 }  // namespace
 
-void describe_viscous_curves(const Calibration& c, Section& section) {
-  const ViscousCurvesResult& v = c.viscous;
+void describe_viscous_curves(const calibration::Calibration& c, Section& section) {
+  const method::viscous::ViscousCurvesResult& v = c.viscous;
   if (v.samples_used + v.samples_left_out > 0) {
-    section.facts.push_back({"Samples used", count(v.samples_used)});
-    section.facts.push_back({"Samples left out", count(v.samples_left_out) +
+    section.facts.push_back({"Samples used", wording::count(v.samples_used)});
+    section.facts.push_back({"Samples left out", wording::count(v.samples_left_out) +
                                                      " (rest, acceleration, reversal, settling)"});
   }
   if (v.recordings_without_plateau > 0) {
-    section.facts.push_back({"Recordings without a plateau", count(v.recordings_without_plateau)});
+    section.facts.push_back(
+        {"Recordings without a plateau", wording::count(v.recordings_without_plateau)});
   }
   if (v.runs.empty()) return;
-  section.facts.push_back(
-      {"Runs", count(v.runs.size()) + (v.from_sweep ? " angle bins of a sweep in both directions"
-                                                    : " plateaus of constant speed")});
+  section.facts.push_back({"Runs", wording::count(v.runs.size()) +
+                                       (v.from_sweep ? " angle bins of a sweep in both directions"
+                                                     : " plateaus of constant speed")});
 
   if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.in_words())});
   describe_run_gravity(c, section);
 
-  const ViscousCurve* recommended = v.find(c.selection.recommended);
-  const ViscousCurve* papers =
+  const method::viscous::ViscousCurve* recommended = v.find(c.selection.recommended);
+  const method::viscous::ViscousCurve* papers =
       c.selection.paper_rule.empty() ? nullptr : v.find(c.selection.paper_rule);
   Table table;
   table.id = section.id + "-runs";
@@ -88,10 +91,11 @@ void describe_viscous_curves(const Calibration& c, Section& section) {
   const double n = c.manifest.drive.gear_ratio();
   const std::size_t step = (v.runs.size() + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < v.runs.size(); i += step) {
-    const ConstantSpeedRun& run = v.runs[i];
-    Row row{{significant(run.speed_rad_s, 4),
-             significant(run.speed_rad_s / n * degree_scale().factor, 4),
-             fixed(run.q_rad * degree_scale().factor, 2), mean_text(run), count(run.samples)},
+    const method::viscous::ConstantSpeedRun& run = v.runs[i];
+    Row row{{wording::significant(run.speed_rad_s, 4),
+             wording::significant(run.speed_rad_s / n * wording::degree_scale().factor, 4),
+             wording::fixed(run.q_rad * wording::degree_scale().factor, 2), mean_text(run),
+             wording::count(run.samples)},
             false};
     if (recommended != nullptr) row.cells.push_back(at_run(recommended, i));
     if (papers != nullptr) row.cells.push_back(at_run(papers, i));
@@ -131,13 +135,14 @@ std::size_t worst_run(const std::vector<double>& percent) {
 
 }  // namespace
 
-void describe_quality_errors(const Calibration& c, Section& section) {
-  const QualityErrorsResult& q = c.quality;
+void describe_quality_errors(const calibration::Calibration& c, Section& section) {
+  const method::selection::QualityErrorsResult& q = c.quality;
   if (q.errors.empty()) return;
   section.facts.push_back({"Reference", reference_in_words(q.reference)});
-  section.facts.push_back({"Runs compared", count(c.viscous.runs.size() - q.runs_left_out)});
   section.facts.push_back(
-      {"Runs left out", count(q.runs_left_out) + " (no reference, or driving torque near zero)"});
+      {"Runs compared", wording::count(c.viscous.runs.size() - q.runs_left_out)});
+  section.facts.push_back({"Runs left out", wording::count(q.runs_left_out) +
+                                                " (no reference, or driving torque near zero)"});
 
   if (!q.evidence.empty()) {
     section.facts.push_back({"What the reference can tell", as_sentence(q.evidence)});
@@ -152,15 +157,15 @@ void describe_quality_errors(const Calibration& c, Section& section) {
                    {"Largest", "% of T", true},
                    {"at motor speed", "rad/s", true}};
   constexpr int digits = 3;
-  for (const QualityError& e : q.errors) {
+  for (const method::selection::QualityError& e : q.errors) {
     const std::size_t worst = worst_run(e.percent);
     const bool has_worst = worst < e.percent.size();
     const bool has_speed = has_worst && worst < c.viscous.runs.size();
     table.rows.push_back(
         {{estimator_name(e.estimator), point_meaning(e.estimator),
-          significant(e.rms_percent, digits),
-          has_worst ? significant(e.percent[worst], digits) : "–",
-          has_speed ? significant(c.viscous.runs[worst].speed_rad_s, digits) : "–"},
+          wording::significant(e.rms_percent, digits),
+          has_worst ? wording::significant(e.percent[worst], digits) : "–",
+          has_speed ? wording::significant(c.viscous.runs[worst].speed_rad_s, digits) : "–"},
          e.estimator == c.selection.recommended});
   }
   table.note =
@@ -173,27 +178,29 @@ void describe_quality_errors(const Calibration& c, Section& section) {
 
 namespace {
 
-void add_choice(const Calibration& c, const std::string& label, const std::string& estimator,
-                bool is_chosen, Table& table) {
-  const SurrogateMass* mass = estimator.empty() ? nullptr : c.masses.find(estimator);
+void add_choice(const calibration::Calibration& c, const std::string& label,
+                const std::string& estimator, bool is_chosen, Table& table) {
+  const method::hysteresis::SurrogateMass* mass =
+      estimator.empty() ? nullptr : c.masses.find(estimator);
   if (mass == nullptr) {
     table.rows.push_back({{label, "cannot be said", "–", "–", "–", "–"}, false});
     return;
   }
-  const QualityError* error = c.quality.find(estimator);
+  const method::selection::QualityError* error = c.quality.find(estimator);
   constexpr int digits = 3;
-  table.rows.push_back({{label, estimator_name(estimator) + ": " + point_meaning(estimator),
-                         round_by_interval(mass->torque_Nm, plain_scale("N·m")).plus_minus(),
-                         round_by_interval(mass->mass_kg, plain_scale("kg")).plus_minus(),
-                         fixed(mass->q_rad * degree_scale().factor, 4),
-                         error != nullptr ? significant(error->rms_percent, digits) : "–"},
-                        is_chosen});
+  table.rows.push_back(
+      {{label, estimator_name(estimator) + ": " + point_meaning(estimator),
+        wording::round_by_interval(mass->torque_Nm, wording::plain_scale("N·m")).plus_minus(),
+        wording::round_by_interval(mass->mass_kg, wording::plain_scale("kg")).plus_minus(),
+        wording::fixed(mass->q_rad * wording::degree_scale().factor, 4),
+        error != nullptr ? wording::significant(error->rms_percent, digits) : "–"},
+       is_chosen});
 }
 
 }  // namespace
 
-void describe_selection(const Calibration& c, Section& section) {
-  const SelectionResult& s = c.selection;
+void describe_selection(const calibration::Calibration& c, Section& section) {
+  const method::selection::SelectionResult& s = c.selection;
   if (!s.why.empty()) section.facts.push_back({"Why", as_sentence(s.why)});
   if (!s.paper_rule.empty() || !s.recommended.empty()) {
     Table table;
@@ -211,19 +218,21 @@ void describe_selection(const Calibration& c, Section& section) {
   angles.caption = "Angle of the centre of gravity in the link, q_c = −q_peak";
   angles.columns = estimate_columns();
   if (s.q_c_rad) {
-    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, degree_scale()));
+    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, wording::degree_scale()));
     angles.rows.back().is_chosen = true;
-    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, radian_scale(s.q_c_rad->value)));
+    angles.rows.push_back(estimate_row("q_c", *s.q_c_rad, wording::radian_scale(s.q_c_rad->value)));
   }
   if (s.q_c_corrected_rad) {
     // As many places as q_c has: the correction is far smaller than its interval.
     const double corrected = *s.q_c_corrected_rad;
     const std::string from = "eq. (14) for the paper's choice";
-    for (const Scale& scale : {degree_scale(), radian_scale(corrected)}) {
+    for (const wording::Scale& scale :
+         {wording::degree_scale(), wording::radian_scale(corrected)}) {
       constexpr int digits = 7;
-      angles.rows.push_back({{"q_c less the angle at which the torque was read",
-                              significant(corrected * scale.factor, digits), scale.unit, "–", from},
-                             false});
+      angles.rows.push_back(
+          {{"q_c less the angle at which the torque was read",
+            wording::significant(corrected * scale.factor, digits), scale.unit, "–", from},
+           false});
     }
   }
   if (!angles.rows.empty()) section.tables.push_back(angles);

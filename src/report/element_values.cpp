@@ -107,7 +107,7 @@ void fill_figure(const FigureCard& figure, TemplateValues& values) {
   if (!figure.csv.empty()) {
     TemplateValues& data = out.add_section("DATA");
     data.set("FILE", figure.id + ".csv");
-    data.set_checked_by_modifier("CSV", visible_text(figure.csv));
+    data.set_checked_by_modifier("CSV", wording::visible_text(figure.csv));
     data.set("SIZE",
              fmt::format("{:.0f} kB", std::ceil(1e-3 * static_cast<double>(figure.csv.size()))));
   }

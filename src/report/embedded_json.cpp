@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::report {
 namespace {
 
 constexpr std::string_view elements[] = {"tribolog-result", "tribolog-diff",  "tribolog-trend",
@@ -45,4 +45,4 @@ EmbeddedJson embedded_json(const std::string& html, const std::string& file) {
          "`tribolog show` reads the reports and pages that tribolog writes, and calibrations");
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

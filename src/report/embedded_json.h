@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tribolog {
+namespace tribolog::report {
 
 struct EmbeddedJson {
   std::string element;  ///< "tribolog-result" of a report, "tribolog-diff" of a comparison, ...
@@ -16,4 +16,4 @@ struct EmbeddedJson {
 /// @throw InputError: it has none, more than one of a kind, or one that is cut off or no JSON.
 EmbeddedJson embedded_json(const std::string& html, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

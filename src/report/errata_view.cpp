@@ -15,11 +15,11 @@
 namespace tribolog::report {
 namespace {
 
-namespace printed = paper::printed;
+namespace printed = paper::drawings;
 
 std::string cut(double value, int decimals) {
   const double unit = std::pow(10.0, decimals);
-  return fixed(std::trunc(value * unit) / unit, decimals);
+  return wording::fixed(std::trunc(value * unit) / unit, decimals);
 }
 
 const printed::TorqueRow& row(char point) {
@@ -35,17 +35,18 @@ void add_equation_12(ErrataNumbers& e) {
   const printed::TorqueRow& a = row('A');
   const double mass_A = printed::mass_of_torque_kg(a.torque_Nm);
   const double n = printed::gear_ratio;
-  e.torque_A = fixed(a.torque_Nm, 3);
-  e.mass_A_printed = fixed(a.mass_kg, 3);
-  e.mass_A_with_500_mm = fixed(mass_A, 3);
-  e.mass_A_with_500_m = fixed(
-      surrogate_mass_kg(a.torque_Nm, n, printed::distance_printed_m, printed::gravity_m_s2, 1.0),
-      3);
-  e.mass_A_with_n_below = fixed(mass_A / (n * n), 4);
-  e.mass_A_arm_torque_with_n_below = fixed(mass_A / n, 3);
-  const double cosine = std::cos(printed::precise_angle_deg * rad_per_degree);
-  e.cos_q_c = fixed(cosine, 4);
-  e.mass_A_with_cos_q_c = fixed(mass_A / cosine, 2);
+  e.torque_A = wording::fixed(a.torque_Nm, 3);
+  e.mass_A_printed = wording::fixed(a.mass_kg, 3);
+  e.mass_A_with_500_mm = wording::fixed(mass_A, 3);
+  e.mass_A_with_500_m =
+      wording::fixed(joint::surrogate_mass_kg(a.torque_Nm, n, printed::distance_printed_m,
+                                              printed::gravity_m_s2, 1.0),
+                     3);
+  e.mass_A_with_n_below = wording::fixed(mass_A / (n * n), 4);
+  e.mass_A_arm_torque_with_n_below = wording::fixed(mass_A / n, 3);
+  const double cosine = std::cos(printed::precise_angle_deg * joint::rad_per_degree);
+  e.cos_q_c = wording::fixed(cosine, 4);
+  e.mass_A_with_cos_q_c = wording::fixed(mass_A / cosine, 2);
 }
 
 void add_table_2(ErrataNumbers& e) {
@@ -57,69 +58,72 @@ void add_table_2(ErrataNumbers& e) {
     lightest = std::min(lightest, r.mass_kg);
     heaviest = std::max(heaviest, r.mass_kg);
   }
-  e.largest_deviation = fixed(largest, 4);
-  e.allowed_deviation = fixed(printed::rounding_kg(), 4);
+  e.largest_deviation = wording::fixed(largest, 4);
+  e.allowed_deviation = wording::fixed(printed::rounding_kg(), 4);
   const double ab = pair_mass_kg('A', 'B');
   const double cd = pair_mass_kg('C', 'D');
   const double ef = pair_mass_kg('E', 'F');
-  e.pair_masses = fixed(ab, 2) + ", " + fixed(cd, 2) + " and " + fixed(ef, 2);
-  e.pair_spread = fixed(std::max({ab, cd, ef}) - std::min({ab, cd, ef}), 2);
-  e.single_spread = fixed(heaviest - lightest, 2);
+  e.pair_masses =
+      wording::fixed(ab, 2) + ", " + wording::fixed(cd, 2) + " and " + wording::fixed(ef, 2);
+  e.pair_spread = wording::fixed(std::max({ab, cd, ef}) - std::min({ab, cd, ef}), 2);
+  e.single_spread = wording::fixed(heaviest - lightest, 2);
 }
 
 void add_angles(ErrataNumbers& e) {
-  const double rough = printed::rough_angle_deg * rad_per_degree;
-  const double precise = printed::precise_angle_deg * rad_per_degree;
-  e.rad_of_22 = fixed(rough, 5);
-  e.rad_of_precise = fixed(precise, 6);
+  const double rough = printed::rough_angle_deg * joint::rad_per_degree;
+  const double precise = printed::precise_angle_deg * joint::rad_per_degree;
+  e.rad_of_22 = wording::fixed(rough, 5);
+  e.rad_of_precise = wording::fixed(precise, 6);
   const auto how = [](bool is_cut) { return is_cut ? "cut" : "misprinted"; };
-  e.cut_of_22 = how(cut(rough, 3) == fixed(printed::rough_angle_rad, 3));
-  e.cut_of_precise = how(cut(precise, 5) == fixed(printed::precise_angle_rad, 5));
+  e.cut_of_22 = how(cut(rough, 3) == wording::fixed(printed::rough_angle_rad, 3));
+  e.cut_of_precise = how(cut(precise, 5) == wording::fixed(printed::precise_angle_rad, 5));
 }
 
 /// The bristle deflection at which the static force of table 1 is reached is F_s / s0.
 void add_table_1(ErrataNumbers& e) {
-  const ContactParameters meant;
+  const friction::ContactParameters meant;
   constexpr double to_km = 1e-3;
   constexpr double to_um = 1e6;
-  e.table_1_deflection_printed =
-      with_unit(significant(meant.static_Nm / printed::table_1_stiffness_N_m * to_km, 3), "km");
-  e.table_1_deflection_meant =
-      with_unit(significant(meant.static_Nm / meant.stiffness_Nm_rad * to_um, 3), "µm");
-  e.table_1_damping = with_unit(significant(meant.damping_Nms_rad, 4), "N·s/m");
+  e.table_1_deflection_printed = wording::with_unit(
+      wording::significant(meant.static_Nm / printed::table_1_stiffness_N_m * to_km, 3), "km");
+  e.table_1_deflection_meant = wording::with_unit(
+      wording::significant(meant.static_Nm / meant.stiffness_Nm_rad * to_um, 3), "µm");
+  e.table_1_damping = wording::with_unit(wording::significant(meant.damping_Nms_rad, 4), "N·s/m");
 }
 
 /// Eq. (1) and (2) with the numbers of table 1, moving backwards.
 void add_static_laws(ErrataNumbers& e) {
-  const ContactParameters c;
-  const StribeckFriction law(
+  const friction::ContactParameters c;
+  const friction::StribeckFriction law(
       {{c.coulomb_Nm, c.static_Nm, c.stribeck_speed_rad_s, 2.0}, c.viscous_Nms_rad});
   const double backwards = -c.stribeck_speed_rad_s;
   const double meant = law.torque_Nm(backwards);
-  e.backwards_speed = with_unit(significant(backwards, 1), "m/s");
-  e.equation_1_meant = with_unit(significant(meant, 4), "N");
-  e.equation_1_printed =
-      with_unit(std::string("+").append(significant(law.torque_Nm(-backwards), 4)), "N");
+  e.backwards_speed = wording::with_unit(wording::significant(backwards, 1), "m/s");
+  e.equation_1_meant = wording::with_unit(wording::significant(meant, 4), "N");
+  e.equation_1_printed = wording::with_unit(
+      std::string("+").append(wording::significant(law.torque_Nm(-backwards), 4)), "N");
   const double threshold = printed::largest_threshold_rad_s * c.stribeck_speed_rad_s;
-  const ThresholdSpeedFriction continuous(
+  const friction::ThresholdSpeedFriction continuous(
       {c.coulomb_Nm, c.static_Nm, 1 / c.stribeck_speed_rad_s, c.viscous_Nms_rad, threshold});
   const double jump =
       continuous.torque_Nm(threshold) - continuous.torque_Nm(std::nextafter(threshold, 0.0));
-  e.equation_2_jump = with_unit(significant(std::abs(jump), 2), "N");
+  e.equation_2_jump = wording::with_unit(wording::significant(std::abs(jump), 2), "N");
   e.equation_2_half =
-      fixed(continuous.torque_Nm(threshold / 2) / continuous.torque_Nm(threshold), 3);
+      wording::fixed(continuous.torque_Nm(threshold / 2) / continuous.torque_Nm(threshold), 3);
 }
 
 /// Eq. (6) as printed, with the angle where its rate belongs, and eq. (10) without q_c.
 void add_angles_in_laws(ErrataNumbers& e) {
   constexpr double lowest_deg = -80;
   constexpr double stribeck_power = 0.7;
-  const double printed_term = std::pow(lowest_deg * rad_per_degree, stribeck_power);
-  e.equation_6_printed = std::isnan(printed_term) ? "no real number" : significant(printed_term, 3);
+  const double printed_term = std::pow(lowest_deg * joint::rad_per_degree, stribeck_power);
+  e.equation_6_printed =
+      std::isnan(printed_term) ? "no real number" : wording::significant(printed_term, 3);
   constexpr double gravity_Nm = 3.88318571;  // at the motor, of the joint that gives table 2
-  const double lost = gravity_Nm * (1 - std::cos(printed::precise_angle_deg * rad_per_degree));
-  e.equation_10_gravity = with_unit(fixed(gravity_Nm, 3), "N·m");
-  e.equation_10_error = with_unit(fixed(lost, 3), "N·m");
+  const double lost =
+      gravity_Nm * (1 - std::cos(printed::precise_angle_deg * joint::rad_per_degree));
+  e.equation_10_gravity = wording::with_unit(wording::fixed(gravity_Nm, 3), "N·m");
+  e.equation_10_error = wording::with_unit(wording::fixed(lost, 3), "N·m");
 }
 
 }  // namespace

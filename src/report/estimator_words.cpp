@@ -31,7 +31,7 @@ bool is_papers_joint(const std::string& robot, double gear_ratio) {
       letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
   }
-  return letters.find("am100ib") != std::string::npos && gear_ratio == paper::printed::gear_ratio;
+  return letters.find("am100ib") != std::string::npos && gear_ratio == paper::drawings::gear_ratio;
 }
 
 }  // namespace tribolog::report

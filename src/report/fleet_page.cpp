@@ -12,40 +12,39 @@
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 
-namespace tribolog::archive {
+namespace tribolog::report {
 namespace {
-
-using report::TemplateValues;
 
 /// SVG path data that draws nothing.
 constexpr char no_path[] = "M0 0";
 
 std::string or_nothing(const std::string& path) { return path.empty() ? no_path : path; }
 
-void fill_cell(const FleetCell& cell, const Fleet& fleet, TemplateValues& values) {
-  const FleetColumn& column = fleet.columns[cell.column];
-  const Estimate& latest = cell.results.back().estimate;
-  values.set("NAME", report::or_dash(without_side(column.words)));
-  values.set("VALUE", report::round_by_interval(latest, {1.0, column.unit}).estimate);
+void fill_cell(const history::FleetCell& cell, const history::Fleet& fleet,
+               TemplateValues& values) {
+  const history::FleetColumn& column = fleet.columns[cell.column];
+  const statistics::Estimate& latest = cell.results.back().estimate;
+  values.set("NAME", or_dash(calibration::without_side(column.words)));
+  values.set("VALUE", wording::round_by_interval(latest, {1.0, column.unit}).estimate);
   if (cell.furthest() > fleet.limit) {
     values.set_optional("KIND", "out");
-  } else if (cell.verdict != Verdict::usable) {
+  } else if (cell.verdict != calibration::Verdict::usable) {
     values.set_optional("KIND", "doubt");
   }
   fill_sparkline(cell, fleet, values);
 }
 
-void fill_joint(const FleetJoint& joint, const Fleet& fleet, const FleetLinks& links,
-                TemplateValues& values) {
-  fill_link(links, joint.latest.id, report::or_dash(joint.latest.facts.of.joint), values);
-  values.set("ID", joint.latest.id.substr(0, shown_digits));
-  values.set("DAY", report::or_dash(joint.latest.facts.measured_at.substr(0, 10)));
-  if (joint.decision) values.set_optional("DECISION", to_string(*joint.decision));
+void fill_joint(const history::FleetJoint& joint, const history::Fleet& fleet,
+                const FleetLinks& links, TemplateValues& values) {
+  fill_link(links, joint.latest.id, or_dash(joint.latest.facts.of.joint), values);
+  values.set("ID", joint.latest.id.substr(0, calibration::shown_digits));
+  values.set("DAY", or_dash(joint.latest.facts.measured_at.substr(0, 10)));
+  if (joint.decision) values.set_optional("DECISION", calibration::to_string(*joint.decision));
   std::size_t column = 0;
   const auto leave_out_before = [&](std::size_t next) {
     for (; column < next; ++column) values.add_section("CELL").add_section("EMPTY");
   };
-  for (const FleetCell& cell : joint.cells) {
+  for (const history::FleetCell& cell : joint.cells) {
     leave_out_before(cell.column);
     fill_cell(cell, fleet, values.add_section("CELL").add_section("FULL"));
     ++column;
@@ -53,42 +52,42 @@ void fill_joint(const FleetJoint& joint, const Fleet& fleet, const FleetLinks& l
   leave_out_before(fleet.columns.size());
 }
 
-void fill_robot(const FleetRobot& robot, const Fleet& fleet, const FleetLinks& links,
-                TemplateValues& values) {
+void fill_robot(const history::FleetRobot& robot, const history::Fleet& fleet,
+                const FleetLinks& links, TemplateValues& values) {
   values.set("ROBOT", robot_name(robot.robot, robot.serial));
-  for (const FleetColumn& column : fleet.columns) {
+  for (const history::FleetColumn& column : fleet.columns) {
     TemplateValues& head = values.add_section("HEAD");
-    head.set("WORDS", report::or_dash(without_side(column.words)));
-    head.set("UNIT", report::or_dash(column.unit));
+    head.set("WORDS", or_dash(calibration::without_side(column.words)));
+    head.set("UNIT", or_dash(column.unit));
   }
-  for (const FleetJoint& joint : robot.joints) {
+  for (const history::FleetJoint& joint : robot.joints) {
     fill_joint(joint, fleet, links, values.add_section("JOINT"));
   }
 }
 
-std::vector<report::Fact> facts_of(const Fleet& fleet, const std::string& archive,
-                                   std::size_t outliers) {
+std::vector<Fact> facts_of(const history::Fleet& fleet, const std::string& archive,
+                           std::size_t outliers) {
   constexpr std::size_t day = 10;
   std::string from;
   std::string to;
-  for (const FleetRobot& robot : fleet.robots) {
-    for (const FleetJoint& joint : robot.joints) {
+  for (const history::FleetRobot& robot : fleet.robots) {
+    for (const history::FleetJoint& joint : robot.joints) {
       const std::string at = joint.latest.facts.measured_at.substr(0, day);
       if (from.empty() || at < from) from = at;
       to = std::max(to, at);
     }
   }
   return {{"Archive", archive},
-          {"Robots", report::count(fleet.robots.size())},
-          {"Joints", report::count(fleet.joints)},
-          {"Calibrations", report::count(fleet.calibrations)},
+          {"Robots", wording::count(fleet.robots.size())},
+          {"Joints", wording::count(fleet.joints)},
+          {"Calibrations", wording::count(fleet.calibrations)},
           {"Latest ones", from.empty() ? "none"
                           : from == to ? from
                                        : from + " to " + to},
-          {"Joints that stand out", report::count(outliers)}};
+          {"Joints that stand out", wording::count(outliers)}};
 }
 
-void fill_outcome_of(const Fleet& fleet, std::size_t outliers, TemplateValues& values) {
+void fill_outcome_of(const history::Fleet& fleet, std::size_t outliers, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   const bool can_tell = fleet.distances > 0;
   verdict.set("WORD", !can_tell ? "NOTHING TO COMPARE" : outliers > 0 ? "OUTLIERS" : "NO OUTLIER");
@@ -96,15 +95,15 @@ void fill_outcome_of(const Fleet& fleet, std::size_t outliers, TemplateValues& v
       "SENTENCE",
       !can_tell ? fmt::format("A joint is held against at least {} of the same name on other "
                               "robots, or {} earlier calibrations of its own.",
-                              fewest_others, fewest_earlier)
+                              history::fewest_others, history::fewest_earlier)
       : outliers > 0
           ? fmt::format("{} of {} joints stand out from the others or from their own history.",
                         outliers, fleet.joints)
           : fmt::format("No joint of {} stands out from the others or from its own history.",
                         fleet.joints));
-  fill_outcome(!can_tell      ? report::Outcome::absent
-               : outliers > 0 ? report::Outcome::partial
-                              : report::Outcome::good,
+  fill_outcome(!can_tell      ? Outcome::absent
+               : outliers > 0 ? Outcome::partial
+                              : Outcome::good,
                verdict);
 }
 
@@ -122,10 +121,11 @@ std::string FleetLinks::href(const std::string& id) const {
 }
 
 std::string robot_name(const std::string& robot, const std::string& serial) {
-  return serial.empty() ? report::or_dash(robot) : report::or_dash(robot) + " · " + serial;
+  return serial.empty() ? or_dash(robot) : or_dash(robot) + " · " + serial;
 }
 
-void fill_sparkline(const FleetCell& cell, const Fleet& fleet, TemplateValues& values) {
+void fill_sparkline(const history::FleetCell& cell, const history::Fleet& fleet,
+                    TemplateValues& values) {
   const Sparkline line = sparkline_of(cell, fleet);
   values.set("BAND", or_nothing(line.band));
   values.set("OTHERS", or_nothing(line.others));
@@ -141,22 +141,23 @@ void fill_link(const FleetLinks& links, const std::string& id, const std::string
   link.set("TEXT", text);
 }
 
-std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
-                       const Provenance& provenance, Language language) {
+std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
+                       const std::string& archive, const calibration::Provenance& provenance,
+                       wording::Language language) {
   TemplateValues values;
-  report::fill_head(provenance, values, report::PageKind::fleet);
+  fill_head(provenance, values, PageKind::fleet);
   const std::size_t outliers = count_outliers(fleet);
   fill_facts(facts_of(fleet, archive, outliers), values);
   fill_outcome_of(fleet, outliers, values);
   fill_outliers(fleet, links, values);
   values.set("LIMIT", fmt::format("{:.2f}", fleet.limit));
-  values.set("DISTANCES", report::count(fleet.distances));
-  values.set("OTHERS_NEEDED", std::to_string(fewest_others));
-  values.set("EARLIER_NEEDED", std::to_string(fewest_earlier));
-  for (const FleetRobot& robot : fleet.robots) {
+  values.set("DISTANCES", wording::count(fleet.distances));
+  values.set("OTHERS_NEEDED", std::to_string(history::fewest_others));
+  values.set("EARLIER_NEEDED", std::to_string(history::fewest_earlier));
+  for (const history::FleetRobot& robot : fleet.robots) {
     fill_robot(robot, fleet, links, values.add_section("ROBOT_SECTION"));
   }
-  return report::expand_template("fleet.tpl", values, language);
+  return expand_template("fleet.tpl", values, language);
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

@@ -8,7 +8,7 @@
 #include "history/fleet.h"
 #include "wording/language.h"
 
-namespace tribolog::archive {
+namespace tribolog::report {
 
 /// Where the reports are that were written beside the page.
 struct FleetLinks {
@@ -23,7 +23,8 @@ struct FleetLinks {
 inline constexpr std::size_t most_cards = 120;
 
 /// @param archive its name, to show.
-std::string fleet_page(const Fleet& fleet, const FleetLinks& links, const std::string& archive,
-                       const Provenance& provenance, Language language = Language::english);
+std::string fleet_page(const history::Fleet& fleet, const FleetLinks& links,
+                       const std::string& archive, const calibration::Provenance& provenance,
+                       wording::Language language = wording::Language::english);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

@@ -6,22 +6,23 @@
 #include "report/fleet_page.h"
 #include "report/template_engine.h"
 
-namespace tribolog::archive {
+namespace tribolog::report {
 
 /// BAND, OTHERS, HISTORY and LATEST of a sparkline.
-void fill_sparkline(const FleetCell& cell, const Fleet& fleet, report::TemplateValues& values);
+void fill_sparkline(const history::FleetCell& cell, const history::Fleet& fleet,
+                    TemplateValues& values);
 
 /// LINK with HREF and TEXT, or NO_LINK with TEXT.
 void fill_link(const FleetLinks& links, const std::string& id, const std::string& text,
-               report::TemplateValues& values);
+               TemplateValues& values);
 
 /// The section OUTLIERS with its cards; nothing where there is no outlier.
-void fill_outliers(const Fleet& fleet, const FleetLinks& links, report::TemplateValues& values);
+void fill_outliers(const history::Fleet& fleet, const FleetLinks& links, TemplateValues& values);
 
 /// "R1 · S1"
 std::string robot_name(const std::string& robot, const std::string& serial);
 
 /// Joints beyond the limit.
-std::size_t count_outliers(const Fleet& fleet);
+std::size_t count_outliers(const history::Fleet& fleet);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

@@ -12,14 +12,15 @@ namespace tribolog::report {
 namespace {
 
 std::string angle_in_words(double rad) {
-  return fixed(rad * degree_scale().factor, 2) + "° (" + fixed(rad, 4) + "\u00a0rad)";
+  return wording::fixed(rad * wording::degree_scale().factor, 2) + "° (" + wording::fixed(rad, 4) +
+         "\u00a0rad)";
 }
 
-void add_facts(const CogSweepResult& r, Section& section) {
+void add_facts(const method::gravity::CogSweepResult& r, Section& section) {
   if (r.samples_used + r.samples_left_out > 0) {
-    section.facts.push_back({"Samples used", count(r.samples_used)});
-    section.facts.push_back(
-        {"Samples left out", count(r.samples_left_out) + " (rest, acceleration, reversal)"});
+    section.facts.push_back({"Samples used", wording::count(r.samples_used)});
+    section.facts.push_back({"Samples left out", wording::count(r.samples_left_out) +
+                                                     " (rest, acceleration, reversal)"});
   }
   if (!r.found) return;
   section.facts.push_back(
@@ -35,7 +36,8 @@ void add_facts(const CogSweepResult& r, Section& section) {
 
 }  // namespace
 
-void describe_cog_sweep(const CogSweepResult& r, double gear_ratio, Section& section) {
+void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ratio,
+                        Section& section) {
   add_facts(r, section);
   if (!r.found) return;
 
@@ -43,42 +45,45 @@ void describe_cog_sweep(const CogSweepResult& r, double gear_ratio, Section& sec
   table.id = section.id + "-results";
   table.caption = "Results of stage " + std::to_string(section.number);
   table.columns = estimate_columns();
-  const Estimate argmax{r.argmax_rad, r.argmax_low_rad, r.argmax_high_rad,
-                        r.argmax_at_end ? "paper's way; lies at the end of the sweep"
-                                        : "paper's way: largest torque"};
-  for (const Scale& scale : {degree_scale(), radian_scale(r.q_peak_rad.value)}) {
+  const statistics::Estimate argmax{r.argmax_rad, r.argmax_low_rad, r.argmax_high_rad,
+                                    r.argmax_at_end ? "paper's way; lies at the end of the sweep"
+                                                    : "paper's way: largest torque"};
+  for (const wording::Scale& scale :
+       {wording::degree_scale(), wording::radian_scale(r.q_peak_rad.value)}) {
     table.rows.push_back(estimate_row("Angle of the largest torque", argmax, scale));
   }
-  for (const Scale& scale : {degree_scale(), radian_scale(r.q_peak_rad.value)}) {
+  for (const wording::Scale& scale :
+       {wording::degree_scale(), wording::radian_scale(r.q_peak_rad.value)}) {
     table.rows.push_back(estimate_row("q_peak, fitted", r.q_peak_rad, scale));
     table.rows.back().is_chosen = true;
   }
   table.rows.push_back(number_row("Torque there, at the motor", r.argmax_torque_Nm,
-                                  torque_scale(r.argmax_torque_Nm), "paper's way: largest torque"));
+                                  wording::torque_scale(r.argmax_torque_Nm),
+                                  "paper's way: largest torque"));
   table.rows.push_back(estimate_row("Gravity torque G/n, at the motor", r.gravity_Nm,
-                                    torque_scale(r.gravity_Nm.value)));
+                                    wording::torque_scale(r.gravity_Nm.value)));
   if (gear_ratio != 1.0) {
-    const Estimate joint = scaled(r.gravity_Nm, gear_ratio);
+    const statistics::Estimate joint = statistics::scaled(r.gravity_Nm, gear_ratio);
     table.rows.push_back(
-        estimate_row("Gravity torque G, at the joint", joint, torque_scale(joint.value)));
+        estimate_row("Gravity torque G, at the joint", joint, wording::torque_scale(joint.value)));
   }
   if (r.coulomb_Nm) {
     table.rows.push_back(estimate_row("Coulomb torque, at the motor", *r.coulomb_Nm,
-                                      torque_scale(r.coulomb_Nm->value)));
+                                      wording::torque_scale(r.coulomb_Nm->value)));
   }
   if (r.viscous_Nms_rad) {
     table.rows.push_back(estimate_row("Viscous coefficient, at the motor", *r.viscous_Nms_rad,
-                                      viscous_scale(r.viscous_Nms_rad->value)));
+                                      wording::viscous_scale(r.viscous_Nms_rad->value)));
   }
   if (r.inertia_kgm2) {
-    table.rows.push_back(
-        estimate_row("Inertia, reflected to the motor", *r.inertia_kgm2, plain_scale("kg·m²")));
+    table.rows.push_back(estimate_row("Inertia, reflected to the motor", *r.inertia_kgm2,
+                                      wording::plain_scale("kg·m²")));
   }
   const std::string fit = "fit of the whole sweep";
   table.rows.push_back(number_row("Torque offset that is not gravity, at the motor", r.offset_Nm,
-                                  torque_scale(r.offset_Nm), fit));
+                                  wording::torque_scale(r.offset_Nm), fit));
   table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", r.residual_Nm,
-                                  torque_scale(r.residual_Nm), fit));
+                                  wording::torque_scale(r.residual_Nm), fit));
   if (r.argmax_at_end) {
     table.note =
         "The largest torque lies at the end of the sweep: no peak was crossed, and the "
@@ -95,24 +100,26 @@ void describe_cog_sweep(const CogSweepResult& r, double gear_ratio, Section& sec
 
 namespace {
 
-bool is_chosen(const Calibration& c, const std::string& estimator) {
+bool is_chosen(const calibration::Calibration& c, const std::string& estimator) {
   return estimator == c.selection.recommended;
 }
 
 /// Deviation in per cent with its sign: "+0.12".
 std::string percent_text(double share) {
   constexpr int decimals = 2;
-  return with_plus_sign(fixed(100.0 * share, decimals));
+  return wording::with_plus_sign(wording::fixed(100.0 * share, decimals));
 }
 
 }  // namespace
 
-void describe_surrogate_masses(const Calibration& c, Section& section) {
+void describe_surrogate_masses(const calibration::Calibration& c, Section& section) {
   if (c.masses.masses.empty()) return;
   section.facts.push_back(
       {"Surrogate distance r",
-       with_unit(as_stated(c.manifest.surrogate_distance_m), "m") + ", freely chosen"});
-  section.facts.push_back({"Gravity g", with_unit(as_stated(c.manifest.gravity_m_s2), "m/s²")});
+       wording::with_unit(wording::as_stated(c.manifest.surrogate_distance_m), "m") +
+           ", freely chosen"});
+  section.facts.push_back(
+      {"Gravity g", wording::with_unit(wording::as_stated(c.manifest.gravity_m_s2), "m/s²")});
 
   Table table;
   table.id = section.id + "-results";
@@ -120,12 +127,15 @@ void describe_surrogate_masses(const Calibration& c, Section& section) {
   table.columns = {{"Estimator", "", false},       {"What it is", "", false, true},
                    {"Torque T", "N·m", true},      {"Read at q", "°", true},
                    {"Surrogate mass", "kg", true}, {"95 % interval", "kg", true}};
-  for (const SurrogateMass& m : c.masses.masses) {
-    const RoundedEstimate torque = round_by_interval(m.torque_Nm, plain_scale("N·m"));
-    const RoundedEstimate mass = round_by_interval(m.mass_kg, plain_scale("kg"));
+  for (const method::hysteresis::SurrogateMass& m : c.masses.masses) {
+    const wording::RoundedEstimate torque =
+        wording::round_by_interval(m.torque_Nm, wording::plain_scale("N·m"));
+    const wording::RoundedEstimate mass =
+        wording::round_by_interval(m.mass_kg, wording::plain_scale("kg"));
     table.rows.push_back(
         {{estimator_name(m.estimator), point_meaning(m.estimator), torque.plus_minus(),
-          fixed(m.q_rad * degree_scale().factor, 3), mass.plus_minus(), or_dash(mass.range())},
+          wording::fixed(m.q_rad * wording::degree_scale().factor, 3), mass.plus_minus(),
+          or_dash(mass.range())},
          is_chosen(c, m.estimator)});
   }
   table.note = "Torques are at the motor. The marked row is the one this program recommends.";
@@ -135,7 +145,7 @@ void describe_surrogate_masses(const Calibration& c, Section& section) {
   }
 }
 
-Table paper_comparison_table(const Calibration& c) {
+Table paper_comparison_table(const calibration::Calibration& c) {
   const bool is_same_joint = is_papers_joint(c.manifest.robot, c.manifest.drive.gear_ratio());
   Table table;
   table.id = "table-paper-2";
@@ -149,17 +159,19 @@ Table paper_comparison_table(const Calibration& c) {
     table.columns.push_back({"This dataset", "kg", true});
     table.columns.push_back({"This dataset against printed", "%", true});
   }
-  for (const paper::printed::TorqueRow& printed : paper::printed::table_2) {
+  for (const paper::drawings::TorqueRow& printed : paper::drawings::table_2) {
     constexpr int decimals = 3;
-    const double mass = paper::printed::mass_of_torque_kg(printed.torque_Nm);
+    const double mass = paper::drawings::mass_of_torque_kg(printed.torque_Nm);
     const std::string name(1, printed.point);
-    Row row{{name, fixed(printed.torque_Nm, decimals), fixed(printed.mass_kg, decimals),
-             fixed(mass, decimals), fixed(mass - printed.mass_kg, decimals)},
+    Row row{{name, wording::fixed(printed.torque_Nm, decimals),
+             wording::fixed(printed.mass_kg, decimals), wording::fixed(mass, decimals),
+             wording::fixed(mass - printed.mass_kg, decimals)},
             false};
     if (is_same_joint) {
-      const SurrogateMass* ours = c.masses.find(name);
-      row.cells.push_back(ours ? round_by_interval(ours->mass_kg, plain_scale("kg")).plus_minus()
-                               : "–");
+      const method::hysteresis::SurrogateMass* ours = c.masses.find(name);
+      row.cells.push_back(
+          ours ? wording::round_by_interval(ours->mass_kg, wording::plain_scale("kg")).plus_minus()
+               : "–");
       row.cells.push_back(ours ? percent_text(ours->mass_kg.value / printed.mass_kg - 1.0) : "–");
     }
     table.rows.push_back(row);
@@ -167,7 +179,7 @@ Table paper_comparison_table(const Calibration& c) {
   table.note =
       "Printed columns: joint 3 of a FANUC AM100iB, n = 100, r = 0.5 m. Rounding of the "
       "printed figures alone allows " +
-      fixed(paper::printed::rounding_kg(), 4) + " kg of difference.";
+      wording::fixed(paper::drawings::rounding_kg(), 4) + " kg of difference.";
   if (!is_same_joint) {
     table.note +=
         " The joint of this report is another one: its masses are in stage 4 and are not "

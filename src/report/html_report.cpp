@@ -7,11 +7,13 @@
 #include "report/review_json.h"
 #include "report/template_engine.h"
 
-namespace tribolog {
-std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
-                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
-                        const std::optional<history::Comparison>& since_last, Language language) {
-  using namespace report;
+namespace tribolog::report {
+std::string html_report(const calibration::Calibration& calibration,
+                        const std::vector<figures::ReportFigure>& figures,
+                        const std::vector<render::workers::DrawnFigure>& drawn,
+                        const calibration::Provenance& provenance,
+                        const std::optional<history::Comparison>& since_last,
+                        wording::Language language) {
   const ReportView view = make_report_view(calibration, figures, drawn, provenance, since_last);
   TemplateValues values;
   const std::string loops = review_json(calibration, language);
@@ -22,13 +24,14 @@ std::string html_report(const Calibration& calibration, const std::vector<Report
     fill_style_and_script(values);
     values.add_section("REVIEW_DATA").set_checked_by_modifier("LOOPS_JSON", loops);
   }
-  values.set_checked_by_modifier("RESULT_JSON", calibration_json(calibration, provenance));
+  values.set_checked_by_modifier("RESULT_JSON",
+                                 calibration::calibration_json(calibration, provenance));
   return expand_template("report.tpl", values, language);
 }
 
-DrawingSoftware drawing_software(const render::RendererInfo& info) {
+calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info) {
   return {info.vtk_version, info.back_end, info.gl_version,
           info.gl_renderer, info.font,     info.freetype_version};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

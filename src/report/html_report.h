@@ -13,7 +13,7 @@
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::report {
 
 /// UTF-8 HTML. The style is inline and named by its hash in a content security policy, pictures
 /// are data URIs, and the result as JSON stands in `<script type="application/json"
@@ -25,12 +25,14 @@ namespace tribolog {
 /// with the reason, and the banner says how many are missing.
 /// @param since_last from the joint's calibration before to this one.
 /// @param language of the page and the viewer; the embedded result is the same in every language.
-std::string html_report(const Calibration& calibration, const std::vector<ReportFigure>& figures,
-                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
+std::string html_report(const calibration::Calibration& calibration,
+                        const std::vector<figures::ReportFigure>& figures,
+                        const std::vector<render::workers::DrawnFigure>& drawn,
+                        const calibration::Provenance& provenance,
                         const std::optional<history::Comparison>& since_last = std::nullopt,
-                        Language language = Language::english);
+                        wording::Language language = wording::Language::english);
 
 /// The graphics stack as the provenance keeps it.
-DrawingSoftware drawing_software(const render::RendererInfo& info);
+calibration::DrawingSoftware drawing_software(const render::figure::RendererInfo& info);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

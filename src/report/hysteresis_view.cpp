@@ -12,18 +12,20 @@ namespace tribolog::report {
 namespace {
 
 /// The step of the angle; of one that the print sets, only a bound is known.
-std::string step_text(const Oscillation& o, const Scale& angle) {
+std::string step_text(const method::hysteresis::Oscillation& o, const wording::Scale& angle) {
   if (!(o.encoder_step_rad > 0.0)) return "continuous";
-  return (o.step_is_of_print ? "≥ " : "") + significant(o.encoder_step_rad * angle.factor, 3);
+  return (o.step_is_of_print ? "≥ " : "") +
+         wording::significant(o.encoder_step_rad * angle.factor, 3);
 }
 
-Table oscillations_table(const HysteresisResult& r, const Section& section) {
+Table oscillations_table(const method::hysteresis::HysteresisResult& r, const Section& section) {
   Table table;
   table.id = section.id + "-oscillations";
   table.caption = "The oscillations that were used";
   double stroke = 0.0;
-  for (const Oscillation& o : r.oscillations) stroke = std::max(stroke, std::abs(o.amplitude_rad));
-  const Scale angle = radian_scale(stroke);
+  for (const method::hysteresis::Oscillation& o : r.oscillations)
+    stroke = std::max(stroke, std::abs(o.amplitude_rad));
+  const wording::Scale angle = wording::radian_scale(stroke);
   table.columns = {{"No.", "", false},
                    {"Centre", "°", true},
                    {"Amplitude", angle.unit, true},
@@ -32,16 +34,17 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
                    {"Steady cycles", "", true},
                    {"Encoder step", angle.unit, true}};
   for (std::size_t i = 0; i < r.oscillations.size(); ++i) {
-    const Oscillation& o = r.oscillations[i];
+    const method::hysteresis::Oscillation& o = r.oscillations[i];
     table.rows.push_back(
-        {{std::to_string(i + 1), fixed(o.centre_rad * degree_scale().factor, 4),
-          significant(o.amplitude_rad * angle.factor, 4), significant(o.frequency_Hz, 4),
-          significant(o.cycles, 3), significant(o.steady_cycles, 3), step_text(o, angle)},
+        {{std::to_string(i + 1), wording::fixed(o.centre_rad * wording::degree_scale().factor, 4),
+          wording::significant(o.amplitude_rad * angle.factor, 4),
+          wording::significant(o.frequency_Hz, 4), wording::significant(o.cycles, 3),
+          wording::significant(o.steady_cycles, 3), step_text(o, angle)},
          false});
   }
   table.note = "Angles are of the joint. Steady cycles are those behind the start-up stroke.";
   if (std::any_of(r.oscillations.begin(), r.oscillations.end(),
-                  [](const Oscillation& o) { return o.step_is_of_print; })) {
+                  [](const method::hysteresis::Oscillation& o) { return o.step_is_of_print; })) {
     table.note +=
         " Encoder step with ≥: that of the decimals in the log, which hide anything finer; the "
         "encoder's own may be larger.";
@@ -50,10 +53,10 @@ Table oscillations_table(const HysteresisResult& r, const Section& section) {
 }
 
 /// Decimals that show the largest of a column to four digits, so that numbers around zero read 0.
-int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::* member,
-                    double factor) {
+int column_decimals(const std::vector<method::hysteresis::LoopPoint>& points,
+                    double method::hysteresis::LoopPoint::* member, double factor) {
   double largest = 0.0;
-  for (const LoopPoint& p : points) {
+  for (const method::hysteresis::LoopPoint& p : points) {
     if (std::isfinite(p.*member)) largest = std::max(largest, std::abs(p.*member) * factor);
   }
   constexpr int digits = 4;
@@ -61,29 +64,29 @@ int column_decimals(const std::vector<LoopPoint>& points, double LoopPoint::* me
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 12);
 }
 
-void add_results(const HysteresisResult& r, Section& section) {
+void add_results(const method::hysteresis::HysteresisResult& r, Section& section) {
   Table table;
   table.id = section.id + "-results";
   table.caption = "Results of stage 3";
   table.columns = estimate_columns();
   if (r.midline_Nm) {
     table.rows.push_back(estimate_row("Mid-line torque at q_peak, at the motor", *r.midline_Nm,
-                                      torque_scale(r.midline_Nm->value)));
+                                      wording::torque_scale(r.midline_Nm->value)));
     table.rows.back().is_chosen = true;
   }
   if (r.found) {
     table.rows.push_back(number_row("Height of the loop, at the motor", r.loop_height_Nm,
-                                    torque_scale(r.loop_height_Nm),
+                                    wording::torque_scale(r.loop_height_Nm),
                                     "largest less smallest torque"));
   }
   if (r.presliding_travel_rad) {
     table.rows.push_back(number_row(
         "Travel in which the torque turns over after a reversal", *r.presliding_travel_rad,
-        radian_scale(*r.presliding_travel_rad), "reversals of the recordings"));
+        wording::radian_scale(*r.presliding_travel_rad), "reversals of the recordings"));
   }
   if (r.encoder_step_rad) {
     table.rows.push_back(
-        number_row("Encoder step", *r.encoder_step_rad, radian_scale(*r.encoder_step_rad),
+        number_row("Encoder step", *r.encoder_step_rad, wording::radian_scale(*r.encoder_step_rad),
                    r.step_is_of_print ? "decimals of the log; the encoder's may be larger"
                                       : "smallest step of the angle"));
   }
@@ -92,39 +95,42 @@ void add_results(const HysteresisResult& r, Section& section) {
 
 }  // namespace
 
-Table loop_points_table(const std::vector<LoopPoint>& points, const std::string& id,
-                        const std::string& caption) {
+Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points,
+                        const std::string& id, const std::string& caption) {
   Table table;
   table.id = id;
   table.caption = caption;
   double z = 0.0;
-  for (const LoopPoint& p : points) {
+  for (const method::hysteresis::LoopPoint& p : points) {
     if (std::isfinite(p.z_rad)) z = std::max(z, std::abs(p.z_rad));
   }
-  const figures::AxisScale shown = figures::prefixed("rad", z);  // as in the figures
-  const Scale bristle{shown.factor, shown.unit};
+  const wording::AxisScale shown = wording::prefixed("rad", z);  // as in the figures
+  const wording::Scale bristle{shown.factor, shown.unit};
   table.columns = {{"Point", "", false},      {"Where", "", false, true},
                    {"t", "s", true},          {"q", "°", true},
                    {"Torque T", "N·m", true}, {"95 % interval", "N·m", true},
                    {"z", bristle.unit, true}, {"dz/dt", bristle.unit + "/s", true}};
-  const int z_decimals = column_decimals(points, &LoopPoint::z_rad, bristle.factor);
-  const int rate_decimals = column_decimals(points, &LoopPoint::dz_rad_s, bristle.factor);
-  for (const LoopPoint& p : points) {
+  const int z_decimals =
+      column_decimals(points, &method::hysteresis::LoopPoint::z_rad, bristle.factor);
+  const int rate_decimals =
+      column_decimals(points, &method::hysteresis::LoopPoint::dz_rad_s, bristle.factor);
+  for (const method::hysteresis::LoopPoint& p : points) {
     const std::string name(1, p.name);
-    const RoundedEstimate torque =
-        round_by_interval({p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, plain_scale("N·m"));
+    const wording::RoundedEstimate torque = wording::round_by_interval(
+        {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, wording::plain_scale("N·m"));
     table.rows.push_back(
-        {{name, point_meaning(name), fixed(p.t_s, 4), fixed(p.q_rad * degree_scale().factor, 4),
-          torque.plus_minus(), or_dash(torque.range()), fixed(p.z_rad * bristle.factor, z_decimals),
-          fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
+        {{name, point_meaning(name), wording::fixed(p.t_s, 4),
+          wording::fixed(p.q_rad * wording::degree_scale().factor, 4), torque.plus_minus(),
+          or_dash(torque.range()), wording::fixed(p.z_rad * bristle.factor, z_decimals),
+          wording::fixed(p.dz_rad_s * bristle.factor, rate_decimals)},
          false});
   }
   return table;
 }
 
-void describe_hysteresis(const HysteresisResult& r, Section& section) {
+void describe_hysteresis(const method::hysteresis::HysteresisResult& r, Section& section) {
   if (r.found) {
-    section.facts.push_back({"Oscillations used", count(r.oscillations.size())});
+    section.facts.push_back({"Oscillations used", wording::count(r.oscillations.size())});
     section.facts.push_back(
         {"Bristle deflection z", r.bristle_source.empty() ? "not known" : r.bristle_source});
   }

@@ -13,40 +13,41 @@ namespace {
 struct Words {
   const char* name;
   const char* quantity;
-  Scale (*scale)(double);
+  wording::Scale (*scale)(double);
 };
 
-Scale kilogram(double) { return plain_scale("kg"); }
-Scale degree(double) { return degree_scale(); }
-Scale plain(double) { return plain_scale(""); }
-Scale speed(double) { return plain_scale("rad/s"); }
-Scale weakening(double) { return plain_scale("N·m·s²/rad²"); }
-Scale inertia(double) { return plain_scale("kg·m²"); }
+wording::Scale kilogram(double) { return wording::plain_scale("kg"); }
+wording::Scale degree(double) { return wording::degree_scale(); }
+wording::Scale plain(double) { return wording::plain_scale(""); }
+wording::Scale speed(double) { return wording::plain_scale("rad/s"); }
+wording::Scale weakening(double) { return wording::plain_scale("N·m·s²/rad²"); }
+wording::Scale inertia(double) { return wording::plain_scale("kg·m²"); }
 
 const Words exact_names[] = {
     {"q_peak_rough_rad", "q_peak, rough sweep", degree},
     {"q_peak_precise_rad", "q_peak, precise sweep", degree},
     {"q_peak_rad", "q_peak, used", degree},
     {"q_c_corrected_rad", "q_c corrected, eq. (14), with the choice of the point", degree},
-    {"coulomb_of_sweep_Nm", "Coulomb torque of the sweep", torque_scale},
-    {"lugre.bristle_stiffness_Nm_rad", "LuGre: bristle stiffness σ0", stiffness_scale},
-    {"lugre.bristle_damping_Nms_rad", "LuGre: bristle damping σ1", viscous_scale},
-    {"lugre.viscous_Nms_rad", "LuGre: viscous coefficient σ2", viscous_scale},
-    {"lugre.static_Nm", "LuGre: static torque Ts", torque_scale},
-    {"lugre.coulomb_Nm", "LuGre: Coulomb torque Tc", torque_scale},
+    {"coulomb_of_sweep_Nm", "Coulomb torque of the sweep", wording::torque_scale},
+    {"lugre.bristle_stiffness_Nm_rad", "LuGre: bristle stiffness σ0", wording::stiffness_scale},
+    {"lugre.bristle_damping_Nms_rad", "LuGre: bristle damping σ1", wording::viscous_scale},
+    {"lugre.viscous_Nms_rad", "LuGre: viscous coefficient σ2", wording::viscous_scale},
+    {"lugre.static_Nm", "LuGre: static torque Ts", wording::torque_scale},
+    {"lugre.coulomb_Nm", "LuGre: Coulomb torque Tc", wording::torque_scale},
     {"lugre.stribeck_speed_rad_s", "LuGre: Stribeck velocity ws", speed},
     {"lugre.speed_weakening_Nms2_rad2", "LuGre: fall with speed (Ts − Tc)/ws²", weakening},
     {"lugre.inertia_kgm2", "LuGre: inertia", inertia},
-    {"waiboer.asperity_torque_Nm", "Eq. (6): asperity torque Ta", torque_scale},
+    {"waiboer.asperity_torque_Nm", "Eq. (6): asperity torque Ta", wording::torque_scale},
     {"waiboer.stribeck_speed_rad_s", "Eq. (6): Stribeck velocity", speed},
     {"waiboer.stribeck_power", "Eq. (6): Stribeck power δa", plain},
     {"waiboer.viscous_coefficient", "Eq. (6): viscous coefficient cv", plain},
     {"waiboer.viscous_power", "Eq. (6): viscous power δv", plain},
-    {"line.coulomb_Nm", "Straight line: Coulomb torque", torque_scale},
-    {"line.viscous_Nms_rad", "Straight line: viscous coefficient", viscous_scale}};
+    {"line.coulomb_Nm", "Straight line: Coulomb torque", wording::torque_scale},
+    {"line.viscous_Nms_rad", "Straight line: viscous coefficient", wording::viscous_scale}};
 
 /// The row's quantity and unit; nothing for what other rows say already (gravity says it as mass).
-std::optional<std::pair<std::string, Scale>> words_for(const TwoIntervals& q, double size) {
+std::optional<std::pair<std::string, wording::Scale>> words_for(
+    const method::intervals::TwoIntervals& q, double size) {
   for (const Words& words : exact_names) {
     if (q.name == words.name) return std::pair{std::string(words.quantity), words.scale(size)};
   }
@@ -57,16 +58,17 @@ std::optional<std::pair<std::string, Scale>> words_for(const TwoIntervals& q, do
     return std::pair{"Surrogate mass, " + estimator, kilogram(size)};
   }
   if (q.name.starts_with("quality_error_percent.")) {
-    return std::pair{"Quality error (rms), " + estimator, plain_scale("% of T")};
+    return std::pair{"Quality error (rms), " + estimator, wording::plain_scale("% of T")};
   }
   return std::nullopt;
 }
 
-std::string range(const std::optional<Estimate>& estimate, const Scale& scale) {
-  return estimate ? or_dash(round_by_interval(*estimate, scale).range()) : "–";
+std::string range(const std::optional<statistics::Estimate>& estimate,
+                  const wording::Scale& scale) {
+  return estimate ? or_dash(wording::round_by_interval(*estimate, scale).range()) : "–";
 }
 
-Table intervals_table(const IntervalsResult& intervals) {
+Table intervals_table(const method::intervals::IntervalsResult& intervals) {
   Table table;
   table.id = "table-intervals";
   table.caption = "95 % intervals by closed form and by bootstrap";
@@ -74,8 +76,8 @@ Table intervals_table(const IntervalsResult& intervals) {
                    {"Unit", "", false},           {"Closed form", "", true},
                    {"Bootstrap", "", true},       {"Ratio of widths", "", true},
                    {"Stated", "", false}};
-  for (const TwoIntervals& q : intervals.quantities) {
-    const Estimate* stated = q.stated();
+  for (const method::intervals::TwoIntervals& q : intervals.quantities) {
+    const statistics::Estimate* stated = q.stated();
     if (stated == nullptr || !std::isfinite(stated->value)) continue;
     const auto words = words_for(q, stated->value);
     if (!words) continue;
@@ -83,9 +85,9 @@ Table intervals_table(const IntervalsResult& intervals) {
     const double ratio = q.ratio();
     const bool by_bootstrap = q.bootstrap && stated == &*q.bootstrap;
     table.rows.push_back(
-        {{quantity, round_by_interval(*stated, scale).estimate, or_dash(scale.unit),
-          range(q.closed_form, scale), range(q.bootstrap, scale), ratio > 0 ? fixed(ratio, 2) : "–",
-          by_bootstrap ? "bootstrap" : "closed form"},
+        {{quantity, wording::round_by_interval(*stated, scale).estimate, or_dash(scale.unit),
+          range(q.closed_form, scale), range(q.bootstrap, scale),
+          ratio > 0 ? wording::fixed(ratio, 2) : "–", by_bootstrap ? "bootstrap" : "closed form"},
          false});
   }
   table.note =
@@ -96,25 +98,25 @@ Table intervals_table(const IntervalsResult& intervals) {
   return table;
 }
 
-Table choices_table(const std::vector<ChoiceShare>& choices) {
+Table choices_table(const std::vector<method::intervals::ChoiceShare>& choices) {
   Table table;
   table.id = "table-choices";
   table.caption = "How often the paper's rule chose each point";
   table.columns = {{"Point", "", false}, {"Share of the resamples", "%", true}};
-  for (const ChoiceShare& choice : choices) {
-    table.rows.push_back({{choice.estimator, fixed(100 * choice.share, 1)}, false});
+  for (const method::intervals::ChoiceShare& choice : choices) {
+    table.rows.push_back({{choice.estimator, wording::fixed(100 * choice.share, 1)}, false});
   }
   return table;
 }
 
 }  // namespace
 
-void add_interval_tables(const Calibration& c, Section& section) {
-  const IntervalsResult& intervals = c.intervals;
-  section.facts.push_back(
-      {"Resamples", intervals.resamples == 0
-                        ? std::string("none: intervals by closed forms alone")
-                        : count(intervals.resamples) + ", seed " + std::to_string(intervals.seed)});
+void add_interval_tables(const calibration::Calibration& c, Section& section) {
+  const method::intervals::IntervalsResult& intervals = c.intervals;
+  section.facts.push_back({"Resamples", intervals.resamples == 0
+                                            ? std::string("none: intervals by closed forms alone")
+                                            : wording::count(intervals.resamples) + ", seed " +
+                                                  std::to_string(intervals.seed)});
   section.tables.push_back(intervals_table(intervals));
   if (!intervals.choices.empty()) section.tables.push_back(choices_table(intervals.choices));
 }
@@ -126,10 +128,10 @@ namespace {
 /// A percentage with its sign: "+0.12".
 std::string signed_percent(double percent) {
   constexpr int decimals = 3;
-  return with_plus_sign(fixed(percent, decimals));
+  return wording::with_plus_sign(wording::fixed(percent, decimals));
 }
 
-Table masses_table(const CrossChecksResult& r) {
+Table masses_table(const method::intervals::CrossChecksResult& r) {
   Table table;
   table.id = "table-cross-checks";
   table.caption = "Surrogate mass by every way, against the recommended one";
@@ -142,20 +144,23 @@ Table masses_table(const CrossChecksResult& r) {
                    {"In intervals", "", true},
                    {"Outcome", "", false}};
   for (std::size_t k = 0; k < r.checks.size(); ++k) {
-    const CrossCheck& c = r.checks[k];
-    const RoundedEstimate closed = round_by_interval(c.mass_kg, plain_scale("kg"));
+    const method::intervals::CrossCheck& c = r.checks[k];
+    const wording::RoundedEstimate closed =
+        wording::round_by_interval(c.mass_kg, wording::plain_scale("kg"));
     const std::string resampled =
-        c.resampled_kg ? round_by_interval(*c.resampled_kg, plain_scale("kg")).range() : "";
-    Row row{{std::to_string(k + 1) + ". " + method_in_words(c.method), closed.estimate,
-             or_dash(closed.range()), or_dash(resampled)},
+        c.resampled_kg
+            ? wording::round_by_interval(*c.resampled_kg, wording::plain_scale("kg")).range()
+            : "";
+    Row row{{std::to_string(k + 1) + ". " + method::intervals::method_in_words(c.method),
+             closed.estimate, or_dash(closed.range()), or_dash(resampled)},
             c.is_recommended};
     if (c.is_recommended) {
       row.cells.insert(row.cells.end(), {"–", "–", "–", "recommended"});
     } else {
-      row.cells.insert(
-          row.cells.end(),
-          {signed_percent(c.difference_percent), significant(c.difference_half_width_percent, 2),
-           fixed(c.difference_in_intervals, 2), c.disagrees ? "disagrees" : "agrees"});
+      row.cells.insert(row.cells.end(), {signed_percent(c.difference_percent),
+                                         wording::significant(c.difference_half_width_percent, 2),
+                                         wording::fixed(c.difference_in_intervals, 2),
+                                         c.disagrees ? "disagrees" : "agrees"});
     }
     table.rows.push_back(row);
   }
@@ -166,27 +171,29 @@ Table masses_table(const CrossChecksResult& r) {
   return table;
 }
 
-Table classical_table(const ClassicalRegression& c) {
+Table classical_table(const method::selection::ClassicalRegression& c) {
   Table table;
   table.id = "table-classical";
   table.caption = "The classical regression over everything that moves";
   table.columns = estimate_columns();
   const double g = c.gravity_Nm.value;
   table.rows = {
-      estimate_row("Gravity torque G/n, at the motor", c.gravity_Nm, torque_scale(g)),
-      estimate_row("The same", c.textbook_gravity_Nm, torque_scale(g)),
-      estimate_row("Gravity peak", c.q_peak_rad, degree_scale()),
-      estimate_row("Coulomb torque, at the motor", c.coulomb_Nm, torque_scale(c.coulomb_Nm.value)),
+      estimate_row("Gravity torque G/n, at the motor", c.gravity_Nm, wording::torque_scale(g)),
+      estimate_row("The same", c.textbook_gravity_Nm, wording::torque_scale(g)),
+      estimate_row("Gravity peak", c.q_peak_rad, wording::degree_scale()),
+      estimate_row("Coulomb torque, at the motor", c.coulomb_Nm,
+                   wording::torque_scale(c.coulomb_Nm.value)),
       estimate_row("Viscous coefficient, at the motor", c.viscous_Nms_rad,
-                   viscous_scale(c.viscous_Nms_rad.value)),
-      estimate_row("Inertia, reflected to the motor", c.inertia_kgm2, plain_scale("kg·m²")),
-      number_row("Scatter left by the fit", c.residual_Nm, torque_scale(c.residual_Nm),
+                   wording::viscous_scale(c.viscous_Nms_rad.value)),
+      estimate_row("Inertia, reflected to the motor", c.inertia_kgm2,
+                   wording::plain_scale("kg·m²")),
+      number_row("Scatter left by the fit", c.residual_Nm, wording::torque_scale(c.residual_Nm),
                  "rows as averaged"),
       number_row("What the torque's noise would leave", c.row_noise_Nm,
-                 torque_scale(c.row_noise_Nm), "third differences")};
+                 wording::torque_scale(c.row_noise_Nm), "third differences")};
   const double times = c.row_noise_Nm > 0 ? c.residual_Nm / c.row_noise_Nm : 0.0;
   if (times > 2) {
-    table.note = "It leaves " + significant(times, 2) +
+    table.note = "It leaves " + wording::significant(times, 2) +
                  " times the scatter of the noise: friction is no straight line of speed, and the "
                  "rest goes into the parameters. The interval for independent errors does not see "
                  "that; the one of blocks does in part.";
@@ -194,22 +201,23 @@ Table classical_table(const ClassicalRegression& c) {
   return table;
 }
 
-Table ripple_table(const Ripple& ripple) {
+Table ripple_table(const method::gravity::Ripple& ripple) {
   Table table;
   table.id = "table-ripple";
   table.caption = "Torque ripple that the rough sweep shows";
   table.columns = {{"Periods a motor turn", "", true}, {"Amplitude", "mN·m", true}};
-  for (const RippleLine& line : ripple.lines) {
-    table.rows.push_back(
-        {{fixed(line.periods_per_turn, 3), significant(1000 * line.amplitude_Nm, 3)}, false});
+  for (const method::gravity::RippleLine& line : ripple.lines) {
+    table.rows.push_back({{wording::fixed(line.periods_per_turn, 3),
+                           wording::significant(1000 * line.amplitude_Nm, 3)},
+                          false});
   }
   table.note = "At any motor angle it lies within ±" +
-               with_unit(significant(1000 * ripple.half_width_Nm(), 2), "mN·m") +
+               wording::with_unit(wording::significant(1000 * ripple.half_width_Nm(), 2), "mN·m") +
                " (95 %). At a single position the loop's interval cannot be narrower.";
   return table;
 }
 
-Table plan_table(const PositionPlan& plan, const Calibration& c) {
+Table plan_table(const method::hysteresis::PositionPlan& plan, const calibration::Calibration& c) {
   Table table;
   table.id = "table-positions";
   table.caption = "Where to oscillate next";
@@ -217,19 +225,20 @@ Table plan_table(const PositionPlan& plan, const Calibration& c) {
                    {"Joint angle", "°", true},
                    {"From the first, at the motor", "°", true}};
   const double first = c.hysteresis.oscillations.front().centre_rad;
-  const double to_degrees = degree_scale().factor;
+  const double to_degrees = wording::degree_scale().factor;
   for (std::size_t k = 0; k < plan.further_rad.size(); ++k) {
     table.rows.push_back(
-        {{std::to_string(k + 2), fixed(plan.further_rad[k] * to_degrees, 4),
-          fixed((plan.further_rad[k] - first) * c.manifest.drive.gear_ratio() * to_degrees, 1)},
+        {{std::to_string(k + 2), wording::fixed(plan.further_rad[k] * to_degrees, 4),
+          wording::fixed((plan.further_rad[k] - first) * c.manifest.drive.gear_ratio() * to_degrees,
+                         1)},
          false});
   }
   const double g = present(c.hysteresis.midline_Nm).value;
   const auto percent = [&](double half_width_Nm) {
-    return "±" + significant(100 * half_width_Nm / g, 2) + " %";
+    return "±" + wording::significant(100 * half_width_Nm / g, 2) + " %";
   };
   table.note = "The same oscillation at each, spread evenly over " +
-               fixed(plan.spread_motor_rad * to_degrees, 0) +
+               wording::fixed(plan.spread_motor_rad * to_degrees, 0) +
                "° of the motor. The mid-line's gravity torque is known to " +
                percent(plan.half_width_now_Nm) + " now, of which ripple alone demands " +
                percent(plan.ripple_half_width_Nm) + "; with all eight expect " +
@@ -239,7 +248,7 @@ Table plan_table(const PositionPlan& plan, const Calibration& c) {
 
 }  // namespace
 
-Section cross_checks_section(const Calibration& c) {
+Section cross_checks_section(const calibration::Calibration& c) {
   Section section;
   section.id = "cross-checks";
   section.title = "Cross-checks and intervals";

@@ -31,19 +31,20 @@ std::vector<Column> estimate_columns() {
           {"From", "", false}};
 }
 
-Row estimate_row(const std::string& quantity, const Estimate& estimate, const Scale& scale) {
+Row estimate_row(const std::string& quantity, const statistics::Estimate& estimate,
+                 const wording::Scale& scale) {
   if (!std::isfinite(estimate.value)) return not_identified_row(quantity, estimate.method);
-  const RoundedEstimate text = round_by_interval(estimate, scale);
+  const wording::RoundedEstimate text = wording::round_by_interval(estimate, scale);
   return {{quantity, text.plus_minus(), or_dash(scale.unit), or_dash(text.range()),
            or_dash(estimate.method)},
           false};
 }
 
-Row number_row(const std::string& quantity, double value, const Scale& scale,
+Row number_row(const std::string& quantity, double value, const wording::Scale& scale,
                const std::string& from) {
   if (!std::isfinite(value)) return not_identified_row(quantity, from);
   constexpr int digits = 4;
-  return {{quantity, significant(value * scale.factor, digits), or_dash(scale.unit), "–",
+  return {{quantity, wording::significant(value * scale.factor, digits), or_dash(scale.unit), "–",
            or_dash(from)},
           false};
 }
@@ -65,7 +66,7 @@ std::string estimator_name(const std::string& estimator) {
   return estimator;
 }
 
-const SurrogateMass* recommended_mass(const Calibration& c) {
+const method::hysteresis::SurrogateMass* recommended_mass(const calibration::Calibration& c) {
   return c.selection.recommended.empty() ? nullptr : c.masses.find(c.selection.recommended);
 }
 
@@ -75,7 +76,7 @@ namespace {
 
 class KeyNumbers {
  public:
-  explicit KeyNumbers(const Calibration& calibration)
+  explicit KeyNumbers(const calibration::Calibration& calibration)
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()) {
     table_.id = "table-key-numbers";
     table_.caption = "Key numbers with 95 % intervals";
@@ -84,7 +85,7 @@ class KeyNumbers {
         n_ == 1.0 ? "Gear ratio 1: motor side and joint side are the same."
                   : "At the joint, torques are n times and viscous coefficients and stiffnesses "
                     "n² times those at the motor; n = " +
-                        as_stated(n_) + ".";
+                        wording::as_stated(n_) + ".";
   }
 
   Table make() {
@@ -96,25 +97,25 @@ class KeyNumbers {
   }
 
  private:
-  void angle(const std::string& quantity, Estimate e, const std::string& from) {
+  void angle(const std::string& quantity, statistics::Estimate e, const std::string& from) {
     e.method = from;
-    table_.rows.push_back(estimate_row(quantity, e, degree_scale()));
-    table_.rows.push_back(estimate_row(quantity, e, radian_scale(e.value)));
+    table_.rows.push_back(estimate_row(quantity, e, wording::degree_scale()));
+    table_.rows.push_back(estimate_row(quantity, e, wording::radian_scale(e.value)));
   }
 
   /// One row per side; `to_joint` is the factor from motor to joint.
-  void sides(const std::string& quantity, Estimate motor, double to_joint,
-             Scale (*scale_for)(double), const std::string& from) {
+  void sides(const std::string& quantity, statistics::Estimate motor, double to_joint,
+             wording::Scale (*scale_for)(double), const std::string& from) {
     motor.method = from;
     const std::string at_motor = n_ == 1.0 ? "" : ", at the motor";
     table_.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
     if (n_ == 1.0) return;
-    const Estimate joint = scaled(motor, to_joint);
+    const statistics::Estimate joint = statistics::scaled(motor, to_joint);
     table_.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale_for(joint.value)));
   }
 
   void missing(const std::string& quantity, StageId stage) {
-    const StageReport& report = stage_report(c_, stage);
+    const statistics::StageReport& report = stage_report(c_, stage);
     table_.rows.push_back(not_identified_row(
         quantity, stage_reference(stage) + ": " + status_in_words(report.state)));
   }
@@ -147,7 +148,7 @@ class KeyNumbers {
     if (c_.selection.q_c_rad) {
       angle(link, *c_.selection.q_c_rad, stage_reference(StageId::selection));
     } else if (c_.q_peak_rad) {
-      angle(link, scaled(*c_.q_peak_rad, -1.0), "−q_peak");
+      angle(link, statistics::scaled(*c_.q_peak_rad, -1.0), "−q_peak");
     }
   }
 
@@ -155,42 +156,45 @@ class KeyNumbers {
     const char* const name = "Gravity torque";
     if (refused("gravity_torque") && recommended_mass(c_) != nullptr) {
       see_the_verdict(name);
-    } else if (const SurrogateMass* mass = recommended_mass(c_)) {
-      sides(name, mass->gravity_Nm, n_, torque_scale,
+    } else if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
+      sides(name, mass->gravity_Nm, n_, wording::torque_scale,
             stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass->estimator));
     } else if (c_.rough.found) {
-      sides(name, c_.rough.gravity_Nm, n_, torque_scale, stage_reference(StageId::cog_rough));
+      sides(name, c_.rough.gravity_Nm, n_, wording::torque_scale,
+            stage_reference(StageId::cog_rough));
     } else {
       missing(name, StageId::surrogate_masses);
     }
   }
 
   void masses() {
-    const std::string at = " at r = " + as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
+    const std::string at =
+        " at r = " + wording::as_stated(c_.manifest.surrogate_distance_m) + "\u00a0m";
     if (refused("surrogate_mass") && recommended_mass(c_) != nullptr) {
       see_the_verdict("Surrogate mass" + at);
       return;
     }
-    if (const SurrogateMass* mass = recommended_mass(c_)) {
+    if (const method::hysteresis::SurrogateMass* mass = recommended_mass(c_)) {
       mass_row("Surrogate mass" + at + ", recommended", *mass, true);
     } else {
       missing("Surrogate mass" + at, StageId::surrogate_masses);
     }
-    const SurrogateMass* papers =
+    const method::hysteresis::SurrogateMass* papers =
         c_.selection.paper_rule.empty() ? nullptr : c_.masses.find(c_.selection.paper_rule);
     if (papers != nullptr)
       mass_row("Surrogate mass" + at + ", by the paper's rule", *papers, false);
   }
 
-  void mass_row(const std::string& quantity, const SurrogateMass& mass, bool is_chosen) {
-    Estimate e = mass.mass_kg;
+  void mass_row(const std::string& quantity, const method::hysteresis::SurrogateMass& mass,
+                bool is_chosen) {
+    statistics::Estimate e = mass.mass_kg;
     e.method = stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass.estimator);
-    table_.rows.push_back(estimate_row(quantity, e, plain_scale("kg")));
+    table_.rows.push_back(estimate_row(quantity, e, wording::plain_scale("kg")));
     table_.rows.back().is_chosen = is_chosen;
   }
 
   void friction() {
-    const HysteresisResult& loop = c_.hysteresis;
+    const method::hysteresis::HysteresisResult& loop = c_.hysteresis;
     const auto shown = [&](const char* name) {
       return loop.lugre ? loop.lugre->shown(name) : std::nullopt;
     };
@@ -199,10 +203,10 @@ class KeyNumbers {
     if (refused("break_away_torque") && (level || c_.break_away.mean_Nm)) {
       see_the_verdict("Break-away torque");
     } else if (c_.break_away.mean_Nm) {
-      sides("Break-away torque", *c_.break_away.mean_Nm, n_, torque_scale,
+      sides("Break-away torque", *c_.break_away.mean_Nm, n_, wording::torque_scale,
             stage_reference(StageId::break_away) + ", ramps of the torque");
     } else if (level) {
-      sides("Break-away torque", *level, n_, torque_scale, from_loop);
+      sides("Break-away torque", *level, n_, wording::torque_scale, from_loop);
     } else if (!c_.break_away.ramps.empty()) {
       see_the_verdict("Break-away torque");
     } else {
@@ -214,25 +218,25 @@ class KeyNumbers {
       const std::string from = stage_reference(StageId::hysteresis);
       const std::string name = "Height of the hysteresis loop";
       table_.rows.push_back(number_row(n_ == 1.0 ? name : name + ", at the motor", height,
-                                       torque_scale(height), from));
+                                       wording::torque_scale(height), from));
       if (n_ != 1.0) {
-        table_.rows.push_back(
-            number_row(name + ", at the joint", n_ * height, torque_scale(n_ * height), from));
+        table_.rows.push_back(number_row(name + ", at the joint", n_ * height,
+                                         wording::torque_scale(n_ * height), from));
       }
     }
     const auto stiffness = shown("bristle_stiffness_Nm_rad");
     if (refused("bristle_stiffness") && stiffness) {
       see_the_verdict("Bristle stiffness σ₀");
     } else if (stiffness) {
-      sides("Bristle stiffness σ₀", *stiffness, n_ * n_, stiffness_scale, from_loop);
+      sides("Bristle stiffness σ₀", *stiffness, n_ * n_, wording::stiffness_scale, from_loop);
     }
   }
 
   /// A number that its verdict refuses is none to file.
   [[nodiscard]] bool refused(const std::string& key) const {
     const auto& all = c_.judgement.quantities;
-    return std::any_of(all.begin(), all.end(), [&](const QuantityVerdict& q) {
-      return q.key == key && q.verdict == Verdict::not_identifiable;
+    return std::any_of(all.begin(), all.end(), [&](const calibration::QuantityVerdict& q) {
+      return q.key == key && q.verdict == calibration::Verdict::not_identifiable;
     });
   }
 
@@ -248,9 +252,9 @@ class KeyNumbers {
     if (refused("coulomb_torque") && (line || c_.rough.coulomb_Nm)) {
       see_the_verdict(coulomb);
     } else if (line) {
-      sides(coulomb, line->coulomb_Nm, n_, torque_scale, from_line);
+      sides(coulomb, line->coulomb_Nm, n_, wording::torque_scale, from_line);
     } else if (c_.rough.coulomb_Nm) {
-      sides(coulomb, *c_.rough.coulomb_Nm, n_, torque_scale, from_sweep);
+      sides(coulomb, *c_.rough.coulomb_Nm, n_, wording::torque_scale, from_sweep);
     } else {
       missing(coulomb, StageId::parameters);
     }
@@ -258,21 +262,23 @@ class KeyNumbers {
     if (refused("viscous_coefficient") && (line || c_.rough.viscous_Nms_rad)) {
       see_the_verdict(viscous);
     } else if (line) {
-      sides(viscous, line->viscous_Nms_rad, n_ * n_, viscous_scale, from_line);
+      sides(viscous, line->viscous_Nms_rad, n_ * n_, wording::viscous_scale, from_line);
     } else if (c_.rough.viscous_Nms_rad) {
-      sides(viscous, *c_.rough.viscous_Nms_rad, n_ * n_, viscous_scale, from_sweep);
+      sides(viscous, *c_.rough.viscous_Nms_rad, n_ * n_, wording::viscous_scale, from_sweep);
     } else {
       missing(viscous, StageId::parameters);
     }
   }
 
-  const Calibration& c_;
+  const calibration::Calibration& c_;
   double n_;
   Table table_;
 };
 
 }  // namespace
 
-Table key_numbers_table(const Calibration& calibration) { return KeyNumbers(calibration).make(); }
+Table key_numbers_table(const calibration::Calibration& calibration) {
+  return KeyNumbers(calibration).make();
+}
 
 }  // namespace tribolog::report

@@ -4,10 +4,8 @@
 #include "report/page_style.h"
 #include "report/view_parts.h"
 
-namespace tribolog {
+namespace tribolog::report {
 namespace {
-
-using namespace report;
 
 Table models_table() {
   Table table;
@@ -19,8 +17,8 @@ Table models_table() {
                    {"Lag", "", false},          {"Non-local memory", "", false},
                    {"Drifts", "", false},       {"Rate independent", "", false}};
   const auto word = [](bool shows) { return std::string(shows ? "yes" : "–"); };
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
-    const FrictionTraits& t = one.traits;
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
+    const friction::FrictionTraits& t = one.traits;
     table.rows.push_back(
         {{one.title, one.name, one.source, word(t.presliding), word(t.break_away), word(t.stribeck),
           word(t.lag), word(t.non_local_memory), word(t.drifts), word(t.rate_independent)},
@@ -32,10 +30,10 @@ Table models_table() {
   return table;
 }
 
-std::vector<Fact> contact_facts(const ContactParameters& c) {
+std::vector<Fact> contact_facts(const friction::ContactParameters& c) {
   constexpr int digits = 4;
   const auto fact = [](const char* name, double value, const char* unit) {
-    return Fact{name, with_unit(significant(value, digits), unit)};
+    return Fact{name, wording::with_unit(wording::significant(value, digits), unit)};
   };
   return {fact("Stiffness", c.stiffness_Nm_rad, "N/m"),
           fact("Damping", c.damping_Nms_rad, "N·s/m"),
@@ -47,15 +45,15 @@ std::vector<Fact> contact_facts(const ContactParameters& c) {
 
 }  // namespace
 
-std::string models_page(const ContactParameters& contact,
-                        const std::vector<ModelExperiment>& experiments,
-                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
-                        Language language) {
+std::string models_page(const friction::ContactParameters& contact,
+                        const std::vector<figures::ModelExperiment>& experiments,
+                        const std::vector<render::workers::DrawnFigure>& drawn,
+                        const calibration::Provenance& provenance, wording::Language language) {
   TemplateValues values;
   fill_head(provenance, values);
   fill_facts(contact_facts(contact), values);
   fill_table(models_table(), "TABLE", values);
-  for (const ModelExperiment& experiment : experiments) {
+  for (const figures::ModelExperiment& experiment : experiments) {
     TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
     entry.set("SECTION_ID", experiment.id);
     entry.set("TITLE", experiment.title);
@@ -70,4 +68,4 @@ std::string models_page(const ContactParameters& contact,
   return expand_template("models.tpl", values, language);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

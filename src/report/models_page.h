@@ -9,13 +9,14 @@
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::report {
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report. Figures and drawn
 /// pictures pair up by id; one that is missing or failed leaves a placeholder with the reason.
-std::string models_page(const ContactParameters& contact,
-                        const std::vector<ModelExperiment>& experiments,
-                        const std::vector<render::DrawnFigure>& drawn, const Provenance& provenance,
-                        Language language = Language::english);
+std::string models_page(const friction::ContactParameters& contact,
+                        const std::vector<figures::ModelExperiment>& experiments,
+                        const std::vector<render::workers::DrawnFigure>& drawn,
+                        const calibration::Provenance& provenance,
+                        wording::Language language = wording::Language::english);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -9,20 +9,18 @@
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 
-namespace tribolog::archive {
+namespace tribolog::report {
 namespace {
 
-using report::TemplateValues;
-
 struct OutlyingJoint {
-  const FleetRobot* robot;
-  const FleetJoint* joint;
+  const history::FleetRobot* robot;
+  const history::FleetJoint* joint;
 };
 
-std::vector<OutlyingJoint> outlying_joints(const Fleet& fleet) {
+std::vector<OutlyingJoint> outlying_joints(const history::Fleet& fleet) {
   std::vector<OutlyingJoint> all;
-  for (const FleetRobot& robot : fleet.robots) {
-    for (const FleetJoint& joint : robot.joints) {
+  for (const history::FleetRobot& robot : fleet.robots) {
+    for (const history::FleetJoint& joint : robot.joints) {
       if (joint.furthest > fleet.limit) all.push_back({&robot, &joint});
     }
   }
@@ -32,16 +30,17 @@ std::vector<OutlyingJoint> outlying_joints(const Fleet& fleet) {
   return all;
 }
 
-std::string distance_words(const std::optional<Distance>& d, const std::string& of,
-                           const Estimate& latest, const std::string& unit, double limit) {
+std::string distance_words(const std::optional<history::Distance>& d, const std::string& of,
+                           const statistics::Estimate& latest, const std::string& unit,
+                           double limit) {
   if (!d || std::abs(d->z) <= limit) return "";
   constexpr double shown_in_full = 100;
   constexpr double shown_with_decimal = 10;
-  const Estimate median{d->median, d->median - latest.half_width(), d->median + latest.half_width(),
-                        ""};
+  const statistics::Estimate median{d->median, d->median - latest.half_width(),
+                                    d->median + latest.half_width(), ""};
   const std::string z = std::abs(d->z) > shown_in_full
                             ? std::string("beyond 100")
-                            : report::with_minus_sign(fmt::format("{:.1f}", d->z));
+                            : wording::with_minus_sign(fmt::format("{:.1f}", d->z));
   // A share of an angle says nothing: its zero is a convention.
   std::string share;
   if (unit != "rad" && d->median != 0) {
@@ -51,31 +50,33 @@ std::string distance_words(const std::optional<Distance>& d, const std::string& 
   }
   return fmt::format(
       "z {} against {} {}, median {}{}", z, d->count, of,
-      report::with_unit(report::round_by_interval(median, {1.0, unit}).estimate, unit), share);
+      wording::with_unit(wording::round_by_interval(median, {1.0, unit}).estimate, unit), share);
 }
 
-void fill_card(const OutlyingJoint& outlying, const Fleet& fleet, const FleetLinks& links,
+void fill_card(const OutlyingJoint& outlying, const history::Fleet& fleet, const FleetLinks& links,
                TemplateValues& values) {
-  const FleetJoint& joint = *outlying.joint;
-  fill_link(links, joint.latest.id, report::or_dash(joint.latest.facts.of.joint), values);
+  const history::FleetJoint& joint = *outlying.joint;
+  fill_link(links, joint.latest.id, or_dash(joint.latest.facts.of.joint), values);
   values.set("ROBOT", robot_name(outlying.robot->robot, outlying.robot->serial));
-  values.set("ID", joint.latest.id.substr(0, shown_digits));
-  values.set("MEASURED", report::or_dash(joint.latest.facts.measured_at));
-  std::vector<const FleetCell*> cells;
-  for (const FleetCell& cell : joint.cells) {
+  values.set("ID", joint.latest.id.substr(0, calibration::shown_digits));
+  values.set("MEASURED", or_dash(joint.latest.facts.measured_at));
+  std::vector<const history::FleetCell*> cells;
+  for (const history::FleetCell& cell : joint.cells) {
     if (cell.furthest() > fleet.limit) cells.push_back(&cell);
   }
-  std::stable_sort(cells.begin(), cells.end(), [](const FleetCell* a, const FleetCell* b) {
-    return a->furthest() > b->furthest();
-  });
-  for (const FleetCell* cell : cells) {
-    const FleetColumn& column = fleet.columns[cell->column];
-    const Estimate& latest = cell->results.back().estimate;
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const history::FleetCell* a, const history::FleetCell* b) {
+                     return a->furthest() > b->furthest();
+                   });
+  for (const history::FleetCell* cell : cells) {
+    const history::FleetColumn& column = fleet.columns[cell->column];
+    const statistics::Estimate& latest = cell->results.back().estimate;
     TemplateValues& one = values.add_section("QUANTITY");
-    one.set("NAME", report::or_dash(without_side(column.words)));
-    one.set("VALUE", report::in_words(latest, {1.0, column.unit}));
-    one.set_optional("VERDICT",
-                     cell->verdict == Verdict::usable ? "" : tribolog::to_string(cell->verdict));
+    one.set("NAME", or_dash(calibration::without_side(column.words)));
+    one.set("VALUE", wording::in_words(latest, {1.0, column.unit}));
+    one.set_optional("VERDICT", cell->verdict == calibration::Verdict::usable
+                                    ? ""
+                                    : calibration::to_string(cell->verdict));
     one.set_optional("OTHERS_WORDS", distance_words(cell->to_others, "other robots", latest,
                                                     column.unit, fleet.limit));
     one.set_optional("HISTORY_WORDS", distance_words(cell->to_history, "earlier ones of its own",
@@ -86,9 +87,9 @@ void fill_card(const OutlyingJoint& outlying, const Fleet& fleet, const FleetLin
 
 }  // namespace
 
-std::size_t count_outliers(const Fleet& fleet) { return outlying_joints(fleet).size(); }
+std::size_t count_outliers(const history::Fleet& fleet) { return outlying_joints(fleet).size(); }
 
-void fill_outliers(const Fleet& fleet, const FleetLinks& links, TemplateValues& values) {
+void fill_outliers(const history::Fleet& fleet, const FleetLinks& links, TemplateValues& values) {
   const std::vector<OutlyingJoint> all = outlying_joints(fleet);
   if (all.empty()) return;
   TemplateValues& section = values.add_section("OUTLIERS");
@@ -103,4 +104,4 @@ void fill_outliers(const Fleet& fleet, const FleetLinks& links, TemplateValues& 
   }
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

@@ -101,7 +101,7 @@ void fill_style_and_script(TemplateValues& values) {
   fill(own_style(PageKind::with_viewer), own_script(), values);
 }
 
-void fill_head(const Provenance& provenance, TemplateValues& values, PageKind kind) {
+void fill_head(const calibration::Provenance& provenance, TemplateValues& values, PageKind kind) {
   fill_style(values, kind);
   values.set("TOOL", "tribolog " + provenance.tool_version);
   values.set("CREATED", or_dash(provenance.created_utc));

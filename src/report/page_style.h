@@ -24,7 +24,7 @@ std::vector<std::string> script_messages();
 // Internal to the report: what the head of every page has.
 
 /// fill_style(), and TOOL, CREATED and COMMAND_LINE from the provenance.
-void fill_head(const Provenance& provenance, TemplateValues& values,
+void fill_head(const calibration::Provenance& provenance, TemplateValues& values,
                PageKind kind = PageKind::plain);
 
 /// CSS, the style of such a page, and CSP, the content security policy that allows it by its hash

@@ -15,41 +15,43 @@ Table estimates(const std::string& id, const std::string& caption) {
   return table;
 }
 
-void add_both_sides(const std::string& quantity, const Estimate& motor, double n, double to_joint,
-                    Scale (*scale_for)(double), Table& table) {
+void add_both_sides(const std::string& quantity, const statistics::Estimate& motor, double n,
+                    double to_joint, wording::Scale (*scale_for)(double), Table& table) {
   const std::string at_motor = n == 1.0 ? "" : ", at the motor";
   table.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
   if (n == 1.0) return;
-  const Estimate joint = scaled(motor, to_joint);
+  const statistics::Estimate joint = statistics::scaled(motor, to_joint);
   table.rows.push_back(estimate_row(quantity + ", at the joint", joint, scale_for(joint.value)));
 }
 
-Table line_table(const CoulombViscousFit& f, double n, const Section& section) {
+Table line_table(const method::selection::CoulombViscousFit& f, double n, const Section& section) {
   Table table =
       estimates(section.id + "-line", "Coulomb and viscous friction: |T_f| = T_c + c |ω|");
-  add_both_sides("Coulomb torque T_c", f.coulomb_Nm, n, n, torque_scale, table);
-  add_both_sides("Viscous coefficient c", f.viscous_Nms_rad, n, n * n, viscous_scale, table);
+  add_both_sides("Coulomb torque T_c", f.coulomb_Nm, n, n, wording::torque_scale, table);
+  add_both_sides("Viscous coefficient c", f.viscous_Nms_rad, n, n * n, wording::viscous_scale,
+                 table);
   table.rows.push_back(number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                                  torque_scale(f.residual_Nm), "fit"));
+                                  wording::torque_scale(f.residual_Nm), "fit"));
   constexpr int digits = 3;
-  table.note = "Fitted to motor speeds from " + significant(f.slowest_rad_s, digits) + " to " +
-               with_unit(significant(f.fastest_rad_s, digits), "rad/s") +
+  table.note = "Fitted to motor speeds from " + wording::significant(f.slowest_rad_s, digits) +
+               " to " + wording::with_unit(wording::significant(f.fastest_rad_s, digits), "rad/s") +
                ", beyond the Stribeck dip; not to be used below.";
   return table;
 }
 
-Table waiboer_table(const WaiboerFit& f, const Section& section) {
+Table waiboer_table(const method::viscous::WaiboerFit& f, const Section& section) {
   Table table = estimates(section.id + "-waiboer",
                           "Friction of a geared joint after Waiboer et al., eq. (6), at the motor");
-  table.rows = {estimate_row("Asperity torque T_a", f.asperity_torque_Nm,
-                             torque_scale(f.asperity_torque_Nm.value)),
-                estimate_row("Stribeck velocity ω_s", f.stribeck_speed_rad_s, plain_scale("rad/s")),
-                estimate_row("Stribeck power δ_a", f.stribeck_power, plain_scale("")),
-                estimate_row("Viscous coefficient c_v", f.viscous_coefficient,
-                             plain_scale("N·m·(s/rad)^(1−δ_v)")),
-                estimate_row("Viscous power δ_v", f.viscous_power, plain_scale("")),
-                number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
-                           torque_scale(f.residual_Nm), "fit")};
+  table.rows = {
+      estimate_row("Asperity torque T_a", f.asperity_torque_Nm,
+                   wording::torque_scale(f.asperity_torque_Nm.value)),
+      estimate_row("Stribeck velocity ω_s", f.stribeck_speed_rad_s, wording::plain_scale("rad/s")),
+      estimate_row("Stribeck power δ_a", f.stribeck_power, wording::plain_scale("")),
+      estimate_row("Viscous coefficient c_v", f.viscous_coefficient,
+                   wording::plain_scale("N·m·(s/rad)^(1−δ_v)")),
+      estimate_row("Viscous power δ_v", f.viscous_power, wording::plain_scale("")),
+      number_row("Scatter left by the fit (standard deviation)", f.residual_Nm,
+                 wording::torque_scale(f.residual_Nm), "fit")};
   if (!f.converged)
     table.note = "The fit did not converge: these are its last values, not results.";
   return table;
@@ -57,9 +59,9 @@ Table waiboer_table(const WaiboerFit& f, const Section& section) {
 
 }  // namespace
 
-void describe_parameters(const Calibration& c, Section& section) {
+void describe_parameters(const calibration::Calibration& c, Section& section) {
   const double n = c.manifest.drive.gear_ratio();
-  const FrictionParametersResult& f = c.friction;
+  const method::selection::FrictionParametersResult& f = c.friction;
   if (!f.curve.empty()) {
     section.facts.push_back({"Curve fitted", f.curve == "direction_difference"
                                                  ? "half the difference of the two directions"
@@ -77,11 +79,11 @@ namespace {
 
 constexpr int digits = 3;
 
-Row trial_row(const CurveModelTrial& t, bool is_chosen) {
+Row trial_row(const method::viscous::CurveModelTrial& t, bool is_chosen) {
   const bool took_part = t.excluded_because.empty();
-  return {{in_words(t.model), std::to_string(t.model.parameters()),
-           took_part ? significant(t.training_rms_Nm, digits) : "–",
-           took_part ? significant(t.held_out_rms_Nm, digits) : "–",
+  return {{method::viscous::in_words(t.model), std::to_string(t.model.parameters()),
+           took_part ? wording::significant(t.training_rms_Nm, digits) : "–",
+           took_part ? wording::significant(t.held_out_rms_Nm, digits) : "–",
            is_chosen ? "chosen" : or_dash(took_part ? "" : "out: " + t.excluded_because)},
           is_chosen};
 }
@@ -98,9 +100,9 @@ Table trials_table(const std::string& id, const std::string& caption) {
   return table;
 }
 
-Table ladder_table(const CurveModelChoice& c, const Section& section) {
+Table ladder_table(const method::viscous::CurveModelChoice& c, const Section& section) {
   Table table = trials_table(section.id + "-ladder", "Which model the curve carries, at the motor");
-  for (const CurveModelTrial& t : c.ladder) {
+  for (const method::viscous::CurveModelTrial& t : c.ladder) {
     table.rows.push_back(trial_row(t, t.model.law == c.chosen.law));
   }
   table.note = as_sentence(c.sentence) + " " + as_sentence(c.five_sentence) +
@@ -109,9 +111,9 @@ Table ladder_table(const CurveModelChoice& c, const Section& section) {
   return table;
 }
 
-Table options_table(const CurveModelChoice& c, const Section& section) {
+Table options_table(const method::viscous::CurveModelChoice& c, const Section& section) {
   Table table = trials_table(section.id + "-terms", "Terms for direction and load");
-  for (const CurveModelTrial& t : c.options) {
+  for (const method::viscous::CurveModelTrial& t : c.options) {
     table.rows.push_back(trial_row(t, false));
     const bool is_taken = t.model.asymmetry == c.chosen.asymmetry && t.model.load == c.chosen.load;
     if (t.excluded_because.empty()) table.rows.back().cells.back() = is_taken ? "taken" : "–";
@@ -122,39 +124,40 @@ Table options_table(const CurveModelChoice& c, const Section& section) {
   return table;
 }
 
-Table parameters_table(const CurveModelChoice& c, const Section& section) {
+Table parameters_table(const method::viscous::CurveModelChoice& c, const Section& section) {
   Table table;
   table.id = section.id + "-model";
-  table.caption = "Parameters of the chosen model: " + in_words(c.chosen) + ", at the motor";
+  table.caption =
+      "Parameters of the chosen model: " + method::viscous::in_words(c.chosen) + ", at the motor";
   table.columns = estimate_columns();
-  for (const CurveParameter& p : c.parameters) {
-    table.rows.push_back(
-        estimate_row(p.words, p.estimate,
-                     p.unit == "N·m" ? torque_scale(p.estimate.value) : plain_scale(p.unit)));
+  for (const method::viscous::CurveParameter& p : c.parameters) {
+    table.rows.push_back(estimate_row(
+        p.words, p.estimate,
+        p.unit == "N·m" ? wording::torque_scale(p.estimate.value) : wording::plain_scale(p.unit)));
   }
   return table;
 }
 
-Table directions_table(const Calibration& c, const Section& section) {
+Table directions_table(const calibration::Calibration& c, const Section& section) {
   const double n = c.manifest.drive.gear_ratio();
   Table table;
   table.id = section.id + "-directions";
   table.caption = "Coulomb and viscous friction of each direction, at the joint";
   table.columns = estimate_columns();
-  for (const CurveDirectionLines& lines : c.direction_lines.curves) {
+  for (const method::viscous::CurveDirectionLines& lines : c.direction_lines.curves) {
     for (const bool rising : {true, false}) {
       const auto& l = rising ? lines.rising : lines.falling;
       if (!l) continue;
       const std::string who = std::string(rising ? ", rising" : ", falling") + " (" +
                               estimator_name(lines.estimator) + ")";
-      Estimate coulomb = scaled(l->coulomb_Nm, n);
-      Estimate viscous = scaled(l->viscous_Nms_rad, n * n);
+      statistics::Estimate coulomb = statistics::scaled(l->coulomb_Nm, n);
+      statistics::Estimate viscous = statistics::scaled(l->viscous_Nms_rad, n * n);
       coulomb.method = viscous.method =
-          count(l->runs) + " runs, " + count(l->runs_left_out) + " left out";
+          wording::count(l->runs) + " runs, " + wording::count(l->runs_left_out) + " left out";
       table.rows.push_back(
-          estimate_row("Coulomb torque" + who, coulomb, torque_scale(coulomb.value)));
-      table.rows.push_back(
-          estimate_row("Viscous coefficient" + who, viscous, viscous_scale(viscous.value)));
+          estimate_row("Coulomb torque" + who, coulomb, wording::torque_scale(coulomb.value)));
+      table.rows.push_back(estimate_row("Viscous coefficient" + who, viscous,
+                                        wording::viscous_scale(viscous.value)));
     }
   }
   table.note =
@@ -163,22 +166,22 @@ Table directions_table(const Calibration& c, const Section& section) {
   return table;
 }
 
-Table load_table(const LoadDependenceResult& r, const Section& section) {
+Table load_table(const method::viscous::LoadDependenceResult& r, const Section& section) {
   Table table;
   table.id = section.id + "-load";
   table.caption = "Friction against load, at the motor";
   table.columns = estimate_columns();
   constexpr double percent = 100;
-  table.rows.push_back(
-      estimate_row("Friction added, of the gravity torque", r.per_load, Scale{percent, "%"}));
-  table.rows.push_back(
-      estimate_row("Friction without load", r.unloaded_Nm, torque_scale(r.unloaded_Nm.value)));
+  table.rows.push_back(estimate_row("Friction added, of the gravity torque", r.per_load,
+                                    wording::Scale{percent, "%"}));
+  table.rows.push_back(estimate_row("Friction without load", r.unloaded_Nm,
+                                    wording::torque_scale(r.unloaded_Nm.value)));
   if (r.viscous_Nms_rad) {
     table.rows.push_back(estimate_row("Viscous coefficient", *r.viscous_Nms_rad,
-                                      viscous_scale(r.viscous_Nms_rad->value)));
+                                      wording::viscous_scale(r.viscous_Nms_rad->value)));
   }
   const auto error = [&](const std::string& words, double value) {
-    table.rows.push_back(number_row(words, value, torque_scale(value), "angles held out"));
+    table.rows.push_back(number_row(words, value, wording::torque_scale(value), "angles held out"));
   };
   error("Error with the load", r.held_out_Nm);
   error("Error without it", r.held_out_without_load_Nm);
@@ -189,10 +192,10 @@ Table load_table(const LoadDependenceResult& r, const Section& section) {
 
 }  // namespace
 
-void describe_curve_models(const Calibration& c, Section& section) {
-  const CurveModelChoice& model = c.curve_model;
+void describe_curve_models(const calibration::Calibration& c, Section& section) {
+  const method::viscous::CurveModelChoice& model = c.curve_model;
   if (model.chosen_any) {
-    section.facts.push_back({"Model of the curve", in_words(model.chosen)});
+    section.facts.push_back({"Model of the curve", method::viscous::in_words(model.chosen)});
     section.tables.push_back(ladder_table(model, section));
     section.tables.push_back(options_table(model, section));
     section.tables.push_back(parameters_table(model, section));

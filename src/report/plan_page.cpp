@@ -5,25 +5,23 @@
 
 #include <fmt/format.h>
 
-#include "export/plan/plan_files.h"
-#include "export/plan/plan_table.h"
+#include "exports/experiment/plan_files.h"
+#include "exports/experiment/plan_table.h"
 #include "joint/degrees.h"
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
 #include "wording/rounding.h"
 
-namespace tribolog {
+namespace tribolog::report {
 namespace {
-
-using namespace report;
 
 std::string capital(const std::string& words) {
   const std::string sentence = as_sentence(words);
   return sentence.substr(0, sentence.size() - 1);
 }
 
-Table parts_table(const ExperimentPlan& plan) {
+Table parts_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-parts";
   table.is_stacked = true;
@@ -34,18 +32,19 @@ Table parts_table(const ExperimentPlan& plan) {
                    {"Time", "", true},
                    {"What to do", "", false, true},
                    {"What it gives", "", false, true}};
-  for (const PlannedPart& part : plan.parts) {
+  for (const plan::PlannedPart& part : plan.parts) {
     const bool is_there = part.recordings > 0;
-    table.rows.push_back({{capital(part_title(part.role)), to_string(part.state),
-                           is_there ? std::to_string(part.recordings) : "",
-                           is_there ? duration_text(part.duration_s) : "",
-                           part.motion.empty() ? "" : capital(part.motion), capital(part.gives)},
-                          false});
+    table.rows.push_back(
+        {{capital(exports::experiment::part_title(part.role)), plan::to_string(part.state),
+          is_there ? std::to_string(part.recordings) : "",
+          is_there ? exports::experiment::duration_text(part.duration_s) : "",
+          part.motion.empty() ? "" : capital(part.motion), capital(part.gives)},
+         false});
   }
   return table;
 }
 
-Table positions_table(const ExperimentPlan& plan) {
+Table positions_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-positions";
   table.caption = "Centres of the oscillations";
@@ -53,13 +52,15 @@ Table positions_table(const ExperimentPlan& plan) {
       {"Position", "", true}, {"Joint", "°", true}, {"Motor, from the first", "°", true}};
   for (std::size_t k = 0; k < plan.positions_rad.size(); ++k) {
     const double away = plan.positions_rad[k] - plan.positions_rad.front();
-    table.rows.push_back({{std::to_string(k + 1), fixed(plan.positions_rad[k] * degrees_per_rad, 4),
-                           fixed(away * plan.joint.facts.gear_ratio * degrees_per_rad, 1)},
-                          false});
+    table.rows.push_back(
+        {{std::to_string(k + 1), wording::fixed(plan.positions_rad[k] * joint::degrees_per_rad, 4),
+          wording::fixed(away * plan.joint.facts.gear_ratio * joint::degrees_per_rad, 1)},
+         false});
   }
   constexpr double nothing = 5e-4;
-  const std::string left =
-      plan.ripple_left_share < nothing ? "nothing" : fixed(100 * plan.ripple_left_share, 1) + " %";
+  const std::string left = plan.ripple_left_share < nothing
+                               ? "nothing"
+                               : wording::fixed(100 * plan.ripple_left_share, 1) + " %";
   table.note = fmt::format(
       "Torque ripple is a constant over one oscillation. In the mean over these positions {} of "
       "the amplitude of any period known or assumed is left.",
@@ -67,7 +68,7 @@ Table positions_table(const ExperimentPlan& plan) {
   return table;
 }
 
-Table segments_table(const ExperimentPlan& plan) {
+Table segments_table(const plan::ExperimentPlan& plan) {
   Table table;
   table.id = "table-windows";
   table.caption = "Recordings and their time windows";
@@ -77,18 +78,19 @@ Table segments_table(const ExperimentPlan& plan) {
                    {"To", "s", true},
                    {"Joint angle", "°", true}};
   constexpr int decimals = 3;
-  for (const PlannedSegment& s : plan.segments) {
+  for (const plan::PlannedSegment& s : plan.segments) {
     if (!s.role) continue;
     table.rows.push_back(
-        {{capital(s.name), to_string(*s.role), fixed(s.from_s, decimals), fixed(s.to_s, decimals),
-          fixed(plan.angle_rad(s.from_s) * degrees_per_rad, decimals)},
+        {{capital(s.name), joint::to_string(*s.role), wording::fixed(s.from_s, decimals),
+          wording::fixed(s.to_s, decimals),
+          wording::fixed(plan.angle_rad(s.from_s) * joint::degrees_per_rad, decimals)},
          false});
   }
   table.note = "As in dataset.toml; the angle is that at the start of the window.";
   return table;
 }
 
-Table expected_table(const ExpectedIntervals& expected) {
+Table expected_table(const plan::ExpectedIntervals& expected) {
   Table table;
   table.id = "table-expected";
   table.is_stacked = true;
@@ -98,11 +100,11 @@ Table expected_table(const ExpectedIntervals& expected) {
                    {"Scatter that came back", "", true},
                    {"Identified", "", true},
                    {"Interval holds the truth", "", true}};
-  for (const ExpectedInterval& e : expected.quantities) {
+  for (const plan::ExpectedInterval& e : expected.quantities) {
     table.rows.push_back(
-        {{capital(e.words), interval_text(e.truth, e.half_width, e.quantity),
-          quantity_text(e.scatter, e.quantity, 2), fmt::format("{} of {}", e.found, e.runs),
-          fmt::format("{} of {}", e.inside, e.found)},
+        {{capital(e.words), exports::experiment::interval_text(e.truth, e.half_width, e.quantity),
+          exports::experiment::quantity_text(e.scatter, e.quantity, 2),
+          fmt::format("{} of {}", e.found, e.runs), fmt::format("{} of {}", e.inside, e.found)},
          e.name == "midline"});
   }
   table.note = fmt::format(
@@ -115,14 +117,14 @@ Table expected_table(const ExpectedIntervals& expected) {
   return table;
 }
 
-Table assumptions_table(const AssumedJoint& joint) {
+Table assumptions_table(const plan::AssumedJoint& joint) {
   Table table;
   table.id = "table-assumptions";
   table.caption = "What the plan rests on";
   table.columns = {{"Quantity", "", false, true}, {"Value", "", true}, {"From", "", false, true}};
   constexpr int digits = 6;
-  for (const Assumption& a : joint.assumptions) {
-    const std::string shown = with_minus_sign(fmt::format("{:.{}g}", a.value, digits));
+  for (const plan::Assumption& a : joint.assumptions) {
+    const std::string shown = wording::with_minus_sign(fmt::format("{:.{}g}", a.value, digits));
     const std::string unit = a.unit.empty() || a.unit == "°" ? a.unit : " " + a.unit;
     table.rows.push_back(
         {{a.what, shown + unit, a.is_known ? a.source : "assumed: " + a.source}, false});
@@ -130,10 +132,10 @@ Table assumptions_table(const AssumedJoint& joint) {
   return table;
 }
 
-std::vector<Fact> facts_of(const ExperimentPlan& plan) {
-  const JointFacts& f = plan.joint.facts;
+std::vector<Fact> facts_of(const plan::ExperimentPlan& plan) {
+  const joint::JointFacts& f = plan.joint.facts;
   const auto deg = [](double rad) {
-    return with_minus_sign(fmt::format("{:.4g}", rad * degrees_per_rad));
+    return wording::with_minus_sign(fmt::format("{:.4g}", rad * joint::degrees_per_rad));
   };
   return {{"Robot", or_dash(f.robot)},
           {"Joint", or_dash(f.joint)},
@@ -142,14 +144,15 @@ std::vector<Fact> facts_of(const ExperimentPlan& plan) {
           {"Speed limit", deg(f.speed_limit_rad_s) + "°/s"},
           {"Acceleration limit", deg(f.acceleration_limit_rad_s2) + "°/s²"},
           {"Torque limit at the motor", fmt::format("{:.4g} N·m", f.torque_limit_Nm)},
-          {"Time budget", f.time_budget_s ? duration_text(*f.time_budget_s) : "none stated"}};
+          {"Time budget",
+           f.time_budget_s ? exports::experiment::duration_text(*f.time_budget_s) : "none stated"}};
 }
 
-void fill_verdict(const ExperimentPlan& plan, TemplateValues& values) {
+void fill_verdict(const plan::ExperimentPlan& plan, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const bool is_all = std::all_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) {
-    return p.state == PartState::planned;
-  });
+  const bool is_all =
+      std::all_of(plan.parts.begin(), plan.parts.end(),
+                  [](const plan::PlannedPart& p) { return p.state == plan::PartState::planned; });
   const Outcome outcome = plan.segments.empty()            ? Outcome::bad
                           : is_all && plan.remarks.empty() ? Outcome::good
                                                            : Outcome::partial;
@@ -157,26 +160,28 @@ void fill_verdict(const ExperimentPlan& plan, TemplateValues& values) {
                       : plan.is_first_of_two()   ? "FIRST PART OF TWO"
                       : outcome == Outcome::good ? "PLAN"
                                                  : "PLAN, WITH LIMITS");
-  verdict.set("SENTENCE", as_sentence(plan_sentence(plan)));
+  verdict.set("SENTENCE", as_sentence(exports::experiment::plan_sentence(plan)));
   fill_outcome(outcome, verdict);
   TemplateValues& findings = verdict.add_section("FINDINGS");
   const auto add = [&](const std::string& text) {
     findings.add_section("FINDING").set("TEXT", text);
   };
-  for (const PlannedPart& part : plan.parts) {
-    if (part.why.empty() || part.state == PartState::later) continue;
-    add(fmt::format("{}: {}: {}. What would help: {}.", capital(part_title(part.role)),
-                    to_string(part.state), part.why, part.help));
+  for (const plan::PlannedPart& part : plan.parts) {
+    if (part.why.empty() || part.state == plan::PartState::later) continue;
+    add(fmt::format("{}: {}: {}. What would help: {}.",
+                    capital(exports::experiment::part_title(part.role)),
+                    plan::to_string(part.state), part.why, part.help));
   }
-  if (plan.is_first_of_two()) add(as_sentence(next_plan_words()));
+  if (plan.is_first_of_two()) add(as_sentence(exports::experiment::next_plan_words()));
   for (const std::string& remark : plan.remarks) add(as_sentence(remark));
 }
 
 }  // namespace
 
-std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>& figures,
-                      const std::vector<render::DrawnFigure>& drawn, Language language) {
-  const ExperimentPlan& plan = report.plan;
+std::string plan_page(const PlanReport& report, const std::vector<figures::ReportFigure>& figures,
+                      const std::vector<render::workers::DrawnFigure>& drawn,
+                      wording::Language language) {
+  const plan::ExperimentPlan& plan = report.plan;
   TemplateValues values;
   fill_head(report.provenance, values);
   values.set("JOINT_FILE", or_dash(report.joint_file));
@@ -189,7 +194,7 @@ std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>&
   for (const FigureCard& card : figure_cards(figures, drawn)) fill_figure(card, values);
   if (!plan.segments.empty()) {
     TemplateValues& how = values.add_section("HOW");
-    for (const std::string& text : plan_instructions(plan)) {
+    for (const std::string& text : exports::experiment::plan_instructions(plan)) {
       how.add_section("INSTRUCTION").set("TEXT", text);
     }
     fill_table(segments_table(plan), "WINDOWS", how);
@@ -199,9 +204,9 @@ std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>&
     fill_table(expected_table(report.expected), "EXPECTED", values.add_section("EXPECTATION"));
   }
   fill_table(assumptions_table(plan.joint), "ASSUMPTIONS", values);
-  values.set_checked_by_modifier("RESULT_JSON",
-                                 plan_json(plan, report.expected, report.provenance));
+  values.set_checked_by_modifier(
+      "RESULT_JSON", exports::experiment::plan_json(plan, report.expected, report.provenance));
   return expand_template("plan.tpl", values, language);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

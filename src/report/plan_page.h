@@ -11,20 +11,20 @@
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::report {
 
 /// A plan, what to expect of it, and what it was made from.
 struct PlanReport {
-  ExperimentPlan plan;
-  ExpectedIntervals expected;
+  plan::ExperimentPlan plan;
+  plan::ExpectedIntervals expected;
   std::string joint_file;  ///< As named on the command line.
   std::string joint_text;
-  Provenance provenance;
+  calibration::Provenance provenance;
 };
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
-std::string plan_page(const PlanReport& report, const std::vector<ReportFigure>& figures,
-                      const std::vector<render::DrawnFigure>& drawn,
-                      Language language = Language::english);
+std::string plan_page(const PlanReport& report, const std::vector<figures::ReportFigure>& figures,
+                      const std::vector<render::workers::DrawnFigure>& drawn,
+                      wording::Language language = wording::Language::english);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -12,7 +12,7 @@ constexpr StageId all_stages[] = {
     StageId::surrogate_masses, StageId::viscous_curves, StageId::quality_errors,
     StageId::selection,        StageId::parameters,     StageId::break_away};
 
-void describe(const Calibration& c, StageId stage, Section& section) {
+void describe(const calibration::Calibration& c, StageId stage, Section& section) {
   switch (stage) {
     case StageId::cog_rough:
       return describe_cog_sweep(c.rough, c.manifest.drive.gear_ratio(), section);
@@ -38,8 +38,8 @@ void describe(const Calibration& c, StageId stage, Section& section) {
   }
 }
 
-Section make_section(const Calibration& c, StageId stage) {
-  const StageReport& report = stage_report(c, stage);
+Section make_section(const calibration::Calibration& c, StageId stage) {
+  const statistics::StageReport& report = stage_report(c, stage);
   Section section;
   section.number = static_cast<int>(stage);
   section.id = section_anchor(stage);
@@ -48,14 +48,15 @@ Section make_section(const Calibration& c, StageId stage) {
   section.outcome = outcome_of(report.state);
   section.status = status_in_words(report.state);
   section.reason = as_sentence(report.reason);
-  if (report.state != StageState::done) section.experiment = helpful_experiment(stage);
+  if (report.state != statistics::StageState::done) section.experiment = helpful_experiment(stage);
   describe(c, stage, section);
   return section;
 }
 
 /// Puts each figure into its stage's section; those of no stage into one of their own.
-void place_figures(const Calibration& c, const std::vector<ReportFigure>& figures,
-                   const std::vector<render::DrawnFigure>& drawn, ReportView& view) {
+void place_figures(const calibration::Calibration& c,
+                   const std::vector<figures::ReportFigure>& figures,
+                   const std::vector<render::workers::DrawnFigure>& drawn, ReportView& view) {
   const std::vector<FigureCard> cards = figure_cards(figures, drawn);
   Section others;
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -87,37 +88,38 @@ std::string missing_figures(const ReportView& view) {
   return std::to_string(missing) + (missing == 1 ? " figure missing" : " figures missing");
 }
 
-void add_verdict(const Judgement& judgement, ReportView& view) {
+void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
   view.verdict_sentence = or_dash(as_sentence(judgement.sentence));
   for (const std::string& finding : judgement.findings) {
     view.findings.push_back(as_sentence(finding));
   }
   switch (judgement.verdict) {
-    case Verdict::usable:
+    case calibration::Verdict::usable:
       view.verdict = Outcome::good;
       view.verdict_word = "USABLE";
       return;
-    case Verdict::doubtful:
+    case calibration::Verdict::doubtful:
       view.verdict = Outcome::partial;
       view.verdict_word = "DOUBTFUL";
       return;
-    case Verdict::not_identifiable:
+    case calibration::Verdict::not_identifiable:
       view.verdict = Outcome::bad;
       view.verdict_word = "NOT IDENTIFIABLE";
       return;
   }
 }
 
-std::string robot_and_joint(const Manifest& m) {
+std::string robot_and_joint(const joint::Manifest& m) {
   const std::string robot = m.robot.empty() ? "Robot not named" : m.robot;
   return m.joint.empty() ? robot : robot + ", joint " + m.joint;
 }
 
 }  // namespace
 
-ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn,
-                            const Provenance& provenance,
+ReportView make_report_view(const calibration::Calibration& c,
+                            const std::vector<figures::ReportFigure>& figures,
+                            const std::vector<render::workers::DrawnFigure>& drawn,
+                            const calibration::Provenance& provenance,
                             const std::optional<history::Comparison>& since_last) {
   ReportView view;
   view.title = robot_and_joint(c.manifest);
@@ -129,7 +131,7 @@ ReportView make_report_view(const Calibration& c, const std::vector<ReportFigure
   if (since_last) {
     constexpr std::size_t day = 10;
     view.last_day = since_last->first.facts.measured_at.substr(0, day);
-    view.last_id = since_last->first.id.substr(0, archive::shown_digits);
+    view.last_id = since_last->first.id.substr(0, calibration::shown_digits);
   }
   view.data_checks = data_check_rows(c.data_checks);
   view.conversion_tables = conversion_tables(c);

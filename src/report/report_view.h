@@ -167,10 +167,10 @@ struct ReportView {
 /// becomes a card that says so; a picture without a figure is left out.
 /// `drawn` must outlive the view. @param since_last from the joint's calibration before to this
 /// one.
-ReportView make_report_view(const Calibration& calibration,
-                            const std::vector<ReportFigure>& figures,
-                            const std::vector<render::DrawnFigure>& drawn,
-                            const Provenance& provenance,
+ReportView make_report_view(const calibration::Calibration& calibration,
+                            const std::vector<figures::ReportFigure>& figures,
+                            const std::vector<render::workers::DrawnFigure>& drawn,
+                            const calibration::Provenance& provenance,
                             const std::optional<history::Comparison>& since_last = std::nullopt);
 
 }  // namespace tribolog::report

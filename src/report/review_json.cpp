@@ -27,7 +27,7 @@ bool is_read_aloud(const std::string& key) {
   return key != "name" && key != "names" && key != "schema" && key != "style" && key != "fit_style";
 }
 
-void translate_texts(review::Json& value, const Catalogue& catalogue) {
+void translate_texts(Json& value, const wording::Catalogue& catalogue) {
   if (value.is_string()) {
     value = catalogue.translate(value.get<std::string>());
   } else if (value.is_object()) {
@@ -35,13 +35,13 @@ void translate_texts(review::Json& value, const Catalogue& catalogue) {
       if (is_read_aloud(key)) translate_texts(part, catalogue);
     }
   } else if (value.is_array()) {
-    for (review::Json& part : value) translate_texts(part, catalogue);
+    for (Json& part : value) translate_texts(part, catalogue);
   }
 }
 
 /// What the script says by itself.
-review::Json script_texts(const Catalogue& catalogue) {
-  review::Json says = review::Json::object();
+Json script_texts(const wording::Catalogue& catalogue) {
+  Json says = Json::object();
   for (const std::string& message : script_messages()) {
     std::string text = catalogue.find_in_templates(message);
     if (text.empty()) text = catalogue.find(message);
@@ -52,9 +52,8 @@ review::Json script_texts(const Catalogue& catalogue) {
 
 }  // namespace
 
-std::string review_json(const Calibration& c, Language language) {
-  using namespace review;
-  const HysteresisResult& h = c.hysteresis;
+std::string review_json(const calibration::Calibration& c, wording::Language language) {
+  const method::hysteresis::HysteresisResult& h = c.hysteresis;
   const LoopScales scales = loop_scales(h);
   Json drawn = h.found ? loops(h, scales, c.q_peak_rad) : Json::array();
   const bool has_curves = !c.viscous.runs.empty() && !c.viscous.curves.empty();
@@ -76,32 +75,29 @@ std::string review_json(const Calibration& c, Language language) {
   all["loops"] = std::move(drawn);
   all["runs"] = has_curves ? runs(c) : Json(nullptr);
   all["candidates"] = candidates(c, scales.torque);
-  if (const Catalogue* const catalogue = catalogue_of(language); catalogue != nullptr) {
+  if (const wording::Catalogue* const catalogue = wording::catalogue_of(language);
+      catalogue != nullptr) {
     translate_texts(all, *catalogue);
     all["says"] = script_texts(*catalogue);
   }
   return json_without_hidden(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-}  // namespace tribolog::report
-
-namespace tribolog::report::review {
-
 namespace {
 
-const char* name_of(render::LineStyle line) {
+const char* name_of(render::figure::LineStyle line) {
   switch (line) {
-    case render::LineStyle::none:
+    case render::figure::LineStyle::none:
       return "none";
-    case render::LineStyle::dash:
+    case render::figure::LineStyle::dash:
       return "dash";
-    case render::LineStyle::dot:
+    case render::figure::LineStyle::dot:
       return "dot";
-    case render::LineStyle::dash_dot:
+    case render::figure::LineStyle::dash_dot:
       return "dash_dot";
-    case render::LineStyle::dash_dot_dot:
+    case render::figure::LineStyle::dash_dot_dot:
       return "dash_dot_dot";
-    case render::LineStyle::solid:
+    case render::figure::LineStyle::solid:
       break;
   }
   return "solid";
@@ -109,19 +105,21 @@ const char* name_of(render::LineStyle line) {
 
 }  // namespace
 
-Json shown_text(const std::string& text) { return json::text_or_null(visible_text(text)); }
+Json shown_text(const std::string& text) {
+  return calibration::text_or_null(wording::visible_text(text));
+}
 
 Json quantity(const std::string& words, const std::string& symbol, const std::string& unit) {
   return {{"words", words}, {"symbol", symbol}, {"unit", unit}};
 }
 
-Json column(const std::vector<double>& si, const figures::AxisScale& scale) {
-  return json::short_numbers(figures::shown(si, scale));
+Json column(const std::vector<double>& si, const wording::AxisScale& scale) {
+  return calibration::short_numbers(figures::shown(si, scale));
 }
 
-Json entry(double si, const figures::AxisScale& scale) { return column({si}, scale).front(); }
+Json entry(double si, const wording::AxisScale& scale) { return column({si}, scale).front(); }
 
-Json style(render::Colour colour, render::LineStyle line) {
+Json style(render::figure::Colour colour, render::figure::LineStyle line) {
   return {{"colour", fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue)},
           {"line", name_of(line)}};
 }
@@ -130,19 +128,19 @@ Json style(render::Colour colour, render::LineStyle line) {
 
 namespace {
 
-using figures::AxisScale;
+using wording::AxisScale;
 
-AxisScale friction_scale(const Calibration& c) {
-  figures::Extent all;
-  for (const ViscousCurve& curve : c.viscous.curves) all.add(curve.friction_Nm);
-  return figures::prefixed("N·m", all.largest());
+wording::AxisScale friction_scale(const calibration::Calibration& c) {
+  wording::Extent all;
+  for (const method::viscous::ViscousCurve& curve : c.viscous.curves) all.add(curve.friction_Nm);
+  return wording::prefixed("N·m", all.largest());
 }
 
-const AxisScale as_it_is{1.0, ""};
+const wording::AxisScale as_it_is{1.0, ""};
 
 /// 95 % half width of the reference in % of the driving torque, where it has one.
-Json reference_band(const Calibration& c) {
-  const QualityErrorsResult& q = c.quality;
+Json reference_band(const calibration::Calibration& c) {
+  const method::selection::QualityErrorsResult& q = c.quality;
   if (!(q.reference_rms_percent > 0.0) || q.errors.empty()) return nullptr;
   std::vector<double> percent;
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
@@ -158,22 +156,23 @@ Json reference_band(const Calibration& c) {
 
 }  // namespace
 
-void add_run_quantities(const Calibration& c, Json& quantities) {
+void add_run_quantities(const calibration::Calibration& c, Json& quantities) {
   quantities["w"] =
-      quantity(figures::shaft(c.manifest) + " speed", figures::speed_symbol(c.manifest), "rad/s");
+      quantity(wording::shaft(c.manifest) + " speed", wording::speed_symbol(c.manifest), "rad/s");
   quantities["f"] = quantity("friction torque", "Tf", friction_scale(c).unit);
   quantities["e"] = quantity("error 100 (Tf − reference) / T", "", "%");
 }
 
-Json runs(const Calibration& c) {
+Json runs(const calibration::Calibration& c) {
   std::vector<double> speed;
   Json torque = Json::array();
   Json names = Json::array();
-  for (const ConstantSpeedRun& run : c.viscous.runs) {
+  for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
     speed.push_back(run.speed_rad_s);
-    const Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
-                        run.torque_Nm + run.torque_half_width_Nm, ""};
-    torque.push_back(with_unit(round_by_interval(mean, plain_scale("N·m")).plus_minus(), "N·m"));
+    const statistics::Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
+                                    run.torque_Nm + run.torque_half_width_Nm, ""};
+    torque.push_back(wording::with_unit(
+        wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus(), "N·m"));
     if (!c.viscous.from_sweep) names.push_back(shown_text(log_name(run.recording)));
   }
   const bool has_reference =
@@ -187,36 +186,40 @@ Json runs(const Calibration& c) {
   out["names"] = std::move(names);
   out["f"] = has_reference ? column(c.quality.reference_Nm, friction_scale(c)) : Json(nullptr);
   out["band"] = reference_band(c);
-  out["style"] = style(figures::estimator_style("reference").colour, render::LineStyle::solid);
+  out["style"] =
+      style(figures::estimator_style("reference").colour, render::figure::LineStyle::solid);
   return out;
 }
 
-Json candidates(const Calibration& c, const AxisScale& torque) {
+Json candidates(const calibration::Calibration& c, const wording::AxisScale& torque) {
   Json list = Json::array();
-  const AxisScale friction = friction_scale(c);
-  for (const SurrogateMass& mass : c.masses.masses) {
+  const wording::AxisScale friction = friction_scale(c);
+  for (const method::hysteresis::SurrogateMass& mass : c.masses.masses) {
     const figures::SeriesStyle look = figures::estimator_style(mass.estimator);
-    const RoundedEstimate kg = round_by_interval(mass.mass_kg, plain_scale("kg"));
+    const wording::RoundedEstimate kg =
+        wording::round_by_interval(mass.mass_kg, wording::plain_scale("kg"));
     Json one;
     one["name"] = shown_text(mass.estimator);
     one["words"] = shown_text(figures::estimator_words(mass.estimator));
     one["what"] = point_meaning(mass.estimator);
-    one["mass"] = with_unit(kg.plus_minus(), "kg");
+    one["mass"] = wording::with_unit(kg.plus_minus(), "kg");
     one["T"] = entry(mass.torque_Nm.value, torque);
-    one["torque"] =
-        with_unit(round_by_interval(mass.torque_Nm, plain_scale("N·m")).plus_minus(), "N·m");
+    one["torque"] = wording::with_unit(
+        wording::round_by_interval(mass.torque_Nm, wording::plain_scale("N·m")).plus_minus(),
+        "N·m");
     one["recommended"] = mass.estimator == c.selection.recommended;
     one["papers"] = mass.estimator == c.selection.paper_rule;
     one["style"] = style(look.colour, look.line);
-    const ViscousCurve* curve = c.viscous.find(mass.estimator);
+    const method::viscous::ViscousCurve* curve = c.viscous.find(mass.estimator);
     one["f"] = curve != nullptr ? column(curve->friction_Nm, friction) : Json(nullptr);
-    const QualityError* error = c.quality.find(mass.estimator);
+    const method::selection::QualityError* error = c.quality.find(mass.estimator);
     one["e"] = error != nullptr ? column(error->percent, as_it_is) : Json(nullptr);
     constexpr int digits = 3;  // as in the table of stage 6
-    one["rms"] = error != nullptr ? Json(significant(error->rms_percent, digits)) : Json(nullptr);
+    one["rms"] =
+        error != nullptr ? Json(wording::significant(error->rms_percent, digits)) : Json(nullptr);
     list.push_back(std::move(one));
   }
   return list;
 }
 
-}  // namespace tribolog::report::review
+}  // namespace tribolog::report

@@ -30,6 +30,7 @@ inline constexpr std::size_t most_loop_samples = 2000;
 
 /// Empty if there is neither a loop nor a candidate's curve.
 /// @param language of every text in it, and of what the viewer says itself (`says`).
-std::string review_json(const Calibration& calibration, Language language = Language::english);
+std::string review_json(const calibration::Calibration& calibration,
+                        wording::Language language = wording::Language::english);
 
 }  // namespace tribolog::report

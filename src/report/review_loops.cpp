@@ -16,10 +16,10 @@
 #include "report/view_parts.h"
 #include "wording/units.h"
 
-namespace tribolog::report::review {
+namespace tribolog::report {
 namespace {
 
-using figures::AxisScale;
+using wording::AxisScale;
 
 constexpr std::size_t loops_at_full_length = 5;
 constexpr std::size_t fewest_samples = 100;
@@ -28,12 +28,13 @@ constexpr double first_strokes = 1.25;  // periods; the readings A to F come fro
 
 /// Lines of the loops: dark enough on white, and told apart by their dashes too.
 Json loop_style(std::size_t k) {
-  namespace colour = render::palette;
-  using render::LineStyle;
+  namespace colour = render::figure::palette;
+  using render::figure::LineStyle;
   constexpr std::array colours{colour::blue, colour::vermilion, colour::green, colour::purple,
                                colour::grey};
-  constexpr std::array lines{LineStyle::solid, LineStyle::dash, LineStyle::dash_dot, LineStyle::dot,
-                             LineStyle::dash_dot_dot};
+  constexpr std::array lines{render::figure::LineStyle::solid, render::figure::LineStyle::dash,
+                             render::figure::LineStyle::dash_dot, render::figure::LineStyle::dot,
+                             render::figure::LineStyle::dash_dot_dot};
   // From the second round on each colour meets another dash.
   const std::size_t round = k / colours.size();
   return style(colours[k % colours.size()], lines[(k + round) % lines.size()]);
@@ -46,9 +47,10 @@ std::size_t samples_of_each(std::size_t loops) {
 }
 
 /// The fitted torque on the trace's samples; null: none.
-const std::vector<double>* fitted_torque(const HysteresisResult& r, std::size_t k) {
+const std::vector<double>* fitted_torque(const method::hysteresis::HysteresisResult& r,
+                                         std::size_t k) {
   if (!r.lugre || !r.lugre->converged || k >= r.lugre->loops.size()) return nullptr;
-  const LuGreLoop& loop = r.lugre->loops[k];
+  const method::hysteresis::LuGreLoop& loop = r.lugre->loops[k];
   return loop.torque_Nm.size() == r.traces[k].t_s.size() ? &loop.torque_Nm : nullptr;
 }
 
@@ -87,7 +89,8 @@ std::vector<std::size_t> every_so_many(std::size_t size, std::size_t most) {
   return kept;
 }
 
-Json midline_curve(const LoopTrace& trace, const AxisScale& angle, const AxisScale& torque) {
+Json midline_curve(const method::hysteresis::LoopTrace& trace, const wording::AxisScale& angle,
+                   const wording::AxisScale& torque) {
   if (trace.midline_q_rad.empty() || trace.midline_q_rad.size() != trace.midline_Nm.size()) {
     return nullptr;
   }
@@ -96,21 +99,21 @@ Json midline_curve(const LoopTrace& trace, const AxisScale& angle, const AxisSca
           {"T", column(picked(trace.midline_Nm, kept), torque)}};
 }
 
-double centre_of(const HysteresisResult& r, std::size_t k) {
+double centre_of(const method::hysteresis::HysteresisResult& r, std::size_t k) {
   const double centre = k < r.oscillations.size() ? r.oscillations[k].centre_rad : r.midline_q_rad;
   return std::isfinite(centre) ? centre : 0.0;
 }
 
-Json loop(const HysteresisResult& r, std::size_t k, const LoopScales& scales,
-          const std::optional<Estimate>& q_peak_rad) {
-  const LoopTrace& trace = r.traces[k];
+Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const LoopScales& scales,
+          const std::optional<statistics::Estimate>& q_peak_rad) {
+  const method::hysteresis::LoopTrace& trace = r.traces[k];
   const std::size_t size = trace.t_s.size();
-  AxisScale angle = scales.angle;
+  wording::AxisScale angle = scales.angle;
   angle.offset = centre_of(r, k);
   struct Column {
     const char* name;
     const std::vector<double>* signal;
-    const AxisScale* scale;
+    const wording::AxisScale* scale;
   };
   std::vector<Column> columns{{"q", &trace.q_rad, &angle}, {"T", &trace.torque_Nm, &scales.torque}};
   if (!trace.z_rad.empty()) columns.push_back({"z", &trace.z_rad, &scales.deflection});
@@ -123,7 +126,8 @@ Json loop(const HysteresisResult& r, std::size_t k, const LoopScales& scales,
   std::vector<std::size_t> needed;
   if (k == 0) {
     for (const auto* points : {&r.points, &r.steady_points}) {
-      for (const LoopPoint& p : *points) add_neighbours(trace.t_s, p.t_s, needed);
+      for (const method::hysteresis::LoopPoint& p : *points)
+        add_neighbours(trace.t_s, p.t_s, needed);
     }
   }
   const std::size_t most = samples_of_each(r.traces.size());
@@ -132,19 +136,19 @@ Json loop(const HysteresisResult& r, std::size_t k, const LoopScales& scales,
     add_even(trace.t_s, frequency > 0.0 ? first_strokes / frequency : 0.0, most, needed);
   }
   const auto kept = kept_samples(trace.t_s, signals, needed, most);
-  const AxisScale time{1.0, "s", trace.t_s.front()};
+  const wording::AxisScale time{1.0, "s", trace.t_s.front()};
 
   Json out;
   out["name"] = shown_text(log_name(trace.recording));
   out["style"] = loop_style(k);
   out["samples"] = size;
   out["t0_s"] = trace.t_s.front();
-  out["centre_deg"] = angle.offset * degrees_per_rad;
+  out["centre_deg"] = angle.offset * joint::degrees_per_rad;
   out["frequency_Hz"] = nullptr;
   if (k < r.oscillations.size()) {
-    if (frequency > 0.0) out["frequency_Hz"] = json::short_numbers({frequency}).front();
-    out["amplitude"] =
-        with_unit(significant(r.oscillations[k].amplitude_rad * angle.factor, 4), angle.unit);
+    if (frequency > 0.0) out["frequency_Hz"] = calibration::short_numbers({frequency}).front();
+    out["amplitude"] = wording::with_unit(
+        wording::significant(r.oscillations[k].amplitude_rad * angle.factor, 4), angle.unit);
   }
   const bool has_peak = q_peak_rad && std::isfinite(q_peak_rad->value);
   out["q_peak"] = has_peak ? entry(q_peak_rad->value, angle) : Json(nullptr);
@@ -154,7 +158,7 @@ Json loop(const HysteresisResult& r, std::size_t k, const LoopScales& scales,
   return out;
 }
 
-bool is_drawable(const LoopTrace& trace) {
+bool is_drawable(const method::hysteresis::LoopTrace& trace) {
   const std::size_t size = trace.t_s.size();
   const auto fits = [&](const std::vector<double>& signal) {
     return signal.empty() || signal.size() == size;
@@ -163,9 +167,10 @@ bool is_drawable(const LoopTrace& trace) {
          fits(trace.z_rad) && fits(trace.dz_rad_s);
 }
 
-double largest_of(const HysteresisResult& r, std::vector<double> LoopTrace::* signal) {
-  figures::Extent all;
-  for (const LoopTrace& trace : r.traces) all.add(trace.*signal);
+double largest_of(const method::hysteresis::HysteresisResult& r,
+                  std::vector<double> method::hysteresis::LoopTrace::* signal) {
+  wording::Extent all;
+  for (const method::hysteresis::LoopTrace& trace : r.traces) all.add(trace.*signal);
   return all.largest();
 }
 
@@ -175,21 +180,21 @@ Json table_texts(const Table& table, std::size_t row) {
   for (std::size_t i = 2; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
     const std::string& cell = table.rows[row].cells[i];
-    if (cell != "–") texts.push_back({column.heading, with_unit(cell, column.unit)});
+    if (cell != "–") texts.push_back({column.heading, wording::with_unit(cell, column.unit)});
   }
   return texts;
 }
 
-Json point_list(const std::vector<LoopPoint>& list, const HysteresisResult& r,
-                const LoopScales& scales) {
+Json point_list(const std::vector<method::hysteresis::LoopPoint>& list,
+                const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {
   if (r.traces.empty() || !is_drawable(r.traces.front())) return Json::array();
-  AxisScale angle = scales.angle;
+  wording::AxisScale angle = scales.angle;
   angle.offset = centre_of(r, 0);
-  const AxisScale time{1.0, "s", r.traces.front().t_s.front()};
+  const wording::AxisScale time{1.0, "s", r.traces.front().t_s.front()};
   const Table table = loop_points_table(list, "points", "points");
   Json out = Json::array();
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const LoopPoint& p = list[i];
+    const method::hysteresis::LoopPoint& p = list[i];
     out.push_back({{"name", std::string(1, p.name)},
                    {"where", point_meaning(std::string(1, p.name))},
                    {"t", entry(p.t_s, time)},
@@ -204,31 +209,31 @@ Json point_list(const std::vector<LoopPoint>& list, const HysteresisResult& r,
 
 }  // namespace
 
-LoopScales loop_scales(const HysteresisResult& r) {
+LoopScales loop_scales(const method::hysteresis::HysteresisResult& r) {
   double largest = 0.0;
   for (std::size_t k = 0; k < r.traces.size(); ++k) {
     for (const double q : r.traces[k].q_rad) {
       if (std::isfinite(q)) largest = std::max(largest, std::abs(q - centre_of(r, k)));
     }
   }
-  return {figures::prefixed("rad", largest),
-          figures::prefixed("N·m", largest_of(r, &LoopTrace::torque_Nm)),
-          figures::prefixed("rad", largest_of(r, &LoopTrace::z_rad)),
-          figures::prefixed("rad/s", largest_of(r, &LoopTrace::dz_rad_s))};
+  return {wording::prefixed("rad", largest),
+          wording::prefixed("N·m", largest_of(r, &method::hysteresis::LoopTrace::torque_Nm)),
+          wording::prefixed("rad", largest_of(r, &method::hysteresis::LoopTrace::z_rad)),
+          wording::prefixed("rad/s", largest_of(r, &method::hysteresis::LoopTrace::dz_rad_s))};
 }
 
 void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities) {
   quantities["t"] = quantity(from_first_sample ? "time from the first sample" : "time",
                              from_first_sample ? "t − t₀" : "t", "s");
   quantities["q"] = quantity("joint angle from the loop's centre", "q − q₀", scales.angle.unit);
-  quantities["q"]["degrees"] = degrees_per_rad / scales.angle.factor;
+  quantities["q"]["degrees"] = joint::degrees_per_rad / scales.angle.factor;
   quantities["T"] = quantity("driving torque", "T", scales.torque.unit);
   quantities["z"] = quantity("bristle deflection", "z", scales.deflection.unit);
   quantities["dz"] = quantity("bristle rate", "dz/dt", scales.rate.unit);
 }
 
-Json loops(const HysteresisResult& r, const LoopScales& scales,
-           const std::optional<Estimate>& q_peak_rad) {
+Json loops(const method::hysteresis::HysteresisResult& r, const LoopScales& scales,
+           const std::optional<statistics::Estimate>& q_peak_rad) {
   Json list = Json::array();
   for (std::size_t k = 0; k < r.traces.size(); ++k) {
     if (is_drawable(r.traces[k])) list.push_back(loop(r, k, scales, q_peak_rad));
@@ -236,15 +241,15 @@ Json loops(const HysteresisResult& r, const LoopScales& scales,
   return list;
 }
 
-Json points(const HysteresisResult& r, const LoopScales& scales) {
+Json points(const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {
   return {{"first", point_list(r.points, r, scales)},
           {"steady", point_list(r.steady_points, r, scales)}};
 }
 
-Json midline(const HysteresisResult& r, const LoopScales& scales) {
+Json midline(const method::hysteresis::HysteresisResult& r, const LoopScales& scales) {
   if (!r.midline_Nm) return nullptr;
   return {{"T", entry(r.midline_Nm->value, scales.torque)},
-          {"text", in_words(*r.midline_Nm, torque_scale(r.midline_Nm->value))}};
+          {"text", wording::in_words(*r.midline_Nm, wording::torque_scale(r.midline_Nm->value))}};
 }
 
-}  // namespace tribolog::report::review
+}  // namespace tribolog::report

@@ -9,38 +9,38 @@
 #include "render/figure/drawing_style.h"
 #include "wording/axis_scale.h"
 
-namespace tribolog::report::review {
+namespace tribolog::report {
 
-using json::Json;
+using calibration::Json;
 
 /// Units in which the loops are shown: those of the static figures.
 struct LoopScales {
-  figures::AxisScale angle;
-  figures::AxisScale torque;
-  figures::AxisScale deflection;
-  figures::AxisScale rate;
+  wording::AxisScale angle;
+  wording::AxisScale torque;
+  wording::AxisScale deflection;
+  wording::AxisScale rate;
 };
 
-LoopScales loop_scales(const HysteresisResult& loops);
+LoopScales loop_scales(const method::hysteresis::HysteresisResult& loops);
 /// Words, symbol and unit by column name.
 void add_loop_quantities(const LoopScales& scales, bool from_first_sample, Json& quantities);
-Json loops(const HysteresisResult& result, const LoopScales& scales,
-           const std::optional<Estimate>& q_peak_rad);
-Json points(const HysteresisResult& result, const LoopScales& scales);
-Json midline(const HysteresisResult& result, const LoopScales& scales);
+Json loops(const method::hysteresis::HysteresisResult& result, const LoopScales& scales,
+           const std::optional<statistics::Estimate>& q_peak_rad);
+Json points(const method::hysteresis::HysteresisResult& result, const LoopScales& scales);
+Json midline(const method::hysteresis::HysteresisResult& result, const LoopScales& scales);
 
-void add_run_quantities(const Calibration& calibration, Json& quantities);
-Json runs(const Calibration& calibration);
-Json candidates(const Calibration& calibration, const figures::AxisScale& torque);
+void add_run_quantities(const calibration::Calibration& calibration, Json& quantities);
+Json runs(const calibration::Calibration& calibration);
+Json candidates(const calibration::Calibration& calibration, const wording::AxisScale& torque);
 
 /// A text of strangers, safe to show; null if empty.
 Json shown_text(const std::string& text);
 /// {"words", "symbol", "unit"}
 Json quantity(const std::string& words, const std::string& symbol, const std::string& unit);
 /// Numbers in the unit of the axis, six significant digits.
-Json column(const std::vector<double>& si, const figures::AxisScale& scale);
-Json entry(double si, const figures::AxisScale& scale);
+Json column(const std::vector<double>& si, const wording::AxisScale& scale);
+Json entry(double si, const wording::AxisScale& scale);
 /// {"colour": "#0072b2", "line": "dash_dot"}
-Json style(render::Colour colour, render::LineStyle line);
+Json style(render::figure::Colour colour, render::figure::LineStyle line);
 
-}  // namespace tribolog::report::review
+}  // namespace tribolog::report

@@ -9,10 +9,8 @@
 #include "report/template_engine.h"
 #include "report/view_parts.h"
 
-namespace tribolog {
+namespace tribolog::report {
 namespace {
-
-using report::TemplateValues;
 
 // No text of a report holds a raw '<', so these are the page's own.
 constexpr std::string_view content = "<main id=\"content\">\n";
@@ -23,25 +21,26 @@ constexpr std::string_view closing = "<!-- end of sign-off -->\n";
 std::string readable(const std::string& utc) {
   constexpr std::size_t day = 10;
   constexpr std::size_t minute = 16;
-  if (utc.size() < minute) return report::or_dash(utc);
+  if (utc.size() < minute) return or_dash(utc);
   return utc.substr(0, day) + " " + utc.substr(day + 1, minute - day - 1) + " UTC";
 }
 
 void fill(const SignOff& decision, TemplateValues& values) {
   values.set("DECISION", decision.is_approved ? "Approved" : "Rejected");
-  values.set_name("REVIEWER", report::or_dash(decision.reviewer));
+  values.set_name("REVIEWER", or_dash(decision.reviewer));
   values.set("AT", readable(decision.at_utc));
-  report::fill_lines(decision.note, "NOTE", "LINE", values);
+  fill_lines(decision.note, "NOTE", "LINE", values);
 }
 
 /// As the page states it.
-Language language_of(const std::string& page) {
-  for (const Language language : languages()) {
-    if (page.find(fmt::format("<html lang=\"{}\">", code_of(language))) != std::string::npos) {
+wording::Language language_of(const std::string& page) {
+  for (const wording::Language language : wording::languages()) {
+    if (page.find(fmt::format("<html lang=\"{}\">", wording::code_of(language))) !=
+        std::string::npos) {
       return language;
     }
   }
-  return Language::english;
+  return wording::Language::english;
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ std::string with_sign_off(const std::string& report, const std::string& id,
   values.set("OUTCOME", last.is_approved ? "good" : "bad");
   values.set("WORD", last.is_approved ? "✓ Approved" : "✗ Rejected");
   constexpr std::size_t shown_digits = 10;
-  values.set("ID", report::or_dash(id.substr(0, shown_digits)));
+  values.set("ID", or_dash(id.substr(0, shown_digits)));
   fill(last, values);
   if (decisions.size() > 1) {
     TemplateValues& earlier = values.add_section("EARLIER");
@@ -69,7 +68,7 @@ std::string with_sign_off(const std::string& report, const std::string& id,
     }
   }
   std::string block(opening);
-  block += report::expand_template("sign_off.tpl", values, language_of(page));
+  block += expand_template("sign_off.tpl", values, language_of(page));
   block += closing;
   return page.insert(at + content.size(), block);
 }
@@ -81,4 +80,4 @@ std::string without_sign_off(const std::string& report) {
   return report.substr(0, from) + report.substr(to + closing.size());
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

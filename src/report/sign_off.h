@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::report {
 
 struct SignOff {
   std::string at_utc;
@@ -23,4 +23,4 @@ std::string with_sign_off(const std::string& report, const std::string& id,
 /// The report as it was before with_sign_off(); one that has no decisions as it is.
 std::string without_sign_off(const std::string& report);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog::archive {
+namespace tribolog::report {
 namespace {
 
 constexpr int margin = 5;
@@ -27,15 +27,15 @@ class SparkAxis {
   int to_;
 };
 
-SparkAxis height_axis(const FleetCell& cell, double band_half) {
-  const Estimate& latest = cell.results.back().estimate;
+SparkAxis height_axis(const history::FleetCell& cell, double band_half) {
+  const statistics::Estimate& latest = cell.results.back().estimate;
   double low = latest.low;
   double high = latest.high;
   const auto hold = [&](double value) {
     low = std::min(low, value);
     high = std::max(high, value);
   };
-  for (const PastResult& past : cell.results) hold(past.estimate.value);
+  for (const history::PastResult& past : cell.results) hold(past.estimate.value);
   if (cell.to_history) {
     hold(cell.to_history->median - band_half);
     hold(cell.to_history->median + band_half);
@@ -45,7 +45,7 @@ SparkAxis height_axis(const FleetCell& cell, double band_half) {
 
 }  // namespace
 
-Sparkline sparkline_of(const FleetCell& cell, const Fleet& fleet) {
+Sparkline sparkline_of(const history::FleetCell& cell, const history::Fleet& fleet) {
   Sparkline line;
   const double band_half = cell.to_history ? fleet.limit * cell.to_history->scatter : 0;
   const SparkAxis x(fleet.first_s, fleet.last_s, margin, sparkline_width - margin);
@@ -58,11 +58,11 @@ Sparkline sparkline_of(const FleetCell& cell, const Fleet& fleet) {
   if (cell.to_others) {
     line.others = fmt::format("M0 {}h{}", y.at(cell.to_others->median), sparkline_width);
   }
-  for (const PastResult& past : cell.results) {
+  for (const history::PastResult& past : cell.results) {
     line.history += fmt::format("{}{} {}", line.history.empty() ? "M" : " ", x.at(past.time_s),
                                 y.at(past.estimate.value));
   }
-  const PastResult& latest = cell.results.back();
+  const history::PastResult& latest = cell.results.back();
   const int where = x.at(latest.time_s);
   line.history +=
       fmt::format("M{} {}V{}", where, y.at(latest.estimate.low), y.at(latest.estimate.high));
@@ -70,4 +70,4 @@ Sparkline sparkline_of(const FleetCell& cell, const Fleet& fleet) {
   return line;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

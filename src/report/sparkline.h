@@ -5,7 +5,7 @@
 
 #include "history/fleet.h"
 
-namespace tribolog::archive {
+namespace tribolog::report {
 
 /// Twice the size in pixels.
 inline constexpr int sparkline_width = 184;
@@ -20,6 +20,6 @@ struct Sparkline {
   std::string latest;   ///< A dot.
 };
 
-Sparkline sparkline_of(const FleetCell& cell, const Fleet& fleet);
+Sparkline sparkline_of(const history::FleetCell& cell, const history::Fleet& fleet);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::report

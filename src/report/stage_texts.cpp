@@ -7,7 +7,7 @@
 
 namespace tribolog::report {
 
-const StageReport& stage_report(const Calibration& c, StageId stage) {
+const statistics::StageReport& stage_report(const calibration::Calibration& c, StageId stage) {
   switch (stage) {
     case StageId::cog_rough:
       return c.rough.stage;
@@ -124,29 +124,29 @@ std::string stage_reference(StageId stage) {
   return "stage " + std::to_string(static_cast<int>(stage));
 }
 
-Outcome outcome_of(StageState state) {
+Outcome outcome_of(statistics::StageState state) {
   switch (state) {
-    case StageState::done:
+    case statistics::StageState::done:
       return Outcome::good;
-    case StageState::partial:
+    case statistics::StageState::partial:
       return Outcome::partial;
-    case StageState::not_identifiable:
+    case statistics::StageState::not_identifiable:
       return Outcome::bad;
-    case StageState::skipped:
+    case statistics::StageState::skipped:
       break;
   }
   return Outcome::absent;
 }
 
-std::string status_in_words(StageState state) {
+std::string status_in_words(statistics::StageState state) {
   switch (state) {
-    case StageState::done:
+    case statistics::StageState::done:
       return "done";
-    case StageState::partial:
+    case statistics::StageState::partial:
       return "partial";
-    case StageState::not_identifiable:
+    case statistics::StageState::not_identifiable:
       return "not identifiable";
-    case StageState::skipped:
+    case statistics::StageState::skipped:
       break;
   }
   return "no data";
@@ -159,7 +159,7 @@ namespace {
 constexpr std::size_t eager_figures = 3;
 constexpr std::size_t most_csv_rows = 420;  ///< About 10 kB; a report has some twenty figures.
 
-FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
+FigureCard card(const figures::ReportFigure& figure, const render::workers::DrawnFigure* drawn) {
   FigureCard made;
   made.id = figure.id;
   // Only the paper's figures have numbers.
@@ -180,19 +180,19 @@ FigureCard card(const ReportFigure& figure, const render::DrawnFigure* drawn) {
     made.height_px = drawn->height_px;
   }
   if (drawn != nullptr) made.warnings = drawn->warnings;
-  made.csv = figure_csv(figure, most_csv_rows);
+  made.csv = figures::figure_csv(figure, most_csv_rows);
   return made;
 }
 
 }  // namespace
 
-std::vector<FigureCard> figure_cards(const std::vector<ReportFigure>& figures,
-                                     const std::vector<render::DrawnFigure>& drawn) {
+std::vector<FigureCard> figure_cards(const std::vector<figures::ReportFigure>& figures,
+                                     const std::vector<render::workers::DrawnFigure>& drawn) {
   std::vector<FigureCard> cards;
-  for (const ReportFigure& figure : figures) {
-    const auto picture =
-        std::find_if(drawn.begin(), drawn.end(),
-                     [&figure](const render::DrawnFigure& d) { return d.id == figure.id; });
+  for (const figures::ReportFigure& figure : figures) {
+    const auto picture = std::find_if(
+        drawn.begin(), drawn.end(),
+        [&figure](const render::workers::DrawnFigure& d) { return d.id == figure.id; });
     cards.push_back(card(figure, picture == drawn.end() ? nullptr : &*picture));
     cards.back().is_lazy = cards.size() > eager_figures;
   }

@@ -14,11 +14,9 @@
 #include "report/view_parts.h"
 #include "study/trust.h"
 
-namespace tribolog {
+namespace tribolog::report {
 
 namespace {
-
-using namespace report;
 
 /// Errors of a quantity as its tables show them: in % of the truth, angles in thousandths of a
 /// degree.
@@ -27,66 +25,68 @@ struct ErrorScale {
   std::string unit;
 };
 
-ErrorScale error_scale(const StudiedReading& r) {
-  if (r.quantity == ReadingKind::peak_angle) return {1e3 * degrees_per_rad, "10⁻³ °"};
+ErrorScale error_scale(const study::StudiedReading& r) {
+  if (r.quantity == truth::ReadingKind::peak_angle) return {1e3 * joint::degrees_per_rad, "10⁻³ °"};
   return {100 / std::abs(r.errors.truth), "%"};
 }
 
 /// "−0.614 ± 0.007", the standard error to two digits; without scatter three decimals.
-std::string bias_text(const StudiedReading& r) {
+std::string bias_text(const study::StudiedReading& r) {
   const double factor = error_scale(r).factor;
   const double error = r.errors.bias_standard_error * factor;
-  const int decimals = error > 0 ? std::clamp(decimals_for(error), 0, 6) : 3;
-  const std::string bias = with_plus_sign(fixed(r.errors.bias * factor, decimals));
-  return error > 0 ? bias + " ± " + fixed(error, decimals) : bias;
+  const int decimals = error > 0 ? std::clamp(wording::decimals_for(error), 0, 6) : 3;
+  const std::string bias =
+      wording::with_plus_sign(wording::fixed(r.errors.bias * factor, decimals));
+  return error > 0 ? bias + " ± " + wording::fixed(error, decimals) : bias;
 }
 
-std::string scatter_text(const StudiedReading& r) {
+std::string scatter_text(const study::StudiedReading& r) {
   constexpr int digits = 3;
-  return significant(r.errors.scatter * error_scale(r).factor, digits);
+  return wording::significant(r.errors.scatter * error_scale(r).factor, digits);
 }
 
 /// "94.5 (90.4 … 96.9)"
-std::string coverage_text(const StudiedReading& r) {
-  const Share& c = r.errors.coverage;
-  return fmt::format("{} ({} … {})", fixed(100 * c.value, 1), fixed(100 * c.low, 1),
-                     fixed(100 * c.high, 1));
+std::string coverage_text(const study::StudiedReading& r) {
+  const study::Share& c = r.errors.coverage;
+  return fmt::format("{} ({} … {})", wording::fixed(100 * c.value, 1),
+                     wording::fixed(100 * c.low, 1), wording::fixed(100 * c.high, 1));
 }
 
 std::string capital_words(const std::string& reading) {
-  const std::string words = as_sentence(reading_words(reading));
+  const std::string words = as_sentence(truth::reading_words(reading));
   return words.substr(0, words.size() - 1);
 }
 
 /// Readings that a factor's cases show, in their order.
-std::vector<std::string> readings_of_factor(const StudyResult& study, const StudyFactor& factor) {
+std::vector<std::string> readings_of_factor(const study::StudyResult& study,
+                                            const study::StudyFactor& factor) {
   std::vector<std::string> names;
   // A level may lose some; the base case has them all.
-  for (const StudyLevel& level : factor.levels) {
+  for (const study::StudyLevel& level : factor.levels) {
     if (!level.is_base) continue;
-    for (const StudiedReading& r : study.case_of(level).readings) names.push_back(r.name);
+    for (const study::StudiedReading& r : study.case_of(level).readings) names.push_back(r.name);
   }
   return names;
 }
 
-Table level_table(const StudyResult& study, const StudyFactor& factor, const std::string& id,
-                  const std::string& caption, std::string (*text)(const StudiedReading&),
-                  bool has_unit) {
+Table level_table(const study::StudyResult& study, const study::StudyFactor& factor,
+                  const std::string& id, const std::string& caption,
+                  std::string (*text)(const study::StudiedReading&), bool has_unit) {
   Table table;
   table.id = fmt::format("table-{}-{}", factor.key, id);
   std::replace(table.id.begin(), table.id.end(), '_', '-');
   table.caption = caption;
   table.columns = {{"Estimator", "", false, true}};
   if (has_unit) table.columns.push_back({"In", "", false});
-  for (const StudyLevel& level : factor.levels) {
+  for (const study::StudyLevel& level : factor.levels) {
     table.columns.push_back({level.text + (level.is_base ? ", base" : ""), "", true});
   }
   for (const std::string& name : readings_of_factor(study, factor)) {
-    Row row{{capital_words(name)}, name == recommended_reading(study)};
+    Row row{{capital_words(name)}, name == study::recommended_reading(study)};
     std::string unit;
     std::vector<std::string> cells;
-    for (const StudyLevel& level : factor.levels) {
-      const StudiedReading* r = study.case_of(level).find(name);
+    for (const study::StudyLevel& level : factor.levels) {
+      const study::StudiedReading* r = study.case_of(level).find(name);
       if (r == nullptr) {
         cells.emplace_back("not found");
         continue;
@@ -105,7 +105,7 @@ Table level_table(const StudyResult& study, const StudyFactor& factor, const std
   return table;
 }
 
-std::vector<Table> tables_of(const StudyResult& study, const StudyFactor& factor) {
+std::vector<Table> tables_of(const study::StudyResult& study, const study::StudyFactor& factor) {
   Table bias = level_table(study, factor, "bias", "Bias ± its standard error", bias_text, true);
   bias.note =
       "Gravity and friction in % of the truth, the angle in thousandths of a degree. “[k of n]”: "
@@ -119,42 +119,43 @@ std::vector<Table> tables_of(const StudyResult& study, const StudyFactor& factor
   return {std::move(bias), std::move(scatter), std::move(coverage)};
 }
 
-std::string range_text(const StudyFactor& factor, const TrustedRange& range) {
+std::string range_text(const study::StudyFactor& factor, const study::TrustedRange& range) {
   if (!range.at_base) return "no";
   if (range.all_levels) return "all levels";
   if (range.lowest == range.highest) return factor.levels[range.lowest].text + " only";
   return factor.levels[range.lowest].text + " … " + factor.levels[range.highest].text;
 }
 
-Table trust_table(const StudyResult& study, Criterion criterion, const std::string& id,
-                  const std::string& caption) {
+Table trust_table(const study::StudyResult& study, study::Criterion criterion,
+                  const std::string& id, const std::string& caption) {
   Table table;
   table.id = "table-trust-" + id;
   table.caption = caption;
   table.columns = {{"Estimator", "", false, true}};
-  for (const StudyFactor& factor : study.factors) {
+  for (const study::StudyFactor& factor : study.factors) {
     table.columns.push_back({factor.title, "", false});
   }
-  for (const StudiedReading& r : study.base_case().readings) {
-    Row row{{capital_words(r.name)}, r.name == recommended_reading(study)};
-    for (const StudyFactor& factor : study.factors) {
+  for (const study::StudiedReading& r : study.base_case().readings) {
+    Row row{{capital_words(r.name)}, r.name == study::recommended_reading(study)};
+    for (const study::StudyFactor& factor : study.factors) {
       const std::vector<std::string> shown = readings_of_factor(study, factor);
       const bool is_studied = std::find(shown.begin(), shown.end(), r.name) != shown.end();
       row.cells.push_back(
-          is_studied ? range_text(factor, trusted_range(study, factor, r.name, criterion)) : "–");
+          is_studied ? range_text(factor, study::trusted_range(study, factor, r.name, criterion))
+                     : "–");
     }
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-void fill_trust(const StudyResult& study, TemplateValues& values) {
-  Table fine = trust_table(study, Criterion::fine, "fine",
+void fill_trust(const study::StudyResult& study, TemplateValues& values) {
+  Table fine = trust_table(study, study::Criterion::fine, "fine",
                            "95 of 100 runs within 0.1 % of the gravity torque, 0.02° of the "
                            "angle, 1 % of a friction parameter");
-  Table coarse =
-      trust_table(study, Criterion::coarse, "coarse", "95 of 100 runs within 0.3 %, 0.1°, 5 %");
-  Table coverage = trust_table(study, Criterion::coverage, "coverage",
+  Table coarse = trust_table(study, study::Criterion::coarse, "coarse",
+                             "95 of 100 runs within 0.3 %, 0.1°, 5 %");
+  Table coverage = trust_table(study, study::Criterion::coverage, "coverage",
                                "The stated 95 % intervals hold the truth in 91 % of the runs or "
                                "more");
   coverage.note =
@@ -163,27 +164,27 @@ void fill_trust(const StudyResult& study, TemplateValues& values) {
   for (const Table& table : {fine, coarse, coverage}) fill_table(table, "TRUST", values);
 }
 
-void fill_verdict(const StudyResult& study, TemplateValues& values) {
+void fill_verdict(const study::StudyResult& study, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
-  const std::string best = recommended_reading(study);
-  const StudiedCase& base = study.base_case();
-  const bool covers = holds(base, best, Criterion::coverage);
-  const bool fine = covers && holds(base, best, Criterion::fine);
-  const bool coarse = covers && holds(base, best, Criterion::coarse);
+  const std::string best = study::recommended_reading(study);
+  const study::StudiedCase& base = study.base_case();
+  const bool covers = study::holds(base, best, study::Criterion::coverage);
+  const bool fine = covers && study::holds(base, best, study::Criterion::fine);
+  const bool coarse = covers && study::holds(base, best, study::Criterion::coarse);
   verdict.set("WORD", fine     ? "TO BE TRUSTED IN THE BASE CASE"
                       : coarse ? "TO BE TRUSTED WITHIN 0.3 % IN THE BASE CASE"
                                : "NOT TO BE TRUSTED IN THE BASE CASE");
-  verdict.set("SENTENCE", study_sentence(study));
+  verdict.set("SENTENCE", study::study_sentence(study));
   fill_outcome(fine ? Outcome::good : coarse ? Outcome::partial : Outcome::bad, verdict);
   TemplateValues& findings = verdict.add_section("FINDINGS");
-  for (const std::string& finding : study_findings(study)) {
+  for (const std::string& finding : study::study_findings(study)) {
     findings.add_section("FINDING").set("TEXT", finding);
   }
 }
 
 std::vector<Fact> base_facts(const StudyReport& report) {
-  const StudyResult& study = report.study;
-  const Noise& noise = study.base.noise;
+  const study::StudyResult& study = report.study;
+  const simulate::Noise& noise = study.base.noise;
   constexpr int digits = 4;
   std::vector<Fact> facts{
       {"Scenario", or_dash(study.base.name)},
@@ -191,26 +192,32 @@ std::vector<Fact> base_facts(const StudyReport& report) {
       {"Cases", std::to_string(study.cases.size())},
       {"Seed", std::to_string(study.options.seed)},
       {"True gravity torque at the motor",
-       with_unit(significant(study.base.load.amplitude_Nm() / study.base.gear_ratio, digits + 2),
-                 "N·m")},
-      {"White torque noise", with_unit(significant(noise.torque_white_Nm, digits), "N·m")},
-      {"Torque step", with_unit(significant(noise.torque_step_Nm, digits), "N·m")},
-      {"Motor encoder", with_unit(as_stated(noise.encoder_counts_per_turn), "counts a turn")}};
+       wording::with_unit(
+           wording::significant(study.base.load.amplitude_Nm() / study.base.gear_ratio, digits + 2),
+           "N·m")},
+      {"White torque noise",
+       wording::with_unit(wording::significant(noise.torque_white_Nm, digits), "N·m")},
+      {"Torque step",
+       wording::with_unit(wording::significant(noise.torque_step_Nm, digits), "N·m")},
+      {"Motor encoder",
+       wording::with_unit(wording::as_stated(noise.encoder_counts_per_turn), "counts a turn")}};
   if (const auto& e = study.base.oscillation) {
-    facts.push_back(
-        {"Oscillation",
-         fmt::format("{}, {}, {}", with_unit(significant(e->amplitude_rad * 1e6, digits), "µrad"),
-                     with_unit(as_stated(e->frequency_Hz), "Hz"),
-                     with_unit(as_stated(e->cycles), "cycles"))});
+    facts.push_back({"Oscillation",
+                     fmt::format("{}, {}, {}",
+                                 wording::with_unit(
+                                     wording::significant(e->amplitude_rad * 1e6, digits), "µrad"),
+                                 wording::with_unit(wording::as_stated(e->frequency_Hz), "Hz"),
+                                 wording::with_unit(wording::as_stated(e->cycles), "cycles"))});
   }
   return facts;
 }
 
 }  // namespace
 
-std::string study_page(const StudyReport& report, const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn, Language language) {
-  const StudyResult& study = report.study;
+std::string study_page(const StudyReport& report, const std::vector<figures::ReportFigure>& figures,
+                       const std::vector<render::workers::DrawnFigure>& drawn,
+                       wording::Language language) {
+  const study::StudyResult& study = report.study;
   TemplateValues values;
   fill_head(report.provenance, values);
   values.set("SCENARIO_FILE", or_dash(report.scenario_file));
@@ -219,7 +226,7 @@ std::string study_page(const StudyReport& report, const std::vector<ReportFigure
   fill_verdict(study, values);
   fill_trust(study, values);
   const std::vector<FigureCard> cards = figure_cards(figures, drawn);
-  for (const StudyFactor& factor : study.factors) {
+  for (const study::StudyFactor& factor : study.factors) {
     std::string id = factor.key;
     std::replace(id.begin(), id.end(), '_', '-');
     TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
@@ -246,11 +253,11 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json errors_json(const StudiedReading& r) {
-  const ErrorStatistics& e = r.errors;
-  const PracticalBounds bounds = practical_bounds(r.quantity, e.truth);
+Json errors_json(const study::StudiedReading& r) {
+  const study::ErrorStatistics& e = r.errors;
+  const study::PracticalBounds bounds = study::practical_bounds(r.quantity, e.truth);
   return {{"estimator", r.name},
-          {"unit", unit_of(r.quantity)},
+          {"unit", truth::unit_of(r.quantity)},
           {"truth", number(e.truth)},
           {"runs", e.runs},
           {"found", e.found},
@@ -268,15 +275,15 @@ Json errors_json(const StudiedReading& r) {
           {"coarse_bound", number(bounds.coarse)}};
 }
 
-Json case_json(const StudiedCase& studied) {
+Json case_json(const study::StudiedCase& studied) {
   Json readings = Json::array();
-  for (const StudiedReading& r : studied.readings) readings.push_back(errors_json(r));
+  for (const study::StudiedReading& r : studied.readings) readings.push_back(errors_json(r));
   return {{"name", studied.name}, {"estimators", std::move(readings)}};
 }
 
-Json factor_json(const StudyFactor& factor) {
+Json factor_json(const study::StudyFactor& factor) {
   Json levels = Json::array();
-  for (const StudyLevel& level : factor.levels) {
+  for (const study::StudyLevel& level : factor.levels) {
     levels.push_back({{"value", number(level.value)},
                       {"text", level.text},
                       {"base", level.is_base},
@@ -292,11 +299,11 @@ Json factor_json(const StudyFactor& factor) {
 }  // namespace
 
 std::string study_json(const StudyReport& report) {
-  const StudyResult& study = report.study;
+  const study::StudyResult& study = report.study;
   Json factors = Json::array();
-  for (const StudyFactor& factor : study.factors) factors.push_back(factor_json(factor));
+  for (const study::StudyFactor& factor : study.factors) factors.push_back(factor_json(factor));
   Json cases = Json::array();
-  for (const StudiedCase& studied : study.cases) cases.push_back(case_json(studied));
+  for (const study::StudiedCase& studied : study.cases) cases.push_back(case_json(studied));
   const Json all{{"schema", "tribolog-study-1"},
                  {"tool", report.provenance.tool_version},
                  {"scenario", study.base.name},
@@ -304,11 +311,11 @@ std::string study_json(const StudyReport& report) {
                  {"runs", study.options.runs},
                  {"seed", study.options.seed},
                  {"resamples", study.options.resamples},
-                 {"sentence", study_sentence(study)},
-                 {"findings", study_findings(study)},
+                 {"sentence", study::study_sentence(study)},
+                 {"findings", study::study_findings(study)},
                  {"factors", std::move(factors)},
                  {"cases", std::move(cases)}};
   return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

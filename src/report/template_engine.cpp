@@ -34,10 +34,10 @@ struct Templates {
   std::map<std::string, std::set<std::string, std::less<>>, std::less<>> words_for_machines;
 };
 
-std::unique_ptr<Templates> load_templates(Language language) {
+std::unique_ptr<Templates> load_templates(wording::Language language) {
   register_template_modifiers();
   auto templates = std::make_unique<Templates>();
-  const Catalogue* const catalogue = catalogue_of(language);
+  const wording::Catalogue* const catalogue = wording::catalogue_of(language);
   for (const EmbeddedFile& file : embedded_files()) {
     if (!ends_with(file.name, ".tpl")) continue;
     const std::string name(file.name);
@@ -60,8 +60,8 @@ std::unique_ptr<Templates> load_templates(Language language) {
   return templates;
 }
 
-const Templates& templates_in(Language language) {
-  static std::map<Language, std::unique_ptr<Templates>> loaded;
+const Templates& templates_in(wording::Language language) {
+  static std::map<wording::Language, std::unique_ptr<Templates>> loaded;
   static std::mutex loading;
   const std::lock_guard<std::mutex> lock(loading);
   std::unique_ptr<Templates>& templates = loaded[language];
@@ -102,8 +102,8 @@ class UnsetVariables : public ctemplate::TemplateAnnotator {
 
 class DictionaryFiller {
  public:
-  DictionaryFiller(const Templates& templates, Language language)
-      : templates_(templates), catalogue_(catalogue_of(language)) {}
+  DictionaryFiller(const Templates& templates, wording::Language language)
+      : templates_(templates), catalogue_(wording::catalogue_of(language)) {}
 
   /// @param file whose values these are.
   void fill(const TemplateValues& values, const std::string& file,
@@ -132,13 +132,13 @@ class DictionaryFiller {
   }
 
   const Templates& templates_;
-  const Catalogue* catalogue_;
+  const wording::Catalogue* catalogue_;
   std::deque<std::string> kept_;  ///< The dictionary holds no copies.
 };
 
 void TemplateValues::set(const std::string& variable, const std::string& text) {
   if (text.empty()) throw std::logic_error("template variable " + variable + " is empty");
-  texts_[variable] = {visible_text(text), true};
+  texts_[variable] = {wording::visible_text(text), true};
 }
 
 void TemplateValues::set_name(const std::string& variable, const std::string& text) {
@@ -165,10 +165,10 @@ TemplateValues& TemplateValues::add_include(const std::string& marker, const std
 }
 
 std::string expand_template(const std::string& file, const TemplateValues& values,
-                            Language language) {
+                            wording::Language language) {
   const Templates& templates = templates_in(language);
   ctemplate::TemplateDictionary dictionary("report");
-  dictionary.SetGlobalValue("LANGUAGE", code_of(language));
+  dictionary.SetGlobalValue("LANGUAGE", wording::code_of(language));
   DictionaryFiller filler(templates, language);
   filler.fill(values, file, dictionary);
   std::string output;

@@ -51,6 +51,6 @@ class TemplateValues {
 /// Expands an embedded template in a language.
 /// @throw std::logic_error if a template cannot be loaded, or a variable was left unset.
 std::string expand_template(const std::string& file, const TemplateValues& values,
-                            Language language = Language::english);
+                            wording::Language language = wording::Language::english);
 
 }  // namespace tribolog::report

@@ -27,22 +27,24 @@ using history::QuantityTrend;
 using history::TemperatureUse;
 using history::TrendState;
 
-constexpr LeftOut all_left_out[] = {LeftOut::before_baseline, LeftOut::not_usable,
-                                    LeftOut::other_gear, LeftOut::other_payload,
-                                    LeftOut::no_temperature};
+constexpr history::LeftOut all_left_out[] = {
+    history::LeftOut::before_baseline, history::LeftOut::not_usable, history::LeftOut::other_gear,
+    history::LeftOut::other_payload, history::LeftOut::no_temperature};
 
 std::string day(const std::string& utc) { return utc.substr(0, std::string("2026-01-31").size()); }
 
-std::string size_of(const FoundChange& c, const std::string& unit) {
+std::string size_of(const history::FoundChange& c, const std::string& unit) {
   if (c.percent) {
     const double half = std::abs(c.size.half_width() * *c.percent / c.size.value);
-    return in_words(symmetric_estimate(std::abs(*c.percent), half, ""), {1, "%"});
+    return wording::in_words(statistics::symmetric_estimate(std::abs(*c.percent), half, ""),
+                             {1, "%"});
   }
-  return in_words(symmetric_estimate(std::abs(c.size.value), c.size.half_width(), ""),
-                  quantity_scale(unit, c.size.value));
+  return wording::in_words(
+      statistics::symmetric_estimate(std::abs(c.size.value), c.size.half_width(), ""),
+      wording::quantity_scale(unit, c.size.value));
 }
 
-std::string change_sentence(const QuantityTrend& q, const FoundChange& c) {
+std::string change_sentence(const history::QuantityTrend& q, const history::FoundChange& c) {
   if (c.is_slow) {
     return as_sentence(fmt::format("{} has slowly {} by {} since {}, visible from {}", q.words,
                                    c.direction > 0 ? "risen" : "fallen", size_of(c, q.unit),
@@ -56,52 +58,53 @@ std::string change_sentence(const QuantityTrend& q, const FoundChange& c) {
   return as_sentence(words);
 }
 
-std::string level_text(const QuantityTrend& q) {
+std::string level_text(const history::QuantityTrend& q) {
   if (!q.reference) return or_dash("");
-  const double half_width = normal_975 * std::sqrt(q.reference->level_variance);
-  return in_words(symmetric_estimate(q.reference->level, half_width, ""),
-                  quantity_scale(q.unit, q.reference->level));
+  const double half_width = statistics::normal_975 * std::sqrt(q.reference->level_variance);
+  return wording::in_words(statistics::symmetric_estimate(q.reference->level, half_width, ""),
+                           wording::quantity_scale(q.unit, q.reference->level));
 }
 
 /// Of a single calibration about the reference.
-std::string scatter_text(const QuantityTrend& q) {
+std::string scatter_text(const history::QuantityTrend& q) {
   if (!q.reference) return or_dash("");
   const double scatter = q.reference->scatter();
   const double level = std::abs(q.reference->level);
   if (!history::traits_of(q.name).is_angle && level > scatter) {
-    return significant(100 * scatter / level, 2) + " %";
+    return wording::significant(100 * scatter / level, 2) + " %";
   }
-  const Scale scale = quantity_scale(q.unit, scatter);
-  return with_unit(significant(scatter * scale.factor, 2), scale.unit);
+  const wording::Scale scale = wording::quantity_scale(q.unit, scatter);
+  return wording::with_unit(wording::significant(scatter * scale.factor, 2), scale.unit);
 }
 
-std::string temperature_text(const QuantityTrend& q) {
-  if (q.temperature != TemperatureUse::corrected || !q.reference) return or_dash("");
+std::string temperature_text(const history::QuantityTrend& q) {
+  if (q.temperature != history::TemperatureUse::corrected || !q.reference) return or_dash("");
   const double to_percent = 100 / std::abs(q.reference->level);
-  return in_words(
-      symmetric_estimate(q.reference->slope_per_K * to_percent,
-                         normal_975 * std::sqrt(q.reference->slope_variance) * to_percent, ""),
+  return wording::in_words(
+      statistics::symmetric_estimate(
+          q.reference->slope_per_K * to_percent,
+          statistics::normal_975 * std::sqrt(q.reference->slope_variance) * to_percent, ""),
       {1, "%/K"});
 }
 
-std::string state_text(const QuantityTrend& q) {
-  std::string text = to_string(q.state);
+std::string state_text(const history::QuantityTrend& q) {
+  std::string text = history::to_string(q.state);
   if (!q.changes.empty()) text += " from " + day(q.changes.back().from);
   if (!q.changes.empty() && q.changes.back().is_slow) {
     return "slow drift, visible from " + day(q.changes.back().alarm);
   }
-  if (q.state == TrendState::recovered) {
+  if (q.state == history::TrendState::recovered) {
     text = fmt::format("changed from {}, back from {}", day(q.changes.back().from),
                        day(q.changes.back().back));
   }
   return text;
 }
 
-void add_left_out(const QuantityTrend& q, std::vector<std::string>& notes) {
+void add_left_out(const history::QuantityTrend& q, std::vector<std::string>& notes) {
   std::vector<std::string> parts;
-  for (const LeftOut why : all_left_out) {
+  for (const history::LeftOut why : all_left_out) {
     if (const std::size_t n = q.count(why); n > 0) {
-      parts.push_back(fmt::format("{} ({})", n, to_string(why)));
+      parts.push_back(fmt::format("{} ({})", n, history::to_string(why)));
     }
   }
   if (q.without_estimate > 0) {
@@ -110,14 +113,14 @@ void add_left_out(const QuantityTrend& q, std::vector<std::string>& notes) {
   if (parts.empty()) return;
   notes.push_back(
       as_sentence(fmt::format("{}: left out of {}: {}", q.words,
-                              q.points.size() + q.without_estimate, figures::listed(parts))));
+                              q.points.size() + q.without_estimate, wording::listed(parts))));
 }
 
-void add_too_few(const JointTrend& t, std::vector<std::string>& notes) {
+void add_too_few(const history::JointTrend& t, std::vector<std::string>& notes) {
   std::vector<std::string> names;
-  for (const QuantityTrend& q : t.quantities) {
-    if (q.state == TrendState::too_few) {
-      names.push_back(fmt::format("{} ({})", q.words, q.count(LeftOut::none)));
+  for (const history::QuantityTrend& q : t.quantities) {
+    if (q.state == history::TrendState::too_few) {
+      names.push_back(fmt::format("{} ({})", q.words, q.count(history::LeftOut::none)));
     }
   }
   if (names.empty()) return;
@@ -125,20 +128,20 @@ void add_too_few(const JointTrend& t, std::vector<std::string>& notes) {
   notes.push_back(as_sentence(fmt::format(
       "too few calibrations can be used of {}: the first {} or more only tell what to expect, and "
       "a change shows in those that follow",
-      figures::listed(names), learned)));
+      wording::listed(names), learned)));
 }
 
 /// Quantities whose intervals hold an error that all calibrations share.
-void add_shared_errors(const JointTrend& t, std::vector<std::string>& notes) {
+void add_shared_errors(const history::JointTrend& t, std::vector<std::string>& notes) {
   constexpr double clearly = 0.5;  // of the variance
   std::vector<std::string> names;
-  for (const QuantityTrend& q : t.quantities) {
+  for (const history::QuantityTrend& q : t.quantities) {
     if (q.reference && q.judged > 0 && q.reference->stated_share < clearly) {
       names.push_back(q.words);
     }
   }
   if (names.empty()) return;
-  notes.push_back(as_sentence(figures::listed(names) +
+  notes.push_back(as_sentence(wording::listed(names) +
                               ": calibrations scatter by less than their intervals state, which "
                               "then hold an error that all of them share; a change is told from "
                               "the scatter"));
@@ -146,18 +149,18 @@ void add_shared_errors(const JointTrend& t, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::string joint_words(const JointTrend& t) {
+std::string joint_words(const history::JointTrend& t) {
   return fmt::format("{}{}{}, joint {}: {} from {} to {}", or_dash(t.of.robot),
                      t.of.serial.empty() ? "" : " ", t.of.serial, or_dash(t.of.joint),
-                     figures::counted(t.calibrations, "calibration"), day(t.first_at),
+                     wording::counted(t.calibrations, "calibration"), day(t.first_at),
                      day(t.last_at));
 }
 
-std::vector<std::string> change_sentences(const JointTrend& t) {
+std::vector<std::string> change_sentences(const history::JointTrend& t) {
   std::vector<std::string> standing;
   std::vector<std::string> over;
-  for (const QuantityTrend& q : t.quantities) {
-    for (const FoundChange& c : q.changes) {
+  for (const history::QuantityTrend& q : t.quantities) {
+    for (const history::FoundChange& c : q.changes) {
       (c.back.empty() ? standing : over).push_back(change_sentence(q, c));
     }
   }
@@ -165,7 +168,7 @@ std::vector<std::string> change_sentences(const JointTrend& t) {
   return standing;
 }
 
-Table trend_table(const JointTrend& t, const std::string& id) {
+Table trend_table(const history::JointTrend& t, const std::string& id) {
   Table table;
   table.id = id;
   table.is_stacked = true;
@@ -173,12 +176,12 @@ Table trend_table(const JointTrend& t, const std::string& id) {
   table.columns = {{"Quantity", "", false, true},  {"Used", "", true},
                    {"Reference", "", true},        {"Scatter", "", true},
                    {"With temperature", "", true}, {"State", "", false, true}};
-  for (const QuantityTrend& q : t.quantities) {
-    table.rows.push_back(
-        {{q.words,
-          fmt::format("{} of {}", q.count(LeftOut::none), q.points.size() + q.without_estimate),
-          level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
-         q.state == TrendState::warning});
+  for (const history::QuantityTrend& q : t.quantities) {
+    table.rows.push_back({{q.words,
+                           fmt::format("{} of {}", q.count(history::LeftOut::none),
+                                       q.points.size() + q.without_estimate),
+                           level_text(q), scatter_text(q), temperature_text(q), state_text(q)},
+                          q.state == history::TrendState::warning});
   }
   table.note =
       "At the motor. The reference is the mean of all calibrations outside of a change, with its "
@@ -186,25 +189,26 @@ Table trend_table(const JointTrend& t, const std::string& id) {
   return table;
 }
 
-std::vector<std::string> trend_notes(const JointTrend& t) {
+std::vector<std::string> trend_notes(const history::JointTrend& t) {
   std::vector<std::string> notes;
   for (const std::string& caution : t.cautions) notes.push_back(as_sentence(caution));
-  for (const TemperatureUse use :
-       {TemperatureUse::corrected, TemperatureUse::too_even, TemperatureUse::not_recorded}) {
+  for (const history::TemperatureUse use :
+       {history::TemperatureUse::corrected, history::TemperatureUse::too_even,
+        history::TemperatureUse::not_recorded}) {
     std::vector<std::string> names;
-    for (const QuantityTrend& q : t.quantities) {
+    for (const history::QuantityTrend& q : t.quantities) {
       if (q.temperature == use) names.push_back(q.words);
     }
     if (names.empty()) continue;
-    notes.push_back(as_sentence(figures::listed(names) + ": " + to_string(use)));
+    notes.push_back(as_sentence(wording::listed(names) + ": " + history::to_string(use)));
   }
   add_shared_errors(t, notes);
-  for (const QuantityTrend& q : t.quantities) add_left_out(q, notes);
+  for (const history::QuantityTrend& q : t.quantities) add_left_out(q, notes);
   add_too_few(t, notes);
   return notes;
 }
 
-std::string chart_words(const JointTrend& t) {
+std::string chart_words(const history::JointTrend& t) {
   const std::string baseline =
       t.baseline.is_by_date()
           ? fmt::format("The calibrations{}{} (at least {})",
@@ -229,23 +233,17 @@ std::string chart_words(const JointTrend& t) {
       history::calibrations_per_false_alarm, t.watched, 100 * history::drift_false_alarms);
 }
 
-}  // namespace tribolog::report
-
-namespace tribolog {
-
 namespace {
-
-using namespace report;
 using history::JointTrend;
 using history::TrendState;
 
-TrendState worst_of(const std::vector<JointTrend>& trends) {
-  TrendState worst = TrendState::too_few;
-  for (const JointTrend& t : trends) worst = std::max(worst, t.state());
+history::TrendState worst_of(const std::vector<history::JointTrend>& trends) {
+  history::TrendState worst = history::TrendState::too_few;
+  for (const history::JointTrend& t : trends) worst = std::max(worst, t.state());
   return worst;
 }
 
-std::string title_of(const JointTrend& t) {
+std::string title_of(const history::JointTrend& t) {
   return fmt::format("{}{}{}, joint {}", or_dash(t.of.robot), t.of.serial.empty() ? "" : " ",
                      t.of.serial, or_dash(t.of.joint));
 }
@@ -256,31 +254,31 @@ struct Headline {
   Outcome outcome;
 };
 
-Headline headline_of(TrendState state) {
+Headline headline_of(history::TrendState state) {
   switch (state) {
-    case TrendState::warning:
+    case history::TrendState::warning:
       return {"CHANGED", "A change stands that is larger than what calibrations scatter.",
               Outcome::bad};
-    case TrendState::recovered:
+    case history::TrendState::recovered:
       return {"CHANGED, AND BACK", "There was a change; the values are back.", Outcome::partial};
-    case TrendState::steady:
+    case history::TrendState::steady:
       return {"NO CHANGE VISIBLE", "No quantity has left what its calibrations let expect.",
               Outcome::good};
-    case TrendState::too_few:
+    case history::TrendState::too_few:
       break;
   }
   return {"TOO FEW YET", "There are too few calibrations to say anything about a change.",
           Outcome::absent};
 }
 
-void fill_verdict(const std::vector<JointTrend>& trends, TemplateValues& values) {
+void fill_verdict(const std::vector<history::JointTrend>& trends, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   const Headline headline = headline_of(worst_of(trends));
   verdict.set("WORD", headline.word);
   verdict.set("SENTENCE", headline.sentence);
   fill_outcome(headline.outcome, verdict);
   std::vector<std::string> findings;
-  for (const JointTrend& t : trends) {
+  for (const history::JointTrend& t : trends) {
     for (const std::string& change : change_sentences(t)) {
       findings.push_back(trends.size() > 1 ? title_of(t) + ": " + change : change);
     }
@@ -294,7 +292,7 @@ bool belongs_to(const FigureCard& card, std::size_t joint) {
   return card.id.rfind(fmt::format("trend-{}-", joint + 1), 0) == 0;
 }
 
-void fill_joint(const JointTrend& t, std::size_t k, const std::vector<FigureCard>& cards,
+void fill_joint(const history::JointTrend& t, std::size_t k, const std::vector<FigureCard>& cards,
                 TemplateValues& values) {
   TemplateValues& section = values.add_section("JOINT");
   section.set("JOINT_ID", fmt::format("joint-{}", k + 1));
@@ -314,9 +312,11 @@ void fill_joint(const JointTrend& t, std::size_t k, const std::vector<FigureCard
 
 }  // namespace
 
-std::string trend_page(const std::vector<JointTrend>& trends, const Provenance& provenance,
-                       const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn, Language language) {
+std::string trend_page(const std::vector<history::JointTrend>& trends,
+                       const calibration::Provenance& provenance,
+                       const std::vector<figures::ReportFigure>& figures,
+                       const std::vector<render::workers::DrawnFigure>& drawn,
+                       wording::Language language) {
   TemplateValues values;
   fill_head(provenance, values);
   values.set("TITLE", trends.size() == 1 ? title_of(trends.front())
@@ -333,4 +333,4 @@ std::string trend_page(const std::vector<JointTrend>& trends, const Provenance& 
   return expand_template("trend.tpl", values, language);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::report

@@ -29,17 +29,14 @@ std::vector<std::string> trend_notes(const history::JointTrend& trend);
 /// How the chart works, with its numbers.
 std::string chart_words(const history::JointTrend& trend);
 
-}  // namespace tribolog::report
-
-namespace tribolog {
-
 // Joints over time as one HTML file that needs nothing else.
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report; a section for
 /// each joint. Figures belong to joints by their ids, as trend_figures() makes them.
-std::string trend_page(const std::vector<history::JointTrend>& trends, const Provenance& provenance,
-                       const std::vector<ReportFigure>& figures,
-                       const std::vector<render::DrawnFigure>& drawn,
-                       Language language = Language::english);
+std::string trend_page(const std::vector<history::JointTrend>& trends,
+                       const calibration::Provenance& provenance,
+                       const std::vector<figures::ReportFigure>& figures,
+                       const std::vector<render::workers::DrawnFigure>& drawn,
+                       wording::Language language = wording::Language::english);
 
-}  // namespace tribolog
+}  // namespace tribolog::report

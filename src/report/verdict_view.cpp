@@ -13,51 +13,53 @@ namespace tribolog::report {
 
 namespace {
 
-Outcome outcome_of(Verdict verdict) {
-  return verdict == Verdict::usable     ? Outcome::good
-         : verdict == Verdict::doubtful ? Outcome::partial
-                                        : Outcome::bad;
+Outcome outcome_of(calibration::Verdict verdict) {
+  return verdict == calibration::Verdict::usable     ? Outcome::good
+         : verdict == calibration::Verdict::doubtful ? Outcome::partial
+                                                     : Outcome::bad;
 }
 
-std::string word_of(Verdict verdict) {
-  return verdict == Verdict::not_identifiable ? "not identifiable" : to_string(verdict);
+std::string word_of(calibration::Verdict verdict) {
+  return verdict == calibration::Verdict::not_identifiable ? "not identifiable"
+                                                           : calibration::to_string(verdict);
 }
 
 /// "≤ 12 N·m", of a half width "± ≤ 5 %".
-std::string rule_of(const LimitOutcome& limit) {
+std::string rule_of(const calibration::LimitOutcome& limit) {
   const bool is_of_width = limit.rule.starts_with("half_width");
   const bool is_percent = limit.rule == "half_width_percent";
   const char* const sign = limit.rule == "min" ? "≥ " : is_of_width ? "± ≤ " : "≤ ";
   const bool at_joint = limit.key.find("_joint") != std::string::npos;
-  return sign + with_unit(as_stated(limit.limit), is_percent ? "%" : limit.unit) +
+  return sign + wording::with_unit(wording::as_stated(limit.limit), is_percent ? "%" : limit.unit) +
          (at_joint ? " at the joint" : "");
 }
 
-LimitCell cell_of(const LimitOutcome& limit) {
+LimitCell cell_of(const calibration::LimitOutcome& limit) {
   switch (limit.state) {
-    case LimitState::inside:
+    case calibration::LimitState::inside:
       return {rule_of(limit), "kept", Outcome::good};
-    case LimitState::outside:
+    case calibration::LimitState::outside:
       return {rule_of(limit), "broken", Outcome::bad};
-    case LimitState::crosses:
+    case calibration::LimitState::crosses:
       return {rule_of(limit), "not shown to be kept", Outcome::partial};
-    case LimitState::unknown:
+    case calibration::LimitState::unknown:
       break;
   }
   return {rule_of(limit), "not known", Outcome::absent};
 }
 
-void add_estimate(const QuantityVerdict& q, QuantityRow& row) {
+void add_estimate(const calibration::QuantityVerdict& q, QuantityRow& row) {
   if (!q.estimate) return;
-  const Scale scale = quantity_scale(q.unit, q.estimate->value);
-  const RoundedEstimate text = round_by_interval(*q.estimate, scale);
-  row.estimate = with_unit(text.estimate, scale.unit);
+  const wording::Scale scale = wording::quantity_scale(q.unit, q.estimate->value);
+  const wording::RoundedEstimate text = wording::round_by_interval(*q.estimate, scale);
+  row.estimate = wording::with_unit(text.estimate, scale.unit);
   // Narrower than what is printed of the estimate.
   row.interval =
       text.low.empty() && !text.half_width.empty() ? "± " + text.half_width : text.range();
 }
 
-void add_change(const history::Comparison& since_last, const QuantityVerdict& q, QuantityRow& row) {
+void add_change(const history::Comparison& since_last, const calibration::QuantityVerdict& q,
+                QuantityRow& row) {
   const auto found =
       std::find_if(since_last.quantities.begin(), since_last.quantities.end(),
                    [&](const history::ComparedQuantity& c) { return c.name == q.key; });
@@ -66,35 +68,36 @@ void add_change(const history::Comparison& since_last, const QuantityVerdict& q,
   row.is_changed = found->word == history::ChangeWord::changed;
   const history::ComparedQuantity& compared = *found;
   if (!compared.change) return;
-  const Estimate& absolute = compared.change->absolute;
-  const Scale scale =
-      quantity_scale(compared.unit, compared.second ? compared.second->value : absolute.value);
-  const RoundedEstimate text = round_by_interval(absolute, scale);
-  row.change = with_unit(with_plus_sign(text.estimate), scale.unit);
+  const statistics::Estimate& absolute = compared.change->absolute;
+  const wording::Scale scale = wording::quantity_scale(
+      compared.unit, compared.second ? compared.second->value : absolute.value);
+  const wording::RoundedEstimate text = wording::round_by_interval(absolute, scale);
+  row.change = wording::with_unit(wording::with_plus_sign(text.estimate), scale.unit);
   row.change_range = text.half_width.empty() ? text.range() : "± " + text.half_width;
 }
 
 }  // namespace
 
-std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
+std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last) {
   const auto& findings = judgement.findings;
   const auto end_in_sight =
       findings.begin() + static_cast<std::ptrdiff_t>(std::min(findings.size(), findings_in_sight));
   // A limit's words stand once on the first screen; its row has the rule and what came of it.
-  const auto stands_above = [&](const QuantityVerdict& q, const std::string& reason) {
-    return std::any_of(q.limits.begin(), q.limits.end(),
-                       [&](const LimitOutcome& limit) { return limit.words == reason; }) &&
+  const auto stands_above = [&](const calibration::QuantityVerdict& q, const std::string& reason) {
+    return std::any_of(
+               q.limits.begin(), q.limits.end(),
+               [&](const calibration::LimitOutcome& limit) { return limit.words == reason; }) &&
            std::find(findings.begin(), end_in_sight, reason) != end_in_sight;
   };
   std::vector<QuantityRow> rows;
-  for (const QuantityVerdict& q : judgement.quantities) {
+  for (const calibration::QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
     row.words = q.words;
     row.outcome = outcome_of(q.verdict);
     row.verdict_word = word_of(q.verdict);
     add_estimate(q, row);
-    for (const LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
+    for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
     if (since_last) add_change(*since_last, q, row);
     for (const std::string& reason : q.reasons) {
       if (!stands_above(q, reason)) row.reasons.push_back(as_sentence(reason));
@@ -109,38 +112,40 @@ std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
 
 namespace {
 
-Outcome outcome_of(CheckState state) {
+Outcome outcome_of(method::checks::CheckState state) {
   switch (state) {
-    case CheckState::passed:
+    case method::checks::CheckState::passed:
       return Outcome::good;
-    case CheckState::warns:
+    case method::checks::CheckState::warns:
       return Outcome::partial;
-    case CheckState::fails:
+    case method::checks::CheckState::fails:
       return Outcome::bad;
-    case CheckState::not_applicable:
+    case method::checks::CheckState::not_applicable:
       break;
   }
   return Outcome::absent;
 }
 
-std::string word_of(CheckState state) {
-  return state == CheckState::not_applicable ? "not applicable" : to_string(state);
+std::string word_of(method::checks::CheckState state) {
+  return state == method::checks::CheckState::not_applicable ? "not applicable"
+                                                             : method::checks::to_string(state);
 }
 
 std::string with_the_unit(double value, const std::string& unit, int digits) {
   // Below what any limit asks for it is nothing.
   constexpr double nothing = 5e-4;
-  const std::string number = std::abs(value) < nothing ? "0" : significant(value, digits);
-  return unit == "1" ? number : with_unit(number, unit == "deg" ? "°" : unit);
+  const std::string number = std::abs(value) < nothing ? "0" : wording::significant(value, digits);
+  return unit == "1" ? number : wording::with_unit(number, unit == "deg" ? "°" : unit);
 }
 
-std::string limit_in_words(const DataCheck& check) {
+std::string limit_in_words(const method::checks::DataCheck& check) {
   const auto bound = [&](double value) {
-    const std::string number = as_stated(value);
-    return check.unit == "1" ? number : with_unit(number, check.unit == "deg" ? "°" : check.unit);
+    const std::string number = wording::as_stated(value);
+    return check.unit == "1" ? number
+                             : wording::with_unit(number, check.unit == "deg" ? "°" : check.unit);
   };
   if (check.at_least && check.at_most) {
-    return as_stated(*check.at_least) + " to " + bound(*check.at_most);
+    return wording::as_stated(*check.at_least) + " to " + bound(*check.at_most);
   }
   if (check.at_least) return "≥ " + bound(*check.at_least);
   return check.at_most ? "≤ " + bound(*check.at_most) : "";
@@ -148,9 +153,9 @@ std::string limit_in_words(const DataCheck& check) {
 
 }  // namespace
 
-std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks) {
+std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks) {
   std::vector<DataCheckRow> rows;
-  for (const DataCheck& check : checks.checks) {
+  for (const method::checks::DataCheck& check : checks.checks) {
     DataCheckRow row;
     row.id = "check-" + check.name;
     std::replace(row.id.begin(), row.id.end(), '_', '-');
@@ -176,29 +181,30 @@ namespace {
 constexpr int digits = 3;
 
 /// An angle is read in degrees.
-Scale scale_of(const ReturnedQuantity& q) {
-  return q.unit == "rad" ? degree_scale() : plain_scale(q.unit);
+wording::Scale scale_of(const calibration::ReturnedQuantity& q) {
+  return q.unit == "rad" ? wording::degree_scale() : wording::plain_scale(q.unit);
 }
 
-Row row_of(const ReturnedQuantity& q) {
-  const Scale scale = scale_of(q);
-  const std::string words = as_sentence(reading_words(q.name));
+Row row_of(const calibration::ReturnedQuantity& q) {
+  const wording::Scale scale = scale_of(q);
+  const std::string words = as_sentence(truth::reading_words(q.name));
   const std::string name = words.substr(0, words.size() - 1);
-  const Estimate put_in = symmetric_estimate(q.put_in, q.half_width, "");
-  const RoundedEstimate rounded = round_by_interval(put_in, scale);
+  const statistics::Estimate put_in = statistics::symmetric_estimate(q.put_in, q.half_width, "");
+  const wording::RoundedEstimate rounded = wording::round_by_interval(put_in, scale);
   if (q.found == 0) {
     return {{name, rounded.estimate, "not found", "–", "–", scale.unit, "0 of 0", "no"}, false};
   }
-  const RoundedEstimate back =
-      round_by_interval(symmetric_estimate(q.came_back, q.half_width, ""), scale);
+  const wording::RoundedEstimate back = wording::round_by_interval(
+      statistics::symmetric_estimate(q.came_back, q.half_width, ""), scale);
   const double deviation = (q.came_back - q.put_in) * scale.factor;
-  return {{name, rounded.estimate, back.estimate, with_plus_sign(significant(deviation, digits)),
-           significant(q.half_width * scale.factor, digits), scale.unit,
+  return {{name, rounded.estimate, back.estimate,
+           wording::with_plus_sign(wording::significant(deviation, digits)),
+           wording::significant(q.half_width * scale.factor, digits), scale.unit,
            fmt::format("{} of {}", q.inside, q.found), q.comes_back ? "yes" : "no"},
           false};
 }
 
-Table table_of(const TruthCheckResult& check) {
+Table table_of(const calibration::TruthCheckResult& check) {
   Table table;
   table.id = "known-truth-results";
   table.caption =
@@ -207,7 +213,7 @@ Table table_of(const TruthCheckResult& check) {
                    {"Came back", "", true},           {"Deviation", "", true},
                    {"Stated half width", "", true},   {"Unit", "", false},
                    {"Inside the interval", "", true}, {"Comes back", "", false}};
-  for (const ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
+  for (const calibration::ReturnedQuantity& q : check.quantities) table.rows.push_back(row_of(q));
   table.note =
       "It comes back if it is found in most simulations and in most of them is held by the stated "
       "interval, or is off by less than matters: 0.1 % of a torque, 0.006° of the angle, 1 % of a "
@@ -217,8 +223,8 @@ Table table_of(const TruthCheckResult& check) {
 
 std::string noise_text(double value_Nm, const char* none) {
   if (!(value_Nm > 0)) return none;
-  const Scale scale = torque_scale(value_Nm);
-  return with_unit(significant(value_Nm * scale.factor, digits), scale.unit);
+  const wording::Scale scale = wording::torque_scale(value_Nm);
+  return wording::with_unit(wording::significant(value_Nm * scale.factor, digits), scale.unit);
 }
 
 std::string joined(const std::vector<std::string>& texts) {
@@ -229,7 +235,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-Section truth_check_section(const TruthCheckResult& check, int number) {
+Section truth_check_section(const calibration::TruthCheckResult& check, int number) {
   Section section;
   section.number = number;
   section.id = "known-truth";
@@ -243,7 +249,7 @@ Section truth_check_section(const TruthCheckResult& check, int number) {
                    : check.findings.empty() ? "comes back"
                                             : "does not come back";
   std::vector<std::string> findings;
-  for (const TruthFinding& finding : check.findings) findings.push_back(finding.words);
+  for (const calibration::TruthFinding& finding : check.findings) findings.push_back(finding.words);
   section.reason = as_sentence(joined(findings));
   if (nothing) section.reason = as_sentence(joined(check.left_out));
   section.facts = {

@@ -22,7 +22,8 @@ enum class StageId {
   break_away,
 };
 
-const StageReport& stage_report(const Calibration& calibration, StageId stage);
+const statistics::StageReport& stage_report(const calibration::Calibration& calibration,
+                                            StageId stage);
 std::string section_anchor(StageId stage);  ///< "stage-3"
 std::string stage_title(StageId stage);
 std::string explanation_template(StageId stage);
@@ -30,68 +31,72 @@ std::string explanation_template(StageId stage);
 std::string helpful_experiment(StageId stage);
 /// "stage 3, hysteresis loop"
 std::string stage_reference(StageId stage);
-Outcome outcome_of(StageState state);
-std::string status_in_words(StageState state);
+Outcome outcome_of(statistics::StageState state);
+std::string status_in_words(statistics::StageState state);
 
 // Contents of the stages' sections: facts and tables. Nothing is added where nothing was found.
-void describe_cog_sweep(const CogSweepResult& result, double gear_ratio, Section& section);
-void describe_hysteresis(const HysteresisResult& result, Section& section);
-void describe_surrogate_masses(const Calibration& calibration, Section& section);
-void describe_viscous_curves(const Calibration& calibration, Section& section);
-void describe_quality_errors(const Calibration& calibration, Section& section);
-void describe_selection(const Calibration& calibration, Section& section);
-void describe_parameters(const Calibration& calibration, Section& section);
-void describe_curve_models(const Calibration& calibration, Section& section);
+void describe_cog_sweep(const method::gravity::CogSweepResult& result, double gear_ratio,
+                        Section& section);
+void describe_hysteresis(const method::hysteresis::HysteresisResult& result, Section& section);
+void describe_surrogate_masses(const calibration::Calibration& calibration, Section& section);
+void describe_viscous_curves(const calibration::Calibration& calibration, Section& section);
+void describe_quality_errors(const calibration::Calibration& calibration, Section& section);
+void describe_selection(const calibration::Calibration& calibration, Section& section);
+void describe_parameters(const calibration::Calibration& calibration, Section& section);
+void describe_curve_models(const calibration::Calibration& calibration, Section& section);
 
 /// Points A to F of one turn.
-Table loop_points_table(const std::vector<LoopPoint>& points, const std::string& id,
-                        const std::string& caption);
+Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points,
+                        const std::string& id, const std::string& caption);
 
-void describe_break_away(const Calibration& calibration, Section& section);
+void describe_break_away(const calibration::Calibration& calibration, Section& section);
 /// The loops without any model; no rows where none was recorded.
-Table loop_shapes_table(const std::vector<LoopShape>& shapes, double gear_ratio,
+Table loop_shapes_table(const std::vector<method::hysteresis::LoopShape>& shapes, double gear_ratio,
                         const Section& section);
 /// Behind the stages: gravity by every way, ripple, positions, intervals.
-Section cross_checks_section(const Calibration& calibration);
-void add_interval_tables(const Calibration& calibration, Section& section);
+Section cross_checks_section(const calibration::Calibration& calibration);
+void add_interval_tables(const calibration::Calibration& calibration, Section& section);
 /// A recording's path without its folders, which are in the provenance.
 std::string log_name(const std::string& recording);
-void describe_lugre(const LuGreFit& fit, double gear_ratio, Section& section);
+void describe_lugre(const method::hysteresis::LuGreFit& fit, double gear_ratio, Section& section);
 /// The known-truth check as the section "known-truth"; only where the check was made.
-Section truth_check_section(const TruthCheckResult& check, int number);
+Section truth_check_section(const calibration::TruthCheckResult& check, int number);
 
 /// Of the findings, as many are shown; the others are behind a click.
 inline constexpr std::size_t findings_in_sight = 3;
 
-std::vector<QuantityRow> quantity_rows(const Judgement& judgement,
+std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
                                        const std::optional<history::Comparison>& since_last);
-std::vector<DataCheckRow> data_check_rows(const DataChecksResult& checks);
-Table key_numbers_table(const Calibration& calibration);
-Table paper_comparison_table(const Calibration& calibration);
+std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult& checks);
+Table key_numbers_table(const calibration::Calibration& calibration);
+Table paper_comparison_table(const calibration::Calibration& calibration);
 ErrataNumbers errata_numbers();
-std::vector<Fact> identity_facts(const Manifest& manifest);
+std::vector<Fact> identity_facts(const joint::Manifest& manifest);
 /// From the columns of the logs to signals; where speeds come from.
-std::vector<Table> conversion_tables(const Calibration& calibration);
+std::vector<Table> conversion_tables(const calibration::Calibration& calibration);
 /// "1.825 N·m cos(q1_rad + q2_rad − 90°)", at the joint.
-std::string load_formula(const KnownLoad& load);
-std::vector<Table> provenance_tables(const Calibration& calibration, const Provenance& provenance);
+std::string load_formula(const joint::KnownLoad& load);
+std::vector<Table> provenance_tables(const calibration::Calibration& calibration,
+                                     const calibration::Provenance& provenance);
 
 /// Pairs figures and pictures; the first three cards of a report are not lazy.
-std::vector<FigureCard> figure_cards(const std::vector<ReportFigure>& figures,
-                                     const std::vector<render::DrawnFigure>& drawn);
+std::vector<FigureCard> figure_cards(const std::vector<figures::ReportFigure>& figures,
+                                     const std::vector<render::workers::DrawnFigure>& drawn);
 
 /// Columns of a table of estimates: quantity, estimate ± half width, unit, 95 % interval, from.
 std::vector<Column> estimate_columns();
-Row estimate_row(const std::string& quantity, const Estimate& estimate, const Scale& scale);
+Row estimate_row(const std::string& quantity, const statistics::Estimate& estimate,
+                 const wording::Scale& scale);
 /// The same for a number without an interval.
-Row number_row(const std::string& quantity, double value, const Scale& scale,
+Row number_row(const std::string& quantity, double value, const wording::Scale& scale,
                const std::string& from);
 Row not_identified_row(const std::string& quantity, const std::string& why);
 
 /// "recommended estimator (midline)" and the like; what tables call the estimators.
 std::string estimator_name(const std::string& estimator);
 /// The chosen surrogate mass, or nullptr.
-const SurrogateMass* recommended_mass(const Calibration& calibration);
+const method::hysteresis::SurrogateMass* recommended_mass(
+    const calibration::Calibration& calibration);
 
 /// With a capital letter and a full stop. A leading symbol ("q_peak", "n") keeps its letter.
 std::string as_sentence(const std::string& text);

@@ -9,7 +9,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::robot {
 
 namespace {
 
@@ -55,7 +55,7 @@ JointUnderTest::JointUnderTest(SerialArm arm, Setting setting)
     throw std::invalid_argument(
         fmt::format("the axis of joint '{}' is tilted by {:.3g}° in this "
                     "pose; it must be horizontal",
-                    joint().name, tilt * degrees_per_rad));
+                    joint().name, tilt * joint::degrees_per_rad));
   }
   const Eigen::Vector3d line =
       pose(0).frames[setting_.joint].linear() * line_in_frame(arm_, setting_.joint);
@@ -90,10 +90,10 @@ Eigen::Vector3d JointUnderTest::towards_mass(double q_rad, double q_peak_rad) co
   return above_level(q_rad - q_peak_rad);
 }
 
-double JointUnderTest::holding_torque_Nm(double q_rad, const GravityLoad& load) const {
+double JointUnderTest::holding_torque_Nm(double q_rad, const joint::GravityLoad& load) const {
   const Eigen::Vector3d lever = load.distance_m() * towards_mass(q_rad, load.q_peak_rad());
   const Eigen::Vector3d weight(0, 0, -load.mass_kg() * load.gravity_m_s2());
   return -lever.cross(weight).dot(axis_);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::robot

@@ -8,7 +8,7 @@
 #include "joint/gravity_load.h"
 #include "robot/serial_arm.h"
 
-namespace tribolog {
+namespace tribolog::robot {
 
 class JointUnderTest {
  public:
@@ -40,7 +40,7 @@ class JointUnderTest {
   /// From the axis towards the mass centre: q - q_peak above the level. Unit vector.
   [[nodiscard]] Eigen::Vector3d towards_mass(double q_rad, double q_peak_rad) const;
   /// Torque about the axis that holds a load, from its lever and its weight in space [N·m].
-  [[nodiscard]] double holding_torque_Nm(double q_rad, const GravityLoad& load) const;
+  [[nodiscard]] double holding_torque_Nm(double q_rad, const joint::GravityLoad& load) const;
   /// Angle above the level of the driven link's own line where the joint stands at 0 [rad], from
   /// -pi to pi. The line is that axis of the link's frame (x, y or z, forwards or backwards) along
   /// which the flange lies farthest in the zero pose; 0 where the flange lies on the joint's axis.
@@ -68,8 +68,8 @@ struct RobotDescription {
   std::vector<double> portrait_rad;  ///< Angle of every joint in the picture of the whole robot.
   bool approximate{true};            ///< Whether the dimensions are; captions then say so.
   std::optional<AngleRange> range;   ///< Motion during the test, where stated: not empty.
-  std::optional<GravityLoad> load;   ///< m, r and q_peak of the driven links, where stated.
-  double surrogate_distance_m{0.5};  ///< r_REPL > 0, to draw a load that is stated.
+  std::optional<joint::GravityLoad> load;  ///< m, r and q_peak of the driven links, where stated.
+  double surrogate_distance_m{0.5};        ///< r_REPL > 0, to draw a load that is stated.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::robot

@@ -9,7 +9,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::robot {
 namespace {
 
 constexpr double angle_slack_rad = 1e-9;  // degrees in a file, turned into radians and back
@@ -44,9 +44,9 @@ void check(const ArmJoint& joint) {
   }
   if (!std::isfinite(joint.lowest_rad) || !std::isfinite(joint.highest_rad) ||
       !(joint.lowest_rad < joint.highest_rad)) {
-    refuse(joint,
-           fmt::format("the range of motion from {:.6g}° to {:.6g}° is empty",
-                       joint.lowest_rad * degrees_per_rad, joint.highest_rad * degrees_per_rad));
+    refuse(joint, fmt::format("the range of motion from {:.6g}° to {:.6g}° is empty",
+                              joint.lowest_rad * joint::degrees_per_rad,
+                              joint.highest_rad * joint::degrees_per_rad));
   }
   check_shape(joint);
 }
@@ -97,10 +97,11 @@ ArmPose SerialArm::pose(const std::vector<double>& angles_rad) const {
     const double angle = angles_rad[i];
     if (!(angle >= joint.lowest_rad - angle_slack_rad &&
           angle <= joint.highest_rad + angle_slack_rad)) {
-      refuse(joint, fmt::format("the angle {:.6g}° lies outside the range of motion, {:.6g}° to "
-                                "{:.6g}°",
-                                angle * degrees_per_rad, joint.lowest_rad * degrees_per_rad,
-                                joint.highest_rad * degrees_per_rad));
+      refuse(joint,
+             fmt::format("the angle {:.6g}° lies outside the range of motion, {:.6g}° to "
+                         "{:.6g}°",
+                         angle * joint::degrees_per_rad, joint.lowest_rad * joint::degrees_per_rad,
+                         joint.highest_rad * joint::degrees_per_rad));
     }
     frame = frame * Eigen::Translation3d(joint.offset_m) * Eigen::AngleAxisd(angle, joint.axis);
     out.frames.push_back(frame);
@@ -114,4 +115,4 @@ Eigen::Vector3d SerialArm::axis(const ArmPose& pose, std::size_t joint) const {
   return pose.frames[joint].linear() * joints_[joint].axis;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::robot

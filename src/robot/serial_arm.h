@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace tribolog {
+namespace tribolog::robot {
 
 /// What a link looks like: round, or a flat bar across its joint's axis. All lengths > 0.
 struct LinkShape {
@@ -69,4 +69,4 @@ class SerialArm {
   Eigen::Vector3d tool_m_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::robot

@@ -6,10 +6,10 @@
 #include "base/requirements.h"
 #include "simulate/forced_motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
-Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExperiment& e,
-                                   double direction, std::string name) {
+joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExperiment& e,
+                                          double direction, std::string name) {
   require_positive(e.rate_Nm_s, "rate_Nm_s", "N·m/s");
   require_positive(e.largest_torque_Nm, "largest_torque_Nm", "N·m");
   require_positive(e.largest_travel_rad, "largest_travel", "rad");
@@ -30,9 +30,9 @@ Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExperiment&
   setup.relative_tolerance = 1e-8;
   const ForcedMotion motion = simulate_forced_motion(*s.presliding, setup);
 
-  Recording r;
+  joint::Recording r;
   r.name = std::move(name);
-  r.role = Role::break_away;
+  r.role = joint::Role::break_away;
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const double q = motion.angle_rad[i] / n;
     if (std::abs(q - e.centre_rad) > e.largest_travel_rad) break;
@@ -45,4 +45,4 @@ Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExperiment&
   return r;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

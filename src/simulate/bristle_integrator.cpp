@@ -19,7 +19,7 @@
 #define TRIBOLOG_WIDE
 #endif
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 constexpr std::size_t block_steps = 1024;
@@ -43,18 +43,18 @@ struct SteadyDeflection {
   double coulomb_rad;
   double excess_rad;
   double per_speed;
-  explicit SteadyDeflection(const LuGreFriction::Parameters& p)
+  explicit SteadyDeflection(const friction::LuGreFriction::Parameters& p)
       : coulomb_rad(p.coulomb_Nm / p.bristle_stiffness_Nm_rad),
         excess_rad((p.static_Nm - p.coulomb_Nm) / p.bristle_stiffness_Nm_rad),
         per_speed(1 / p.stribeck_speed_rad_s) {}
   [[gnu::always_inline]] double operator()(double w) const {
     const double x = w * per_speed;
-    return coulomb_rad + excess_rad * exp_nonpositive(-(x * x));
+    return coulomb_rad + excess_rad * friction::exp_nonpositive(-(x * x));
   }
   /// The same for speeds far below the Stribeck velocity, where the exponential is almost 1.
   [[gnu::always_inline]] double at_micro_speed(double w) const {
     const double x = w * per_speed;
-    return coulomb_rad + excess_rad * exp_near_zero(-(x * x));
+    return coulomb_rad + excess_rad * friction::exp_near_zero(-(x * x));
   }
 };
 
@@ -86,9 +86,9 @@ template <class Deflection>
   }
   for (std::size_t i = 0; i < steps; ++i) {
     const double g_middle = g(b.w_middle[i]);
-    const StepShape<double> shape =
-        step_shape<double>(b.w[i], b.w_middle[i], b.w[i + 1], b.g[i], g_middle, b.g[i + 1],
-                           b.inverse_g[i], 1.0 / g_middle, b.inverse_g[i + 1], dt);
+    const friction::StepShape<double> shape = friction::step_shape<double>(
+        b.w[i], b.w_middle[i], b.w[i + 1], b.g[i], g_middle, b.g[i + 1], b.inverse_g[i],
+        1.0 / g_middle, b.inverse_g[i + 1], dt);
     b.g_middle[i] = g_middle;
     b.length[i] = shape.length;
     b.c0[i] = shape.c0;
@@ -118,19 +118,19 @@ TRIBOLOG_WIDE bool is_rough(const Block& b, std::size_t steps) {
 template <class Moments>
 [[gnu::always_inline]] inline void weigh(Block& b, std::size_t steps, Moments moments) {
   for (std::size_t i = 0; i < steps; ++i) {
-    const StepMoments<double> m = moments(b.length[i]);
+    const friction::StepMoments<double> m = moments(b.length[i]);
     b.decay[i] = m.decay;
-    b.source[i] = step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
+    b.source[i] = friction::step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
   }
 }
 
 /// In a block that has long steps too, the short ones are weighed again by the series.
 void weigh_short_steps(Block& b, std::size_t steps) {
   for (std::size_t i = 0; i < steps; ++i) {
-    if (b.length[i] >= series_below) continue;
-    const StepMoments<double> m = moments_by_series<10>(b.length[i]);
+    if (b.length[i] >= friction::series_below) continue;
+    const friction::StepMoments<double> m = friction::moments_by_series<10>(b.length[i]);
     b.decay[i] = m.decay;
-    b.source[i] = step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
+    b.source[i] = friction::step_source<double>({b.length[i], b.c0[i], b.c1[i], b.c2[i]}, m);
   }
 }
 
@@ -138,12 +138,13 @@ TRIBOLOG_WIDE void weigh_block(Block& b, std::size_t steps) {
   double longest = 0;
   for (std::size_t i = 0; i < steps; ++i) longest = std::max(longest, b.length[i]);
   if (longest < 0.01) {
-    weigh(b, steps, [](double length) { return moments_by_series<5>(length); });
-  } else if (longest < series_below) {
-    weigh(b, steps, [](double length) { return moments_by_series<10>(length); });
+    weigh(b, steps, [](double length) { return friction::moments_by_series<5>(length); });
+  } else if (longest < friction::series_below) {
+    weigh(b, steps, [](double length) { return friction::moments_by_series<10>(length); });
   } else {
     weigh(b, steps, [](double length) {
-      return moments_by_exponential(length < series_below ? series_below : length);
+      return friction::moments_by_exponential(
+          length < friction::series_below ? friction::series_below : length);
     });
     weigh_short_steps(b, steps);
   }
@@ -151,7 +152,7 @@ TRIBOLOG_WIDE void weigh_block(Block& b, std::size_t steps) {
 
 }  // namespace
 
-void integrate_bristle(const LuGreFriction& friction, const Motion& motion, double t0_s,
+void integrate_bristle(const friction::LuGreFriction& friction, const Motion& motion, double t0_s,
                        double dt_s, double z0_rad, std::span<double> z_rad,
                        std::span<double> dz_rad_s) {
   require_positive(dt_s, "sampling interval", "s");
@@ -163,7 +164,8 @@ void integrate_bristle(const LuGreFriction& friction, const Motion& motion, doub
   if (count == 0) return;
 
   const SteadyDeflection g(friction.parameters());
-  const double micro_speed = std::sqrt(near_zero) * friction.parameters().stribeck_speed_rad_s;
+  const double micro_speed =
+      std::sqrt(friction::near_zero) * friction.parameters().stribeck_speed_rad_s;
   Block b;
   double z = z0_rad;
   z_rad[0] = z;
@@ -197,4 +199,4 @@ void integrate_bristle(const LuGreFriction& friction, const Motion& motion, doub
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

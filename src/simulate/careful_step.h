@@ -8,7 +8,7 @@
 #include "friction/exponential_step.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 // Above this size of the parabola's last term (relative to g) a step is halved: what is left out,
 // the cubic term, is then below 1e-8 of g for a Stribeck curve.
@@ -39,12 +39,13 @@ Scalar careful_step(const Deflection& g, const Motion& motion, double a, double 
   const Scalar ga = g(wa);
   const Scalar gm = g(wm);
   const Scalar gb = g(wb);
-  const StepShape<Scalar> shape = step_shape<Scalar>(wa, wm, wb, ga, gm, gb, Scalar(1.0 / ga),
-                                                     Scalar(1.0 / gm), Scalar(1.0 / gb), b - a);
-  if (std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) && halvings > 0) {
+  const friction::StepShape<Scalar> shape = friction::step_shape<Scalar>(
+      wa, wm, wb, ga, gm, gb, Scalar(1.0 / ga), Scalar(1.0 / gm), Scalar(1.0 / gb), b - a);
+  if (std::abs(friction::value_of(shape.c2)) > roughest_step * friction::value_of(gm) &&
+      halvings > 0) {
     return in_two(middle, wm);
   }
-  return relaxed(shape, z);
+  return friction::relaxed(shape, z);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

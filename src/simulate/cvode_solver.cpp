@@ -4,7 +4,7 @@
 
 #include "base/program_module.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 CvodeSolver::CvodeSolver(std::vector<double> start, Rates rates, Events events,
                          const Options& options) {
@@ -30,4 +30,4 @@ std::span<double> CvodeSolver::unknowns() { return integrator_->unknowns(); }
 
 void CvodeSolver::restart(double first_step) { integrator_->restart(first_step); }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

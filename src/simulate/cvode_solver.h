@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 class CvodeIntegrator;
 
@@ -72,10 +72,11 @@ class CvodeIntegrator {
   virtual void restart(double first_step) = 0;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate
 
 /// The caller owns it. @throw std::runtime_error if the library refuses.
-extern "C" __attribute__((visibility("default"))) tribolog::CvodeIntegrator*
-tribolog_cvode_integrator(const std::vector<double>& start, tribolog::CvodeSolver::Rates rates,
-                          tribolog::CvodeSolver::Events events,
-                          const tribolog::CvodeSolver::Options& options);
+extern "C" __attribute__((visibility("default"))) tribolog::simulate::CvodeIntegrator*
+tribolog_cvode_integrator(const std::vector<double>& start,
+                          tribolog::simulate::CvodeSolver::Rates rates,
+                          tribolog::simulate::CvodeSolver::Events events,
+                          const tribolog::simulate::CvodeSolver::Options& options);

@@ -9,14 +9,14 @@
 #include "base/requirements.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 using std::numbers::pi;
 
-void disturb_torque(Recording& recording, const Noise& noise, double gear_ratio,
+void disturb_torque(joint::Recording& recording, const Noise& noise, double gear_ratio,
                     std::uint64_t stream) {
-  RandomStream random(noise.seed, stream);
+  statistics::RandomStream random(noise.seed, stream);
   for (std::size_t i = 0; i < recording.size(); ++i) {
     double& torque = recording.torque_Nm[i];
     for (const Noise::Ripple& ripple : noise.ripple) {
@@ -31,14 +31,14 @@ void disturb_torque(Recording& recording, const Noise& noise, double gear_ratio,
   }
 }
 
-void quantise_angle(Recording& recording, double counts_per_turn, double gear_ratio) {
+void quantise_angle(joint::Recording& recording, double counts_per_turn, double gear_ratio) {
   const double step = 2 * pi / counts_per_turn / gear_ratio;
   for (double& q : recording.q_rad) q = step * std::floor(q / step);
 }
 
 /// The controller's speed: difference of the logged angle through a first-order low pass. It
 /// starts from the true speed, as if the controller had been running before.
-void filter_speed(Recording& recording, double cut_off_Hz, double sample_rate_Hz) {
+void filter_speed(joint::Recording& recording, double cut_off_Hz, double sample_rate_Hz) {
   const double keep = std::exp(-2 * pi * cut_off_Hz / sample_rate_Hz);
   double state = recording.dq_rad_s.front();
   for (std::size_t i = 1; i < recording.size(); ++i) {
@@ -49,18 +49,18 @@ void filter_speed(Recording& recording, double cut_off_Hz, double sample_rate_Hz
 }
 
 /// A stream of its own: torque noise is the same on any clock.
-RandomStream clock_stream(const Noise& noise, std::uint64_t stream) {
+statistics::RandomStream clock_stream(const Noise& noise, std::uint64_t stream) {
   constexpr std::uint64_t behind_those_of_torque = std::uint64_t{1} << 32U;
   return {noise.seed, behind_those_of_torque + stream};
 }
 
-void disturb_clock(Recording& recording, double jitter_s, double sample_rate_Hz,
-                   RandomStream& random) {
+void disturb_clock(joint::Recording& recording, double jitter_s, double sample_rate_Hz,
+                   statistics::RandomStream& random) {
   const double most = 0.45 / sample_rate_Hz;
   for (double& t : recording.t_s) t += std::clamp(jitter_s * random.normal(), -most, most);
 }
 
-void lose_samples(Recording& recording, double percent, RandomStream& random) {
+void lose_samples(joint::Recording& recording, double percent, statistics::RandomStream& random) {
   std::vector<char> is_kept(recording.size());
   for (char& one : is_kept) one = 100 * random.uniform() >= percent ? 1 : 0;
   for (std::vector<double>* signal :
@@ -78,7 +78,7 @@ void lose_samples(Recording& recording, double percent, RandomStream& random) {
 
 }  // namespace
 
-void add_drive_noise(Recording& recording, const Noise& noise, double gear_ratio,
+void add_drive_noise(joint::Recording& recording, const Noise& noise, double gear_ratio,
                      double sample_rate_Hz, std::uint64_t stream) {
   require_not_negative(noise.torque_white_Nm, "white torque noise", "N·m");
   require_not_negative(noise.torque_step_Nm, "torque step", "N·m");
@@ -92,11 +92,11 @@ void add_drive_noise(Recording& recording, const Noise& noise, double gear_ratio
     quantise_angle(recording, noise.encoder_counts_per_turn, gear_ratio);
   }
   if (noise.speed_filter_Hz > 0) filter_speed(recording, noise.speed_filter_Hz, sample_rate_Hz);
-  RandomStream clock = clock_stream(noise, stream);
+  statistics::RandomStream clock = clock_stream(noise, stream);
   if (noise.clock_jitter_s > 0) {
     disturb_clock(recording, noise.clock_jitter_s, sample_rate_Hz, clock);
   }
   if (noise.lost_percent > 0) lose_samples(recording, noise.lost_percent, clock);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -8,7 +8,7 @@
 #include "base/requirements.h"
 #include "simulate/cvode_solver.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 constexpr std::size_t angle = 0;
@@ -17,7 +17,7 @@ constexpr std::size_t first_state = 2;
 
 }  // namespace
 
-ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
+ForcedMotion simulate_forced_motion(const friction::DynamicFriction& friction,
                                     const ForcedMotionSetup& setup) {
   require_positive(setup.inertia_kgm2, "inertia", "kg·m²");
   require_positive(setup.duration_s, "duration", "s");
@@ -83,4 +83,4 @@ ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

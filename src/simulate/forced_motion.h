@@ -12,7 +12,7 @@
 
 #include "friction/dynamic_friction.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 /// Samples at 0, dt, 2 dt, ...
 struct ForcedMotion {
@@ -43,7 +43,7 @@ struct ForcedMotionSetup {
 
 /// @throw std::invalid_argument for a value that is not allowed.
 /// @throw std::runtime_error if the solver gives up, saying when.
-ForcedMotion simulate_forced_motion(const DynamicFriction& friction,
+ForcedMotion simulate_forced_motion(const friction::DynamicFriction& friction,
                                     const ForcedMotionSetup& setup);
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -9,13 +9,13 @@
 #include "base/requirements.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 constexpr std::size_t block_steps = 256;
 
 /// Of a step that reverses: the first of its reversals that its three speeds tell of.
-double turn_within(const Motion& motion, double t0_s, const SpeedStep& step) {
+double turn_within(const Motion& motion, double t0_s, const friction::SpeedStep& step) {
   const double middle_s = t0_s + step.duration_s / 2;
   const double t1_s = t0_s + step.duration_s;
   if (step.start_rad_s * step.middle_rad_s < 0) {
@@ -28,8 +28,8 @@ double turn_within(const Motion& motion, double t0_s, const SpeedStep& step) {
 }
 
 /// Advances over a step, cut wherever it reverses.
-void advance_cut(const DynamicFriction& friction, const Motion& motion, double t0_s,
-                 const SpeedStep& step, std::span<double> state, int cuts) {
+void advance_cut(const friction::DynamicFriction& friction, const Motion& motion, double t0_s,
+                 const friction::SpeedStep& step, std::span<double> state, int cuts) {
   if (cuts == 0 || !reverses(step)) {
     friction.advance(state, step);
     return;
@@ -37,15 +37,17 @@ void advance_cut(const DynamicFriction& friction, const Motion& motion, double t
   // Speeds next to the reversal may have the wrong sign by rounding: there it is zero.
   const double turn = turn_within(motion, t0_s, step);
   const double t1_s = t0_s + step.duration_s;
-  const SpeedStep before{step.start_rad_s, motion.speed((t0_s + turn) / 2), 0.0, turn - t0_s};
-  const SpeedStep after{0.0, motion.speed((turn + t1_s) / 2), step.end_rad_s, t1_s - turn};
+  const friction::SpeedStep before{step.start_rad_s, motion.speed((t0_s + turn) / 2), 0.0,
+                                   turn - t0_s};
+  const friction::SpeedStep after{0.0, motion.speed((turn + t1_s) / 2), step.end_rad_s,
+                                  t1_s - turn};
   advance_cut(friction, motion, t0_s, before, state, cuts - 1);
   advance_cut(friction, motion, turn, after, state, cuts - 1);
 }
 
 }  // namespace
 
-void friction_response(const DynamicFriction& friction, const Motion& motion, double t0_s,
+void friction_response(const friction::DynamicFriction& friction, const Motion& motion, double t0_s,
                        double dt_s, std::span<double> state, std::span<double> torque_Nm) {
   require_positive(dt_s, "sampling interval", "s");
   if (state.size() != friction.states()) {
@@ -56,7 +58,7 @@ void friction_response(const DynamicFriction& friction, const Motion& motion, do
   constexpr int most_cuts = 3;
   std::array<double, block_steps> end_speed;
   std::array<double, block_steps> middle_speed;
-  std::array<SpeedStep, block_steps> step;
+  std::array<friction::SpeedStep, block_steps> step;
   double speed = motion.speed(t0_s);
   torque_Nm[0] = friction.torque_Nm(state, speed);
   const std::span<double> torque_after = torque_Nm.subspan(1);
@@ -83,4 +85,4 @@ void friction_response(const DynamicFriction& friction, const Motion& motion, do
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

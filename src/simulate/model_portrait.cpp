@@ -6,7 +6,7 @@
 
 #include "simulate/friction_response.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 /// Speed up and down about a mean, always forward.
@@ -28,7 +28,7 @@ class Pulsating final : public Motion {
   double mean_, amplitude_, w_;
 };
 
-PortraitCurve steady_curve(const DynamicFriction& model, double stribeck_speed) {
+PortraitCurve steady_curve(const friction::DynamicFriction& model, double stribeck_speed) {
   PortraitCurve out;
   constexpr int points = 200;
   for (const double side : {-1.0, 1.0}) {
@@ -49,7 +49,7 @@ void keep_from(std::size_t first, PortraitCurve& curve) {
   curve.torque_Nm.erase(curve.torque_Nm.begin(), curve.torque_Nm.begin() + offset);
 }
 
-PortraitCurve response(const DynamicFriction& model, const Motion& motion, double dt,
+PortraitCurve response(const friction::DynamicFriction& model, const Motion& motion, double dt,
                        std::size_t samples, bool against_speed) {
   PortraitCurve out;
   out.torque_Nm.resize(samples);
@@ -63,7 +63,8 @@ PortraitCurve response(const DynamicFriction& model, const Motion& motion, doubl
 }
 
 /// Two periods; the first starts from rest and is shown too.
-PortraitCurve presliding_loop(const DynamicFriction& model, double elastic_rad, double slow_rad_s) {
+PortraitCurve presliding_loop(const friction::DynamicFriction& model, double elastic_rad,
+                              double slow_rad_s) {
   constexpr std::size_t per_period = 2000;
   constexpr double stroke = 1.5;
   constexpr double inner = 0.9;
@@ -73,7 +74,8 @@ PortraitCurve presliding_loop(const DynamicFriction& model, double elastic_rad, 
   return response(model, motion, 1 / (frequency * per_period), 2 * per_period + 1, false);
 }
 
-PortraitCurve lag_loop(const DynamicFriction& model, double stribeck_speed, double& lag_Nm) {
+PortraitCurve lag_loop(const friction::DynamicFriction& model, double stribeck_speed,
+                       double& lag_Nm) {
   constexpr std::size_t per_period = 400;
   constexpr std::size_t periods = 40;  // the first ones are start-up
   constexpr double frequency = 20;
@@ -89,8 +91,8 @@ PortraitCurve lag_loop(const DynamicFriction& model, double stribeck_speed, doub
 }
 
 /// Moves at constant speed in equal steps and reads the torque after each.
-void push(const DynamicFriction& model, std::vector<double>& state, double way, double speed,
-          int steps, PortraitCurve* readings) {
+void push(const friction::DynamicFriction& model, std::vector<double>& state, double way,
+          double speed, int steps, PortraitCurve* readings) {
   const double signed_speed = std::copysign(speed, way);
   double at = 0;
   for (int i = 0; i < steps; ++i) {
@@ -102,7 +104,8 @@ void push(const DynamicFriction& model, std::vector<double>& state, double way, 
   }
 }
 
-double inner_loop_gap(const DynamicFriction& model, double elastic_rad, double slow_rad_s) {
+double inner_loop_gap(const friction::DynamicFriction& model, double elastic_rad,
+                      double slow_rad_s) {
   constexpr int steps = 1000;
   std::vector<double> state = model.unloaded();
   push(model, state, 0.25 * elastic_rad, slow_rad_s, steps, nullptr);
@@ -114,7 +117,8 @@ double inner_loop_gap(const DynamicFriction& model, double elastic_rad, double s
 
 }  // namespace
 
-ModelPortrait portrait_of(const FrictionModelEntry& entry, const ContactParameters& contact) {
+ModelPortrait portrait_of(const friction::FrictionModelEntry& entry,
+                          const friction::ContactParameters& contact) {
   const auto model = entry.matched(contact);
   const double elastic = contact.static_Nm / contact.stiffness_Nm_rad;
   const double slow = 1e-4 * contact.stribeck_speed_rad_s;
@@ -131,4 +135,4 @@ ModelPortrait portrait_of(const FrictionModelEntry& entry, const ContactParamete
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

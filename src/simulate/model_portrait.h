@@ -5,7 +5,7 @@
 
 #include "friction/catalogue.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 struct PortraitCurve {
   std::vector<double> x;
@@ -26,6 +26,7 @@ struct ModelPortrait {
 
 /// The model with parameters that match the contact. Ways scale with the contact's elastic
 /// deflection (static torque / stiffness), speeds with its Stribeck velocity.
-ModelPortrait portrait_of(const FrictionModelEntry& entry, const ContactParameters& contact);
+ModelPortrait portrait_of(const friction::FrictionModelEntry& entry,
+                          const friction::ContactParameters& contact);
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -13,7 +13,7 @@
 #include "base/requirements.h"
 #include "friction/sign_change.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 using std::numbers::pi;
 
@@ -208,7 +208,7 @@ Uncertain uncertain_within(const Motion& motion, double a_s, double b_s, bool ne
   const auto speed = [&](double t) { return sign * motion.speed(t); };
   if (!(speed(a_s) > 0 && speed(b_s) < 0)) return {a_s, b_s};
   const double few_units = 64 * std::numeric_limits<double>::epsilon() * std::abs(b_s);
-  const double near = sign_change(speed, a_s, b_s, few_units);
+  const double near = friction::sign_change(speed, a_s, b_s, few_units);
   return {near - 2 * few_units, near + few_units};
 }
 
@@ -235,4 +235,4 @@ double reversal_time(const Motion& motion, double a_s, double b_s, bool negative
   return b;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -6,7 +6,7 @@
 
 #include "friction/speed_step.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 /// Angle [rad], speed [rad/s] and acceleration [rad/s^2] as functions of time [s].
 class Motion {
@@ -80,7 +80,7 @@ inline bool reverses(double w0, double wm, double w1) {
   return (w0 > 0 || wm > 0 || w1 > 0) && (w0 < 0 || wm < 0 || w1 < 0);
 }
 
-inline bool reverses(const SpeedStep& step) {
+inline bool reverses(const friction::SpeedStep& step) {
   return reverses(step.start_rad_s, step.middle_rad_s, step.end_rad_s);
 }
 
@@ -107,4 +107,4 @@ class MotorSide final : public Motion {
   double n_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

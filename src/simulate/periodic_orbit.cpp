@@ -9,7 +9,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 // Far above the solver's noise, far below what bends the map.
@@ -37,7 +37,7 @@ double largest_size(const std::vector<double>& values) {
 
 class PeriodMap {
  public:
-  PeriodMap(const DynamicFriction& friction, const PeriodicOrbitSetup& setup)
+  PeriodMap(const friction::DynamicFriction& friction, const PeriodicOrbitSetup& setup)
       : friction_(friction), scale_(1 + static_cast<Eigen::Index>(friction.states())) {
     forced_.inertia_kgm2 = setup.inertia_kgm2;
     forced_.applied_Nm = [applied = setup.applied_Nm](double t, double, double) {
@@ -99,7 +99,7 @@ class PeriodMap {
     settled_ = settled_.cwiseQuotient(scale_);
   }
 
-  const DynamicFriction& friction_;
+  const friction::DynamicFriction& friction_;
   ForcedMotionSetup forced_;
   State scale_;
   State settled_;
@@ -113,7 +113,8 @@ void centre(std::vector<double>& angle_rad) {
 
 }  // namespace
 
-PeriodicOrbit periodic_orbit(const DynamicFriction& friction, const PeriodicOrbitSetup& setup) {
+PeriodicOrbit periodic_orbit(const friction::DynamicFriction& friction,
+                             const PeriodicOrbitSetup& setup) {
   require_positive(setup.period_s, "period", "s");
   require_positive(static_cast<double>(setup.samples), "number of samples", "");
   require_positive(setup.closed_to, "largest gap that counts as closed", "");
@@ -138,4 +139,4 @@ PeriodicOrbit periodic_orbit(const DynamicFriction& friction, const PeriodicOrbi
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -20,7 +20,7 @@
 #include "friction/dynamic_friction.h"
 #include "simulate/forced_motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 struct PeriodicOrbitSetup {
   double inertia_kgm2{1.0};                      ///< > 0
@@ -47,6 +47,7 @@ struct PeriodicOrbit {
 
 /// @throw std::invalid_argument for a value that is not allowed.
 /// @throw std::runtime_error if the solver gives up, saying when.
-PeriodicOrbit periodic_orbit(const DynamicFriction& friction, const PeriodicOrbitSetup& setup);
+PeriodicOrbit periodic_orbit(const friction::DynamicFriction& friction,
+                             const PeriodicOrbitSetup& setup);
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -9,13 +9,13 @@
 #include "base/requirements.h"
 #include "simulate/periodic_orbit.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 namespace {
 
 constexpr double mass_kg = 1.0;
 
-std::unique_ptr<DynamicFriction> lugre(const ContactParameters& contact) {
-  return dynamic_friction_model("lugre").matched(contact);
+std::unique_ptr<friction::DynamicFriction> lugre(const friction::ContactParameters& contact) {
+  return friction::dynamic_friction_model("lugre").matched(contact);
 }
 
 PeriodicOrbitSetup setup_of(const SinusoidalForce& force) {
@@ -47,14 +47,14 @@ double largest_distance(const std::vector<double>& a, const std::vector<double>&
   return largest;
 }
 
-double slow_width_m(const ContactParameters& contact, double amplitude_N) {
+double slow_width_m(const friction::ContactParameters& contact, double amplitude_N) {
   const double share = amplitude_N / contact.static_Nm;
   if (share >= 1) return std::numeric_limits<double>::infinity();
   return contact.static_Nm / contact.stiffness_Nm_rad * std::log((1 + share) / (1 - share));
 }
 
-PreslidingLoop loop_of(const DynamicFriction& friction, const ContactParameters& contact,
-                       const SinusoidalForce& force) {
+PreslidingLoop loop_of(const friction::DynamicFriction& friction,
+                       const friction::ContactParameters& contact, const SinusoidalForce& force) {
   PeriodicOrbitSetup setup = setup_of(force);
   PreslidingLoop out;
   out.amplitude_N = force.amplitude_N;
@@ -83,7 +83,7 @@ PreslidingLoop loop_of(const DynamicFriction& friction, const ContactParameters&
 
 std::vector<SinusoidalForce> forces_of_figure_5() { return {{1.425, 1}, {1.3, 10}, {1.0, 25}}; }
 
-std::vector<PreslidingLoop> presliding_loops(const ContactParameters& contact,
+std::vector<PreslidingLoop> presliding_loops(const friction::ContactParameters& contact,
                                              const std::vector<SinusoidalForce>& forces) {
   const auto friction = lugre(contact);
   std::vector<PreslidingLoop> out;
@@ -91,7 +91,8 @@ std::vector<PreslidingLoop> presliding_loops(const ContactParameters& contact,
   return out;
 }
 
-double largest_presliding_amplitude_N(const ContactParameters& contact, double frequency_Hz) {
+double largest_presliding_amplitude_N(const friction::ContactParameters& contact,
+                                      double frequency_Hz) {
   const auto friction = lugre(contact);
   const auto runs_away = [&](double amplitude_N) {
     PeriodicOrbitSetup setup = setup_of({amplitude_N, frequency_Hz});
@@ -113,4 +114,4 @@ double largest_presliding_amplitude_N(const ContactParameters& contact, double f
   return holds;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -15,7 +15,7 @@
 #include "friction/catalogue.h"
 #include "simulate/forced_motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 struct SinusoidalForce {
   double amplitude_N{};   ///< > 0
@@ -51,12 +51,13 @@ struct PreslidingLoop {
 /// @throw std::invalid_argument for a value that is not allowed.
 /// @throw std::runtime_error if the solver gives up.
 std::vector<PreslidingLoop> presliding_loops(
-    const ContactParameters& contact,
+    const friction::ContactParameters& contact,
     const std::vector<SinusoidalForce>& forces = forces_of_figure_5());
 
 /// The largest amplitude at a frequency whose orbit stays slower than the Stribeck velocity: up to
 /// it the mass does not run away. To half a thousandth, from below; not more than the static force.
 /// @throw as presliding_loops().
-double largest_presliding_amplitude_N(const ContactParameters& contact, double frequency_Hz);
+double largest_presliding_amplitude_N(const friction::ContactParameters& contact,
+                                      double frequency_Hz);
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -4,7 +4,7 @@
 
 #include "friction/catalogue.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 std::vector<OscillationExperiment> spread_over_motor_turn(const OscillationExperiment& oscillation,
                                                           std::size_t positions,
@@ -20,15 +20,15 @@ std::vector<OscillationExperiment> spread_over_motor_turn(const OscillationExper
   return all;
 }
 
-const FrictionModel& Scenario::sliding_model() const {
+const friction::FrictionModel& Scenario::sliding_model() const {
   if (sliding) return *sliding;
   return *presliding;
 }
 
-std::shared_ptr<const StaticFriction> Scenario::known_curve() const {
+std::shared_ptr<const friction::StaticFriction> Scenario::known_curve() const {
   if (sliding) return sliding;
-  if (dynamic_friction_model(presliding->name()).traits.remembers_rest) return nullptr;
-  return std::make_shared<SteadyFriction>(presliding);
+  if (friction::dynamic_friction_model(presliding->name()).traits.remembers_rest) return nullptr;
+  return std::make_shared<friction::SteadyFriction>(presliding);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

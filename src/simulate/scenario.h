@@ -11,7 +11,7 @@
 #include "friction/static_friction.h"
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 /// A slow motion at constant speed from one angle to another, with smooth starts and stops.
 struct SweepExperiment {
@@ -104,13 +104,14 @@ struct Scenario {
   double gear_ratio{1.0};       ///< n > 0
   double motor_inertia_kgm2{};  ///< J of motor and gear, at the motor shaft, >= 0.
   double arm_inertia_kgm2{};    ///< I about the joint's axis, >= 0.
-  GravityLoad load{1.0, 1.0, 0.0};
+  joint::GravityLoad load{1.0, 1.0, 0.0};
   /// Drives the oscillation; one of dynamic_friction_models(), never null. Only LuGre records its
   /// bristle: the others have none that would compare.
-  std::shared_ptr<const DynamicFriction> presliding =
-      std::make_shared<LuGreFriction>(LuGreFriction::Parameters{1.0, 0.0, 0.0, 1.0, 1.0, 1.0});
+  std::shared_ptr<const friction::DynamicFriction> presliding =
+      std::make_shared<friction::LuGreFriction>(
+          friction::LuGreFriction::Parameters{1.0, 0.0, 0.0, 1.0, 1.0, 1.0});
   /// Drives sweeps and runs; null: the model above does, unloaded at the start of each recording.
-  std::shared_ptr<const StaticFriction> sliding;
+  std::shared_ptr<const friction::StaticFriction> sliding;
   double surrogate_distance_m{0.5};
   std::optional<SweepExperiment> rough_sweep;
   std::optional<SweepExperiment> precise_sweep;
@@ -124,10 +125,10 @@ struct Scenario {
   LogForm log;
 
   /// The model that drives sweeps and runs.
-  [[nodiscard]] const FrictionModel& sliding_model() const;
+  [[nodiscard]] const friction::FrictionModel& sliding_model() const;
   /// Its torque at constant speed: what an identification should find. Null where that depends on
   /// more than the speed (FrictionTraits::remembers_rest).
-  [[nodiscard]] std::shared_ptr<const StaticFriction> known_curve() const;
+  [[nodiscard]] std::shared_ptr<const friction::StaticFriction> known_curve() const;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

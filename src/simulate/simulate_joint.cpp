@@ -15,12 +15,12 @@
 #include "simulate/friction_response.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 namespace {
 
-Recording empty_recording(std::string name, Role role, std::size_t samples) {
-  Recording recording;
+joint::Recording empty_recording(std::string name, joint::Role role, std::size_t samples) {
+  joint::Recording recording;
   recording.name = std::move(name);
   recording.role = role;
   recording.t_s.reserve(samples);
@@ -54,10 +54,10 @@ std::vector<double> sliding_torque(const Scenario& s, const Motion& joint, doubl
 }
 
 /// A motion in which the joint slides, from time 0 on.
-Recording sliding(const Scenario& s, const Motion& motion, std::size_t samples,
-                  double sample_rate_Hz, std::string name, Role role) {
+joint::Recording sliding(const Scenario& s, const Motion& motion, std::size_t samples,
+                         double sample_rate_Hz, std::string name, joint::Role role) {
   const std::vector<double> friction = sliding_torque(s, motion, 1 / sample_rate_Hz, samples);
-  Recording r = empty_recording(std::move(name), role, samples);
+  joint::Recording r = empty_recording(std::move(name), role, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / sample_rate_Hz;
     const double q = motion.angle(t);
@@ -70,8 +70,8 @@ Recording sliding(const Scenario& s, const Motion& motion, std::size_t samples,
 }
 
 /// A there-and-back travel.
-Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
-                 std::string name, Role role) {
+joint::Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sample_rate_Hz,
+                        std::string name, joint::Role role) {
   require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
   const TravelMotion motion(plan);
   const auto samples =
@@ -79,7 +79,8 @@ Recording travel(const Scenario& s, const TravelMotion::Plan& plan, double sampl
   return sliding(s, motion, samples, sample_rate_Hz, std::move(name), role);
 }
 
-Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name, Role role) {
+joint::Recording sweep(const Scenario& s, const SweepExperiment& e, std::string name,
+                       joint::Role role) {
   return travel(s, {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions},
                 e.sample_rate_Hz, std::move(name), role);
 }
@@ -92,20 +93,20 @@ std::size_t samples_of_cycles(double cycles, double frequency_Hz, double sample_
   return static_cast<std::size_t>(std::floor(cycles / frequency_Hz * sample_rate_Hz + 1e-9)) + 1;
 }
 
-Recording sine_sweep(const Scenario& s, const SineSweepExperiment& e) {
+joint::Recording sine_sweep(const Scenario& s, const SineSweepExperiment& e) {
   require_positive(e.amplitude_rad, "amplitude", "rad");
   const HarmonicMotion motion(e.centre_rad, e.frequency_Hz, {{-e.amplitude_rad, 0}});
   return sliding(s, motion, samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz),
-                 e.sample_rate_Hz, "sine_sweep.csv", Role::rough_sweep);
+                 e.sample_rate_Hz, "sine_sweep.csv", joint::Role::rough_sweep);
 }
 
-Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
+joint::Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::string name) {
   require_positive(e.amplitude_rad, "amplitude", "rad");
   const double n = s.gear_ratio;
   const auto motor = HarmonicMotion::sine(n * e.centre_rad, n * e.amplitude_rad, e.frequency_Hz);
   const std::size_t samples = samples_of_cycles(e.cycles, e.frequency_Hz, e.sample_rate_Hz);
   const double dt = 1 / e.sample_rate_Hz;
-  const auto* lugre = dynamic_cast<const LuGreFriction*>(s.presliding.get());
+  const auto* lugre = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get());
   std::vector<double> z(lugre != nullptr ? samples : 0);
   std::vector<double> dz(z.size());
   std::vector<double> torque(lugre != nullptr ? 0 : samples);
@@ -115,7 +116,7 @@ Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::st
     std::vector<double> state = s.presliding->unloaded();
     friction_response(*s.presliding, motor, 0.0, dt, state, torque);
   }
-  Recording r = empty_recording(std::move(name), Role::oscillation, samples);
+  joint::Recording r = empty_recording(std::move(name), joint::Role::oscillation, samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / e.sample_rate_Hz;
     const double q = motor.angle(t) / n;
@@ -133,13 +134,14 @@ Recording oscillation(const Scenario& s, const OscillationExperiment& e, std::st
   return r;
 }
 
-Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e, std::size_t index) {
+joint::Recording constant_speed(const Scenario& s, const ConstantSpeedExperiment& e,
+                                std::size_t index) {
   const double motor_speed = e.motor_speeds_rad_s[index];
   require_positive(motor_speed, "motor_speeds_rad_s", "rad/s");
   require_positive(e.largest_travel_rad, "largest_travel_rad", "rad");
   require_positive(e.longest_plateau_s, "longest_plateau_s", "s");
   return travel(s, run_at(motor_speed, e, s.gear_ratio), e.sample_rate_Hz,
-                fmt::format("constant_speed_{:02}.csv", index + 1), Role::constant_speed);
+                fmt::format("constant_speed_{:02}.csv", index + 1), joint::Role::constant_speed);
 }
 
 }  // namespace
@@ -159,14 +161,14 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
   require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");
   std::vector<IdealRecording> recordings;
-  const auto keep = [&](Recording recording, double rate) {
+  const auto keep = [&](joint::Recording recording, double rate) {
     recordings.push_back({std::move(recording), rate});
   };
   if (const auto& e = scenario.rough_sweep) {
-    keep(sweep(scenario, *e, "rough_sweep.csv", Role::rough_sweep), e->sample_rate_Hz);
+    keep(sweep(scenario, *e, "rough_sweep.csv", joint::Role::rough_sweep), e->sample_rate_Hz);
   }
   if (const auto& e = scenario.precise_sweep) {
-    keep(sweep(scenario, *e, "precise_sweep.csv", Role::precise_sweep), e->sample_rate_Hz);
+    keep(sweep(scenario, *e, "precise_sweep.csv", joint::Role::precise_sweep), e->sample_rate_Hz);
   }
   if (const auto& e = scenario.sine_sweep) keep(sine_sweep(scenario, *e), e->sample_rate_Hz);
   if (const auto& first = scenario.oscillation) {
@@ -188,12 +190,12 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   }
   if (const auto& e = scenario.break_away) {
     const std::size_t directions = e->both_directions ? 2 : 1;
-    std::vector<Recording> ramps;  // repeats differ by the drive's noise alone
+    std::vector<joint::Recording> ramps;  // repeats differ by the drive's noise alone
     for (std::size_t d = 0; d < directions; ++d) {
       ramps.push_back(simulate_break_away_ramp(scenario, *e, d == 0 ? 1.0 : -1.0, ""));
     }
     for (std::size_t k = 0; k < e->repeats * directions; ++k) {
-      Recording ramp = ramps[k % directions];
+      joint::Recording ramp = ramps[k % directions];
       ramp.name = fmt::format("break_away_{:02}.csv", k + 1);
       keep(std::move(ramp), e->sample_rate_Hz);
     }
@@ -201,9 +203,9 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
   return recordings;
 }
 
-std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
-                                  double gear_ratio) {
-  std::vector<Recording> recordings;
+std::vector<joint::Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
+                                         double gear_ratio) {
+  std::vector<joint::Recording> recordings;
   for (std::size_t i = 0; i < ideal.size(); ++i) {
     recordings.push_back(std::move(ideal[i].recording));
     add_drive_noise(recordings.back(), noise, gear_ratio, ideal[i].sample_rate_Hz, i);
@@ -211,18 +213,20 @@ std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise
   return recordings;
 }
 
-std::vector<Recording> simulate_joint(const Scenario& scenario) {
+std::vector<joint::Recording> simulate_joint(const Scenario& scenario) {
   return with_noise(simulate_ideal_joint(scenario), scenario.noise, scenario.gear_ratio);
 }
 
-Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recordings) {
-  Dataset dataset;
-  Manifest& manifest = dataset.manifest;
+joint::Dataset simulated_dataset(const Scenario& scenario,
+                                 std::vector<joint::Recording> recordings) {
+  joint::Dataset dataset;
+  joint::Manifest& manifest = dataset.manifest;
   manifest.robot = scenario.robot;
   manifest.serial = scenario.serial;
   manifest.joint = scenario.joint;
   manifest.note = "simulated: " + scenario.name;
-  manifest.drive = Drive(scenario.gear_ratio, EffortKind::motor_torque, Side::motor);
+  manifest.drive =
+      joint::Drive(scenario.gear_ratio, joint::EffortKind::motor_torque, joint::Side::motor);
   manifest.surrogate_distance_m = scenario.surrogate_distance_m;
   manifest.gravity_m_s2 = scenario.load.gravity_m_s2();
   manifest.reference = scenario.known_curve();
@@ -230,8 +234,8 @@ Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recor
   return dataset;
 }
 
-Dataset simulated_dataset(const Scenario& scenario) {
+joint::Dataset simulated_dataset(const Scenario& scenario) {
   return simulated_dataset(scenario, simulate_joint(scenario));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

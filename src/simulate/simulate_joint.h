@@ -14,7 +14,7 @@
 #include "simulate/motion.h"
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 /// The motion of one run at constant speed.
 TravelMotion::Plan run_at(double motor_speed_rad_s, const ConstantSpeedExperiment& experiment,
@@ -22,7 +22,7 @@ TravelMotion::Plan run_at(double motor_speed_rad_s, const ConstantSpeedExperimen
 
 /// A recording of true signals, as an ideal drive would log it.
 struct IdealRecording {
-  Recording recording;
+  joint::Recording recording;
   double sample_rate_Hz{};
 };
 
@@ -33,8 +33,8 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario);
 /// The same with noise laid on: simulate_joint() in two steps, so that many runs of the same
 /// motions can share the first.
 /// @throw std::invalid_argument if a noise quantity is negative or not finite.
-std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
-                                  double gear_ratio);
+std::vector<joint::Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
+                                         double gear_ratio);
 
 /// The recordings in the order rough, precise, sine sweep, oscillations, constant speeds, ramps (as
 /// asked for by the scenario). Names are file names such as "rough_sweep.csv" and
@@ -42,16 +42,17 @@ std::vector<Recording> with_noise(std::vector<IdealRecording> ideal, const Noise
 /// machine.
 /// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or
 /// where there is no friction model.
-std::vector<Recording> simulate_joint(const Scenario& scenario);
+std::vector<joint::Recording> simulate_joint(const Scenario& scenario);
 
 // A scenario to a dataset, without files in between.
 
 /// The recordings of simulate_joint() with the facts that a manifest would state: motor torque at
 /// the motor, and the friction that was simulated as the known curve. Inputs are empty.
 /// @throw std::invalid_argument as simulate_joint().
-Dataset simulated_dataset(const Scenario& scenario);
+joint::Dataset simulated_dataset(const Scenario& scenario);
 
 /// The same for recordings of it that were made already.
-Dataset simulated_dataset(const Scenario& scenario, std::vector<Recording> recordings);
+joint::Dataset simulated_dataset(const Scenario& scenario,
+                                 std::vector<joint::Recording> recordings);
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -7,7 +7,7 @@
 #include <sundials/sundials_context.h>
 #endif
 
-namespace tribolog {
+namespace tribolog::simulate {
 
 #if SUNDIALS_VERSION_MAJOR >= 6
 
@@ -44,4 +44,4 @@ class [[maybe_unused]] SunContext {};
 
 #endif
 
-}  // namespace tribolog
+}  // namespace tribolog::simulate

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace tribolog::bootstrap {
+namespace tribolog::statistics {
 namespace {
 
 /// Gamma variate of the given shape >= 1 and scale 1: G. Marsaglia and W. W. Tsang, ACM
@@ -51,4 +51,4 @@ double resampled_mean_shift(const std::vector<double>& values, const std::vector
   return shift * std::sqrt(n / (n - 1));
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::statistics

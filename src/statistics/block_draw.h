@@ -13,7 +13,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::statistics {
 
 /// How often each of `blocks` was drawn, in `blocks` draws with replacement, less 1.
 std::vector<double> centred_counts(RandomStream& random, std::size_t blocks);
@@ -26,4 +26,4 @@ double few_blocks_scale(RandomStream& random, double freedom);
 /// few_blocks_scale().
 double resampled_mean_shift(const std::vector<double>& values, const std::vector<double>& counts);
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::statistics

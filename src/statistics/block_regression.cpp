@@ -10,7 +10,7 @@
 
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::statistics {
 namespace {
 
 /// The blocks in coordinates in which the coefficients of white errors are white.
@@ -185,4 +185,4 @@ std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group,
   return blocks;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -19,7 +19,7 @@
 
 #include <Eigen/Core>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 struct BlockRegression {
   Eigen::VectorXd coefficients;
@@ -51,4 +51,4 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
 /// run of equal `group`, but none smaller than 5 rows.
 std::vector<std::size_t> equal_blocks(const std::vector<std::size_t>& group, std::size_t per_group);
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

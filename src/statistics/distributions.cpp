@@ -7,7 +7,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 double student_t_975(double degrees_of_freedom) {
   namespace math = boost::math;
@@ -17,10 +17,6 @@ double student_t_975(double degrees_of_freedom) {
   return math::quantile(math::students_t_distribution<double, InDouble>(degrees_of_freedom), 0.975);
 }
 
-}  // namespace tribolog
-
-namespace tribolog::history {
-
 double normal_score(double t, double freedom) {
   namespace math = boost::math;
   if (!std::isfinite(t)) return std::isnan(t) ? 0 : std::copysign(37.0, t);
@@ -29,4 +25,4 @@ double normal_score(double t, double freedom) {
   return std::copysign(-math::quantile(math::normal(), std::clamp(tail, smallest, 0.5)), t);
 }
 
-}  // namespace tribolog::history
+}  // namespace tribolog::statistics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 Estimate symmetric_estimate(double value, double half_width, std::string method) {
   const double h = std::abs(half_width);
@@ -30,4 +30,4 @@ std::string to_string(StageState state) {
   return "unknown";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

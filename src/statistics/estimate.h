@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// An estimate with a 95 % interval. `low <= estimate <= high`.
 struct Estimate {
@@ -36,4 +36,4 @@ struct StageReport {
   std::string reason;  ///< Words for the user; empty only if done.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 namespace {
 
@@ -51,4 +51,4 @@ LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

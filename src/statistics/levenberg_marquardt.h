@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 // What a nonlinear fit looks like next to its solution: all that resampling its residuals needs.
 //
@@ -68,4 +68,4 @@ LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem,
                                          const Eigen::VectorXd& start,
                                          const LeastSquaresLimits& limits = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 std::size_t half_window_of_slope(std::size_t samples) {
   constexpr std::size_t windows_in_recording = 500;
@@ -42,4 +42,4 @@ double cut_off_of_slope_Hz(std::size_t h, double interval_s) {
   return at_half_power / (static_cast<double>(h) * interval_s);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

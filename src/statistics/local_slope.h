@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// h for a recording of so many samples: a five-hundredth of it on both sides together, at least 3.
 std::size_t half_window_of_slope(std::size_t samples);
@@ -26,4 +26,4 @@ std::vector<double> local_slope(const std::vector<double>& t, const std::vector<
 /// @param interval_s between samples, > 0.
 double cut_off_of_slope_Hz(std::size_t h, double interval_s);
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -11,7 +11,7 @@
 
 #include <boost/math/distributions/normal.hpp>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -25,10 +25,6 @@ double median_interval(const std::vector<double>& rising) {
   for (std::size_t i = 1; i < rising.size(); ++i) intervals.push_back(rising[i] - rising[i - 1]);
   return median(std::move(intervals));
 }
-
-}  // namespace tribolog
-
-namespace tribolog::bootstrap {
 
 namespace {
 
@@ -73,10 +69,6 @@ Estimate root_mean_square_interval(double estimate, std::vector<double> values) 
   return {estimate, std::min(estimate, root(squares.low)), std::max(estimate, root(squares.high)),
           squares.method};
 }
-
-}  // namespace tribolog::bootstrap
-
-namespace tribolog::archive {
 
 namespace {
 
@@ -132,4 +124,4 @@ double deviate_of(double probability) {
   return -boost::math::quantile(boost::math::normal(), probability / 2);
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::statistics

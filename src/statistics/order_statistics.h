@@ -6,17 +6,13 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// The middle value (the upper one of two); NaN of nothing.
 double median(std::vector<double> values);
 
 /// Of the differences of neighbours: the interval of a clock. NaN of fewer than two values.
 double median_interval(const std::vector<double>& rising);
-
-}  // namespace tribolog
-
-namespace tribolog::bootstrap {
 
 // The ends of a 95 % interval from resampled values.
 
@@ -27,10 +23,6 @@ Estimate percentile_interval(double estimate, std::vector<double> values);
 /// The same for a root mean square. Noise can only enlarge one, in the data as in each resample:
 /// what it adds to the mean of squares is taken off twice, and the lower end may be zero.
 Estimate root_mean_square_interval(double estimate, std::vector<double> values);
-
-}  // namespace tribolog::bootstrap
-
-namespace tribolog::archive {
 
 // Centre, scatter and distance that a few outliers do not move.
 
@@ -50,4 +42,4 @@ double scatter_freedom(std::size_t values);
 /// (between 0 and 1, both excluded).
 double deviate_of(double probability);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::statistics

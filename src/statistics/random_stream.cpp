@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::statistics {
 namespace {
 
 /// SplitMix64's finaliser: neighbouring inputs give unrelated outputs.
@@ -39,4 +39,4 @@ double RandomStream::normal() {
   return u * factor;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

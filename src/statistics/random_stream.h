@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 class RandomStream {
  public:
@@ -22,4 +22,4 @@ class RandomStream {
   bool has_spare_{false};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

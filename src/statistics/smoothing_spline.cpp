@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::statistics {
 namespace {
 
 /// Symmetric, two diagonals beside the main one.
@@ -308,4 +308,4 @@ SmoothingSpline::Point SmoothingSpline::at(double t) const {
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// Points of a curve, in the order of time.
 struct CurvePoints {
@@ -52,4 +52,4 @@ class SmoothingSpline {
   double weight_{};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

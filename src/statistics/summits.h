@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// The largest values of a signal over stretches, over stretches of stretches, and so on.
 class Summits {
@@ -55,4 +55,4 @@ class Summits {
   std::vector<std::vector<double>> levels_;  // the signal first
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -6,7 +6,7 @@
 
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::statistics {
 namespace {
 
 constexpr double gain = 20;  // 1 + 9 + 9 + 1
@@ -34,4 +34,4 @@ double white_sd_beside_jumps(std::vector<double> third_differences) {
   return normal_sd_by_median_size * median(std::move(third_differences)) / std::sqrt(gain);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::statistics {
 
 /// Standard deviation of normal noise by the median of its sizes.
 inline constexpr double normal_sd_by_median_size = 1.4826;
@@ -23,4 +23,4 @@ double white_variance(const std::vector<double>& third_differences);
 /// jumps; 0 of none.
 double white_sd_beside_jumps(std::vector<double> third_differences);
 
-}  // namespace tribolog
+}  // namespace tribolog::statistics

@@ -9,7 +9,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::study {
 namespace {
 
 // Realistic noise as shares of the gravity torque of the joint that it is stated for, 3.883 N·m.
@@ -21,10 +21,12 @@ constexpr std::size_t ripple_positions = 8;
 constexpr const char* without_runs =
     "The precise sweep and the runs at constant speed, which it does not touch, are left out.";
 
-double motor_gravity_Nm(const Scenario& s) { return s.load.amplitude_Nm() / s.gear_ratio; }
+double motor_gravity_Nm(const simulate::Scenario& s) {
+  return s.load.amplitude_Nm() / s.gear_ratio;
+}
 
 /// Sets one number of a scenario.
-using Setting = std::function<void(Scenario&, double)>;
+using Setting = std::function<void(simulate::Scenario&, double)>;
 
 /// How a factor's levels are made: `value = base value * multiple`.
 struct Scale {
@@ -35,7 +37,7 @@ struct Scale {
   double axis_factor;  ///< From SI to the axis' unit.
 };
 
-void add_levels(const Scenario& start, const std::string& start_name, const Scale& scale,
+void add_levels(const simulate::Scenario& start, const std::string& start_name, const Scale& scale,
                 StudyFactor& factor) {
   for (const double multiple : scale.multiples) {
     const double value = scale.base_value * multiple;
@@ -53,8 +55,8 @@ constexpr const char* whole_base = "base case";
 constexpr const char* short_base = "base case, rough sweep and oscillation";
 
 /// What a factor of the oscillation needs.
-Scenario without_unneeded(const Scenario& base) {
-  Scenario s = base;
+simulate::Scenario without_unneeded(const simulate::Scenario& base) {
+  simulate::Scenario s = base;
   s.precise_sweep.reset();
   s.constant_speed.reset();
   return s;
@@ -62,7 +64,7 @@ Scenario without_unneeded(const Scenario& base) {
 
 std::string torque_text(double value_Nm) { return fmt::format("{:.4g} mN·m", 1e3 * value_Nm); }
 
-StudyFactor noise_factor(const Scenario& base) {
+StudyFactor noise_factor(const simulate::Scenario& base) {
   StudyFactor factor{"torque_noise",
                      "White torque noise",
                      "white torque noise, standard deviation [mN·m]",
@@ -72,14 +74,14 @@ StudyFactor noise_factor(const Scenario& base) {
   add_levels(base, whole_base,
              {base.noise.torque_white_Nm,
               {0, 0.5, 1, 2, 4, 8},
-              [](Scenario& s, double v) { s.noise.torque_white_Nm = v; },
+              [](simulate::Scenario& s, double v) { s.noise.torque_white_Nm = v; },
               torque_text,
               1e3},
              factor);
   return factor;
 }
 
-StudyFactor step_factor(const Scenario& base) {
+StudyFactor step_factor(const simulate::Scenario& base) {
   StudyFactor factor{"torque_step",
                      "Torque quantisation",
                      "torque step [mN·m]",
@@ -89,14 +91,14 @@ StudyFactor step_factor(const Scenario& base) {
   add_levels(base, whole_base,
              {base.noise.torque_step_Nm,
               {0, 1, 4, 16, 40},
-              [](Scenario& s, double v) { s.noise.torque_step_Nm = v; },
+              [](simulate::Scenario& s, double v) { s.noise.torque_step_Nm = v; },
               torque_text,
               1e3},
              factor);
   return factor;
 }
 
-StudyFactor encoder_factor(const Scenario& base) {
+StudyFactor encoder_factor(const simulate::Scenario& base) {
   StudyFactor factor{"encoder",
                      "Encoder resolution",
                      "encoder resolution [bits of one motor turn]",
@@ -106,7 +108,7 @@ StudyFactor encoder_factor(const Scenario& base) {
   add_levels(base, whole_base,
              {base.noise.encoder_counts_per_turn,
               {1.0 / 16, 1.0 / 8, 1.0 / 4, 1, 4},
-              [](Scenario& s, double v) { s.noise.encoder_counts_per_turn = v; },
+              [](simulate::Scenario& s, double v) { s.noise.encoder_counts_per_turn = v; },
               [](double v) { return fmt::format("{:.0f} counts", v); },
               1},
              factor);
@@ -115,12 +117,12 @@ StudyFactor encoder_factor(const Scenario& base) {
 }
 
 /// Ripple at 1 and at 6 periods a motor turn, of the same amplitude.
-void set_ripple(Scenario& s, double amplitude_Nm) {
+void set_ripple(simulate::Scenario& s, double amplitude_Nm) {
   s.noise.ripple.clear();
   if (amplitude_Nm > 0) s.noise.ripple = {{amplitude_Nm, 1, 0}, {amplitude_Nm, 6, 0}};
 }
 
-StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
+StudyFactor ripple_factor(const simulate::Scenario& base, std::size_t positions) {
   const bool is_one = positions == 1;
   StudyFactor factor{
       is_one ? "ripple_one_position" : "ripple_eight_positions",
@@ -132,10 +134,11 @@ StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
                   without_runs),
       false,
       {}};
-  Scenario start = without_unneeded(base);
+  simulate::Scenario start = without_unneeded(base);
   start.further_oscillations.clear();
   if (!is_one) {
-    const auto all = spread_over_motor_turn(present(base.oscillation), positions, base.gear_ratio);
+    const auto all =
+        simulate::spread_over_motor_turn(present(base.oscillation), positions, base.gear_ratio);
     start.further_oscillations.assign(all.begin() + 1, all.end());
   }
   const Scale scale{usual_noise_share * motor_gravity_Nm(base),
@@ -157,14 +160,14 @@ StudyFactor ripple_factor(const Scenario& base, std::size_t positions) {
 }
 
 /// Sets one number of every oscillation.
-Setting for_each_oscillation(double OscillationExperiment::* number) {
-  return [number](Scenario& s, double value) {
+Setting for_each_oscillation(double simulate::OscillationExperiment::* number) {
+  return [number](simulate::Scenario& s, double value) {
     (*s.oscillation).*number = value;
-    for (OscillationExperiment& e : s.further_oscillations) e.*number = value;
+    for (simulate::OscillationExperiment& e : s.further_oscillations) e.*number = value;
   };
 }
 
-StudyFactor amplitude_factor(const Scenario& base) {
+StudyFactor amplitude_factor(const simulate::Scenario& base) {
   StudyFactor factor{
       "amplitude",
       "Amplitude of the oscillation",
@@ -177,14 +180,14 @@ StudyFactor amplitude_factor(const Scenario& base) {
   add_levels(without_unneeded(base), short_base,
              {present(base.oscillation).amplitude_rad,
               {0.1, 0.3, 1, 3, 10},
-              for_each_oscillation(&OscillationExperiment::amplitude_rad),
+              for_each_oscillation(&simulate::OscillationExperiment::amplitude_rad),
               [](double v) { return fmt::format("{:.4g} µrad", 1e6 * v); },
               1e6},
              factor);
   return factor;
 }
 
-StudyFactor cycles_factor(const Scenario& base) {
+StudyFactor cycles_factor(const simulate::Scenario& base) {
   StudyFactor factor{
       "cycles",
       "Cycles of the oscillation",
@@ -200,7 +203,7 @@ StudyFactor cycles_factor(const Scenario& base) {
   }
   std::sort(multiples.begin(), multiples.end());
   add_levels(without_unneeded(base), short_base,
-             {stated, multiples, for_each_oscillation(&OscillationExperiment::cycles),
+             {stated, multiples, for_each_oscillation(&simulate::OscillationExperiment::cycles),
               [](double v) { return fmt::format("{:.4g} cycles", v); }, 1},
              factor);
   return factor;
@@ -208,8 +211,8 @@ StudyFactor cycles_factor(const Scenario& base) {
 
 }  // namespace
 
-Scenario study_base(const Scenario& scenario) {
-  Scenario base = scenario;
+simulate::Scenario study_base(const simulate::Scenario& scenario) {
+  simulate::Scenario base = scenario;
   const double gravity = motor_gravity_Nm(scenario);
   if (!(base.noise.torque_white_Nm > 0)) base.noise.torque_white_Nm = usual_noise_share * gravity;
   if (!(base.noise.torque_step_Nm > 0)) base.noise.torque_step_Nm = usual_step_share * gravity;
@@ -218,11 +221,11 @@ Scenario study_base(const Scenario& scenario) {
   }
   base.break_away.reset();
   if (base.oscillation) base.oscillation->record_bristle = false;
-  for (OscillationExperiment& e : base.further_oscillations) e.record_bristle = false;
+  for (simulate::OscillationExperiment& e : base.further_oscillations) e.record_bristle = false;
   return base;
 }
 
-std::vector<StudyFactor> study_factors(const Scenario& base) {
+std::vector<StudyFactor> study_factors(const simulate::Scenario& base) {
   std::vector<StudyFactor> factors{noise_factor(base), step_factor(base), encoder_factor(base)};
   if (base.oscillation) {
     factors.push_back(ripple_factor(base, 1));
@@ -233,4 +236,4 @@ std::vector<StudyFactor> study_factors(const Scenario& base) {
   return factors;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::study

@@ -6,7 +6,7 @@
 
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::study {
 
 /// One setting of a factor.
 struct StudyLevel {
@@ -14,7 +14,7 @@ struct StudyLevel {
   std::string text;  ///< "20 mN·m", "131072 counts"
   bool is_base{};
   std::string case_name;  ///< Levels of one name, of any factors, are one case: it is run once.
-  Scenario scenario;
+  simulate::Scenario scenario;
 };
 
 struct StudyFactor {
@@ -35,11 +35,11 @@ struct StudyFactor {
 /// them: the precise sweep and the runs at constant speed take no part where the oscillation alone
 /// is changed. The rough sweep always does: the angle of the peak and the ripple that widens the
 /// intervals come from it.
-std::vector<StudyFactor> study_factors(const Scenario& base);
+std::vector<StudyFactor> study_factors(const simulate::Scenario& base);
 
 /// The scenario as the study takes it: no bristle deflection in the log, which no drive measures,
 /// no break-away ramps, which none of its estimators reads, and noise as above where none is
 /// stated.
-Scenario study_base(const Scenario& scenario);
+simulate::Scenario study_base(const simulate::Scenario& scenario);
 
-}  // namespace tribolog
+}  // namespace tribolog::study

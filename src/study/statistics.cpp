@@ -9,7 +9,7 @@
 
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -27,9 +27,10 @@ Share wilson_share(std::size_t hits, std::size_t trials) {
   }
   const auto n = static_cast<double>(trials);
   const double p = static_cast<double>(hits) / n;
-  const double z2 = normal_975 * normal_975;
+  const double z2 = statistics::normal_975 * statistics::normal_975;
   const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double reach = normal_975 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+  const double reach =
+      statistics::normal_975 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
   return {p, std::clamp(centre - reach, 0.0, p), std::clamp(centre + reach, p, 1.0)};
 }
 
@@ -50,7 +51,7 @@ bool ErrorStatistics::intervals_too_wide() const {
   return found > 0 && coverage.low > highest_honest;
 }
 
-ErrorStatistics error_statistics(const std::vector<Estimate>& estimates, double truth,
+ErrorStatistics error_statistics(const std::vector<statistics::Estimate>& estimates, double truth,
                                  std::size_t runs) {
   ErrorStatistics out{runs, estimates.size(), truth, nan, nan, nan, nan, nan, {nan, nan, nan}};
   if (estimates.empty()) return out;
@@ -59,7 +60,7 @@ ErrorStatistics error_statistics(const std::vector<Estimate>& estimates, double 
   double sum = 0;
   double width = 0;
   std::size_t inside = 0;
-  for (const Estimate& e : estimates) {
+  for (const statistics::Estimate& e : estimates) {
     sum += e.value - truth;
     width += e.half_width();
     inside += e.low <= truth && truth <= e.high ? 1 : 0;
@@ -72,10 +73,11 @@ ErrorStatistics error_statistics(const std::vector<Estimate>& estimates, double 
   out.error_95 = sizes[static_cast<std::size_t>(std::ceil(0.95 * n)) - 1];
   if (estimates.size() < 2) return out;
   double squares = 0;
-  for (const Estimate& e : estimates) squares += std::pow(e.value - truth - out.bias, 2);
+  for (const statistics::Estimate& e : estimates)
+    squares += std::pow(e.value - truth - out.bias, 2);
   out.scatter = std::sqrt(squares / (n - 1));
   out.bias_standard_error = out.scatter / std::sqrt(n);
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::study

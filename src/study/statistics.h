@@ -10,7 +10,7 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::study {
 
 /// A share with its 95 % interval; 0 <= low <= value <= high <= 1.
 struct Share {
@@ -45,7 +45,7 @@ struct ErrorStatistics {
 };
 
 /// @param estimates one per run in which the quantity was found. @param runs as many or more.
-ErrorStatistics error_statistics(const std::vector<Estimate>& estimates, double truth,
+ErrorStatistics error_statistics(const std::vector<statistics::Estimate>& estimates, double truth,
                                  std::size_t runs);
 
-}  // namespace tribolog
+}  // namespace tribolog::study

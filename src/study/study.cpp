@@ -15,36 +15,38 @@
 #include "simulate/simulate_joint.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::study {
 namespace {
 
-Calibration identify_quietly(const Dataset& dataset, std::size_t resamples, std::uint64_t seed) {
-  tribolog::IdentifyOptions options;
+calibration::Calibration identify_quietly(const joint::Dataset& dataset, std::size_t resamples,
+                                          std::uint64_t seed) {
+  identify::IdentifyOptions options;
   options.resamples = resamples;
   options.seed = seed;
   options.threads = 1;  // the runs themselves are spread over the cores
   options.truth_runs = 0;
-  return identify(dataset, options);
+  return identify::identify(dataset, options);
 }
 
-StudiedCase run_case(const std::string& name, const Scenario& scenario,
-                     const std::vector<Reading>& truths, const StudyOptions& options) {
-  const std::vector<IdealRecording> ideal = simulate_ideal_joint(scenario);
-  std::vector<std::vector<Reading>> found(options.runs);
+StudiedCase run_case(const std::string& name, const simulate::Scenario& scenario,
+                     const std::vector<truth::Reading>& truths, const StudyOptions& options) {
+  const std::vector<simulate::IdealRecording> ideal = simulate::simulate_ideal_joint(scenario);
+  std::vector<std::vector<truth::Reading>> found(options.runs);
   parallel_for(
       options.runs,
       [&](std::size_t run) {
-        const Noise noise = noise_of_run(scenario.noise, options.seed, run);
-        const Dataset dataset =
-            simulated_dataset(scenario, with_noise(ideal, noise, scenario.gear_ratio));
-        found[run] = readings_of(identify_quietly(dataset, options.resamples, noise.seed));
+        const simulate::Noise noise = noise_of_run(scenario.noise, options.seed, run);
+        const joint::Dataset dataset = simulate::simulated_dataset(
+            scenario, simulate::with_noise(ideal, noise, scenario.gear_ratio));
+        found[run] = truth::readings_of(identify_quietly(dataset, options.resamples, noise.seed));
       },
       options.threads);
   StudiedCase out{name, {}};
-  for (const Reading& truth : truths) {
-    std::vector<Estimate> estimates;
-    for (const std::vector<Reading>& readings : found) {
-      if (const Reading* r = find_reading(readings, truth.name)) estimates.push_back(r->estimate);
+  for (const truth::Reading& truth : truths) {
+    std::vector<statistics::Estimate> estimates;
+    for (const std::vector<truth::Reading>& readings : found) {
+      if (const truth::Reading* r = truth::find_reading(readings, truth.name))
+        estimates.push_back(r->estimate);
     }
     if (estimates.empty()) continue;
     out.readings.push_back({truth.name, truth.quantity,
@@ -54,27 +56,27 @@ StudiedCase run_case(const std::string& name, const Scenario& scenario,
 }
 
 /// The scenario's own number for a reading, or nullopt where it states none.
-std::optional<double> stated_truth(const Scenario& s, const Reading& reading) {
-  if (reading.quantity == ReadingKind::gravity) return s.load.amplitude_Nm() / s.gear_ratio;
-  if (reading.quantity == ReadingKind::peak_angle) return s.load.q_peak_rad();
-  if (const auto* lugre = dynamic_cast<const LuGreFriction*>(s.presliding.get())) {
-    if (reading.quantity == ReadingKind::stiffness) {
+std::optional<double> stated_truth(const simulate::Scenario& s, const truth::Reading& reading) {
+  if (reading.quantity == truth::ReadingKind::gravity) return s.load.amplitude_Nm() / s.gear_ratio;
+  if (reading.quantity == truth::ReadingKind::peak_angle) return s.load.q_peak_rad();
+  if (const auto* lugre = dynamic_cast<const friction::LuGreFriction*>(s.presliding.get())) {
+    if (reading.quantity == truth::ReadingKind::stiffness) {
       return lugre->parameters().bristle_stiffness_Nm_rad;
     }
-    if (reading.quantity == ReadingKind::static_torque) return lugre->parameters().static_Nm;
+    if (reading.quantity == truth::ReadingKind::static_torque) return lugre->parameters().static_Nm;
   }
-  if (const auto* curve = dynamic_cast<const WaiboerFriction*>(s.sliding.get())) {
-    const WaiboerFriction::Parameters& p = curve->parameters();
+  if (const auto* curve = dynamic_cast<const friction::WaiboerFriction*>(s.sliding.get())) {
+    const friction::WaiboerFriction::Parameters& p = curve->parameters();
     switch (reading.quantity) {
-      case ReadingKind::asperity_torque:
+      case truth::ReadingKind::asperity_torque:
         return p.asperity_torque_Nm;
-      case ReadingKind::stribeck_speed:
+      case truth::ReadingKind::stribeck_speed:
         return p.stribeck_speed_rad_s;
-      case ReadingKind::stribeck_power:
+      case truth::ReadingKind::stribeck_power:
         return p.stribeck_power;
-      case ReadingKind::viscous_factor:
+      case truth::ReadingKind::viscous_factor:
         return p.viscous_coefficient;
-      case ReadingKind::viscous_power:
+      case truth::ReadingKind::viscous_power:
         return p.viscous_power;
       default:
         break;
@@ -117,33 +119,35 @@ const StudiedCase& StudyResult::case_of(const StudyLevel& level) const {
 
 const StudiedCase& StudyResult::base_case() const { return cases.front(); }
 
-Noise noise_of_run(const Noise& stated, std::uint64_t seed, std::size_t run) {
-  RandomStream random(seed, run);
-  Noise noise = stated;
+simulate::Noise noise_of_run(const simulate::Noise& stated, std::uint64_t seed, std::size_t run) {
+  statistics::RandomStream random(seed, run);
+  simulate::Noise noise = stated;
   constexpr double whole_numbers = 0x1p53;
   noise.seed = static_cast<std::uint64_t>(random.uniform() * whole_numbers);
-  for (Noise::Ripple& ripple : noise.ripple) {
+  for (simulate::Noise::Ripple& ripple : noise.ripple) {
     ripple.phase_rad = 2 * std::numbers::pi * random.uniform();
   }
   return noise;
 }
 
-std::vector<Reading> true_readings(const Scenario& scenario) {
-  Scenario ideal = scenario;
+std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario) {
+  simulate::Scenario ideal = scenario;
   ideal.noise = {};
-  return true_readings(scenario, simulated_dataset(ideal));
+  return true_readings(scenario, simulate::simulated_dataset(ideal));
 }
 
-std::vector<Reading> true_readings(const Scenario& scenario, const Dataset& ideal) {
-  std::vector<Reading> truths = readings_of(identify_quietly(ideal, 0, Noise{}.seed));
-  for (Reading& truth : truths) {
+std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario,
+                                          const joint::Dataset& ideal) {
+  std::vector<truth::Reading> truths =
+      truth::readings_of(identify_quietly(ideal, 0, simulate::Noise{}.seed));
+  for (truth::Reading& truth : truths) {
     const double value = stated_truth(scenario, truth).value_or(truth.estimate.value);
     truth.estimate = {value, value, value, "known"};
   }
   return truths;
 }
 
-StudyResult run_study(const Scenario& scenario, const StudyOptions& options,
+StudyResult run_study(const simulate::Scenario& scenario, const StudyOptions& options,
                       const StudyProgress& progress) {
   if (options.runs < 2) {
     throw std::invalid_argument(
@@ -153,7 +157,7 @@ StudyResult run_study(const Scenario& scenario, const StudyOptions& options,
   out.options = options;
   out.base = study_base(scenario);
   out.factors = chosen(study_factors(out.base), options.factors);
-  const std::vector<Reading> truths = true_readings(out.base);
+  const std::vector<truth::Reading> truths = true_readings(out.base);
   std::vector<const StudyLevel*> cases;
   for (const StudyFactor& factor : out.factors) {
     for (const StudyLevel& level : factor.levels) {
@@ -174,4 +178,4 @@ StudyResult run_study(const Scenario& scenario, const StudyOptions& options,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::study

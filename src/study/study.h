@@ -15,7 +15,7 @@
 #include "study/statistics.h"
 #include "truth/readings.h"
 
-namespace tribolog {
+namespace tribolog::study {
 
 struct StudyOptions {
   std::size_t runs{200};             ///< Of each case; >= 2.
@@ -28,7 +28,7 @@ struct StudyOptions {
 /// One estimator in one case.
 struct StudiedReading {
   std::string name;  ///< Of the reading, readings.h.
-  ReadingKind quantity{ReadingKind::gravity};
+  truth::ReadingKind quantity{truth::ReadingKind::gravity};
   ErrorStatistics errors;
 };
 
@@ -40,7 +40,7 @@ struct StudiedCase {
 
 struct StudyResult {
   StudyOptions options;
-  Scenario base;
+  simulate::Scenario base;
   std::vector<StudyFactor> factors;
   std::vector<StudiedCase> cases;  ///< Each once; levels refer to them by name.
 
@@ -55,13 +55,14 @@ struct StudyResult {
 /// (Coulomb, viscous), the sweep's friction and eq. (6) where another law was simulated have no
 /// truth of their own: theirs is what the chain finds without any noise in the same motions, so
 /// that noise alone is judged. A name that has no truth is absent.
-std::vector<Reading> true_readings(const Scenario& scenario);
+std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario);
 /// The same from other motions of that joint: the dataset is of the scenario's joint, without
 /// noise.
-std::vector<Reading> true_readings(const Scenario& scenario, const Dataset& ideal);
+std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario,
+                                          const joint::Dataset& ideal);
 
 /// The noise of one run: a seed of its own, and ripple at phases of its own.
-Noise noise_of_run(const Noise& stated, std::uint64_t seed, std::size_t run);
+simulate::Noise noise_of_run(const simulate::Noise& stated, std::uint64_t seed, std::size_t run);
 
 /// Called before each case with (done, all).
 using StudyProgress =
@@ -69,7 +70,7 @@ using StudyProgress =
 
 /// @throw std::invalid_argument for fewer than two runs, for a factor that the scenario does not
 /// have (naming those it has), or as simulate_joint().
-StudyResult run_study(const Scenario& scenario, const StudyOptions& options = {},
+StudyResult run_study(const simulate::Scenario& scenario, const StudyOptions& options = {},
                       const StudyProgress& progress = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::study

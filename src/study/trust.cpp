@@ -8,7 +8,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::study {
 namespace {
 
 std::size_t base_level(const StudyFactor& factor) {
@@ -40,7 +40,7 @@ bool is_found_mostly(const StudiedCase& studied, const std::string& reading) {
 std::string bias_words(const ErrorStatistics& e) {
   const std::string numbers = fmt::format("{:+.3f} ± {:.3f} %", percent(e.bias, e.truth),
                                           percent(e.bias_standard_error, e.truth));
-  const bool biased = e.is_biased(practical_bounds(ReadingKind::gravity, e.truth).fine);
+  const bool biased = e.is_biased(practical_bounds(truth::ReadingKind::gravity, e.truth).fine);
   return biased ? "biased by " + numbers : "free of bias that matters (" + numbers + ")";
 }
 
@@ -48,12 +48,13 @@ void add_bias_findings(const StudiedCase& base, std::vector<std::string>& findin
   std::vector<std::string> biased;
   std::vector<std::string> unbiased;
   for (const StudiedReading& r : base.readings) {
-    if (r.quantity != ReadingKind::gravity) continue;
+    if (r.quantity != truth::ReadingKind::gravity) continue;
     const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
     if (is_extreme) continue;  // their pair means stand for them
-    const std::string words = fmt::format("{} {}", reading_words(r.name), bias_words(r.errors));
+    const std::string words =
+        fmt::format("{} {}", truth::reading_words(r.name), bias_words(r.errors));
     const bool is_biased =
-        r.errors.is_biased(practical_bounds(ReadingKind::gravity, r.errors.truth).fine);
+        r.errors.is_biased(practical_bounds(truth::ReadingKind::gravity, r.errors.truth).fine);
     (is_biased ? biased : unbiased).push_back(words);
   }
   if (!biased.empty()) {
@@ -81,8 +82,8 @@ void add_steady_finding(const StudiedCase& base, std::vector<std::string>& findi
 void add_limits(const StudyResult& study, const std::string& reading, Criterion criterion,
                 const char* promise, std::vector<std::string>& findings) {
   if (!holds(study.base_case(), reading, criterion)) {
-    findings.push_back(
-        fmt::format("{} {} in the base case already.", capital(reading_words(reading)), promise));
+    findings.push_back(fmt::format("{} {} in the base case already.",
+                                   capital(truth::reading_words(reading)), promise));
     return;
   }
   std::vector<std::string> limits;
@@ -97,7 +98,7 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
     if (range.at_base && range.lowest > 0) add(range.lowest - 1);
     if (range.at_base && range.highest + 1 < factor.levels.size()) add(range.highest + 1);
   }
-  const std::string name = capital(reading_words(reading));
+  const std::string name = capital(truth::reading_words(reading));
   findings.push_back(
       limits.empty() ? fmt::format("{} {} at no level tried.", name, promise)
                      : fmt::format("{} {} first at {}.", name, promise, fmt::join(limits, "; ")));
@@ -105,9 +106,11 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
 
 }  // namespace
 
-PracticalBounds practical_bounds(ReadingKind quantity, double truth) {
-  if (quantity == ReadingKind::peak_angle) return {0.02 * rad_per_degree, 0.1 * rad_per_degree};
-  if (quantity == ReadingKind::gravity) return {1e-3 * std::abs(truth), 3e-3 * std::abs(truth)};
+PracticalBounds practical_bounds(truth::ReadingKind quantity, double truth) {
+  if (quantity == truth::ReadingKind::peak_angle)
+    return {0.02 * joint::rad_per_degree, 0.1 * joint::rad_per_degree};
+  if (quantity == truth::ReadingKind::gravity)
+    return {1e-3 * std::abs(truth), 3e-3 * std::abs(truth)};
   return {0.01 * std::abs(truth), 0.05 * std::abs(truth)};
 }
 
@@ -156,11 +159,12 @@ std::string study_sentence(const StudyResult& study) {
   std::string sentence = fmt::format(
       "In the base case the {} is within {:.2g} % of the true gravity torque in 95 of 100 runs, "
       "and {:.0f} % of its stated intervals hold the truth",
-      reading_words(best->name), std::abs(percent(e.error_95, e.truth)), 100 * e.coverage.value);
+      truth::reading_words(best->name), std::abs(percent(e.error_95, e.truth)),
+      100 * e.coverage.value);
   if (const StudiedReading* b = base.find("B")) {
     sentence += fmt::format("; point B is off by {:+.2f} %, the {} by {:+.3f} %",
-                            percent(b->errors.bias, b->errors.truth), reading_words(best->name),
-                            percent(e.bias, e.truth));
+                            percent(b->errors.bias, b->errors.truth),
+                            truth::reading_words(best->name), percent(e.bias, e.truth));
   }
   return sentence + ".";
 }
@@ -180,4 +184,4 @@ std::vector<std::string> study_findings(const StudyResult& study) {
   return findings;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::study

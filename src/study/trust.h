@@ -8,7 +8,7 @@
 
 #include "study/study.h"
 
-namespace tribolog {
+namespace tribolog::study {
 
 /// What errors of a quantity matter. Both are absolute, in the quantity's unit.
 struct PracticalBounds {
@@ -17,7 +17,7 @@ struct PracticalBounds {
 };
 
 /// Gravity 0.1 and 0.3 %; the peak's angle 0.02 and 0.1 degrees; parameters of friction 1 and 5 %.
-PracticalBounds practical_bounds(ReadingKind quantity, double truth);
+PracticalBounds practical_bounds(truth::ReadingKind quantity, double truth);
 
 enum class Criterion {
   fine,      ///< 95 of 100 errors within the fine bound.
@@ -51,4 +51,4 @@ std::string study_sentence(const StudyResult& study);
 /// What the study found, one sentence each, most important first.
 std::vector<std::string> study_findings(const StudyResult& study);
 
-}  // namespace tribolog
+}  // namespace tribolog::study

@@ -7,7 +7,7 @@
 
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 namespace {
 
 /// What the fit leaves of each sample, against the motor's angle.
@@ -17,7 +17,7 @@ struct Leftover {
 };
 
 /// Torque less the fitted curve of its direction, the curve being tabled over the angle.
-Leftover leftover_of(const CogSweepResult& rough, double gear_ratio) {
+Leftover leftover_of(const method::gravity::CogSweepResult& rough, double gear_ratio) {
   Leftover out;
   const std::vector<double>& grid = rough.fit_q_rad;
   if (grid.size() < 2) return out;
@@ -30,7 +30,7 @@ Leftover leftover_of(const CogSweepResult& rough, double gear_ratio) {
     return curve[i] + x * (curve[i + 1] - curve[i]);
   };
   for (std::size_t k = 0; k < rough.recordings.size(); ++k) {
-    const Recording& r = *rough.recordings[k];
+    const joint::Recording& r = *rough.recordings[k];
     constexpr std::size_t reach = 5;  // over which the direction is seen through encoder steps
     for (std::size_t i = reach; i + reach < r.size(); ++i) {
       if (!rough.used[k][i]) continue;
@@ -47,7 +47,8 @@ Leftover leftover_of(const CogSweepResult& rough, double gear_ratio) {
 
 /// As fine as the samples allow: behind a gear that is part of the joint, as a joint's torque has
 /// it, the motor turns a hundred times in what is called one turn here.
-RippleSearch finest_search(const CogSweepResult& rough, double gear_ratio) {
+method::gravity::RippleSearch finest_search(const method::gravity::CogSweepResult& rough,
+                                            double gear_ratio) {
   constexpr std::size_t samples_in_bin = 8;
   constexpr std::size_t most_bins = 4096;  // over the sweep; they bound the work
   constexpr double bins_in_period = 8;
@@ -61,23 +62,25 @@ RippleSearch finest_search(const CogSweepResult& rough, double gear_ratio) {
 }  // namespace
 
 double white_torque_Nm(const std::vector<double>& torque_Nm) {
-  std::vector<double> third = third_differences(torque_Nm);
-  const double root_mean_square = std::sqrt(white_variance(third));
-  return std::min(root_mean_square, white_sd_beside_jumps(std::move(third)));
+  std::vector<double> third = statistics::third_differences(torque_Nm);
+  const double root_mean_square = std::sqrt(statistics::white_variance(third));
+  return std::min(root_mean_square, statistics::white_sd_beside_jumps(std::move(third)));
 }
 
-std::vector<Noise::Ripple> ripple_of(const CogSweepResult& rough, double gear_ratio) {
+std::vector<simulate::Noise::Ripple> ripple_of(const method::gravity::CogSweepResult& rough,
+                                               double gear_ratio) {
   constexpr std::size_t most_periods = 4;
   constexpr double least_share = 0.1;  // of the ripple's variance, for a period to be put in
   if (!rough.found || !(rough.ripple_Nm > 0) || !(rough.highest_rad > rough.lowest_rad)) return {};
   const Leftover rest = leftover_of(rough, gear_ratio);
   const double wanted = rough.ripple_Nm * rough.ripple_Nm;
   const double white_variance = rough.residual_Nm * rough.residual_Nm - wanted;
-  const Ripple found = find_ripple(rest.motor_rad, rest.torque_Nm, rough.ripple_Nm, white_variance,
+  const method::gravity::Ripple found =
+      method::gravity::find_ripple(rest.motor_rad, rest.torque_Nm, rough.ripple_Nm, white_variance,
                                    finest_search(rough, gear_ratio));
-  std::vector<Noise::Ripple> kept;
+  std::vector<simulate::Noise::Ripple> kept;
   double variance = 0;
-  for (const RippleLine& line : found.lines) {
+  for (const method::gravity::RippleLine& line : found.lines) {
     const double of_line = line.amplitude_Nm * line.amplitude_Nm / 2;
     if (kept.size() == most_periods || of_line < least_share * wanted) break;
     // The spectrum's lines are cosines, the drive's ripple is made of sines.
@@ -85,8 +88,8 @@ std::vector<Noise::Ripple> ripple_of(const CogSweepResult& rough, double gear_ra
         {line.amplitude_Nm, line.periods_per_turn, line.phase_rad + std::numbers::pi / 2});
     variance += of_line;
   }
-  for (Noise::Ripple& one : kept) one.amplitude_Nm *= std::sqrt(wanted / variance);
+  for (simulate::Noise::Ripple& one : kept) one.amplitude_Nm *= std::sqrt(wanted / variance);
   return kept;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

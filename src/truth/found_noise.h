@@ -8,7 +8,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 
 /// Standard deviation of the white part of a torque [N·m], from third differences of neighbouring
 /// samples (statistics/white_noise.h). The smaller one of their mean square and their median: jumps
@@ -21,6 +21,7 @@ double white_torque_Nm(const std::vector<double>& torque_Nm);
 /// to four, so enlarged that together they make the standard deviation CogSweepResult::ripple_Nm.
 /// Periods of which the sweep holds fewer than three are none: they cannot be told from gravity.
 /// Empty where no line carries a tenth of the ripple's variance. Phases are as found.
-std::vector<Noise::Ripple> ripple_of(const CogSweepResult& rough, double gear_ratio);
+std::vector<simulate::Noise::Ripple> ripple_of(const method::gravity::CogSweepResult& rough,
+                                               double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

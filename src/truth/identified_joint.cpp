@@ -18,16 +18,16 @@
 #include "simulate/bristle_integrator.h"
 #include "truth/found_noise.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 namespace {
 
 /// Sliding friction over the motor's speed, continuous through zero.
-class SlidingFriction final : public StaticFriction {
+class SlidingFriction final : public friction::StaticFriction {
  public:
   SlidingFriction(double coulomb_Nm, double viscous_Nms_rad, double rest_speed_rad_s)
       : coulomb_Nm_(coulomb_Nm), viscous_(viscous_Nms_rad), rest_(rest_speed_rad_s) {}
   [[nodiscard]] std::string name() const override { return "coulomb_viscous"; }
-  [[nodiscard]] NamedParameters named_parameters() const override { return {}; }
+  [[nodiscard]] friction::NamedParameters named_parameters() const override { return {}; }
   [[nodiscard]] double torque_Nm(double speed) const override {
     return coulomb_Nm_ * std::tanh(speed / rest_) + viscous_ * speed;
   }
@@ -43,23 +43,23 @@ constexpr double rest_share = 1e-3;
 
 class Maker {
  public:
-  Maker(const Calibration& calibration, double gravity_Nm)
+  Maker(const calibration::Calibration& calibration, double gravity_Nm)
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
 
   /// Torque of the model along a recording; empty if the model cannot follow, with the reason.
-  [[nodiscard]] std::vector<double> torque(const Recording& r, std::string& why_not) const {
+  [[nodiscard]] std::vector<double> torque(const joint::Recording& r, std::string& why_not) const {
     switch (r.role) {
-      case Role::rough_sweep:
+      case joint::Role::rough_sweep:
         return sweep_torque(r, c_.rough, why_not);
-      case Role::precise_sweep:
+      case joint::Role::precise_sweep:
         return sweep_torque(r, c_.precise, why_not);
-      case Role::oscillation:
+      case joint::Role::oscillation:
         return loop_torque(r, why_not);
-      case Role::break_away:
+      case joint::Role::break_away:
         why_not =
             "the motion of a break-away ramp is its answer, which no recorded one can stand for";
         return {};
-      case Role::constant_speed:
+      case joint::Role::constant_speed:
         break;
     }
     return run_torque(r, why_not);
@@ -70,9 +70,10 @@ class Maker {
     return gravity_Nm_ * std::cos(q - (c_.q_peak_rad ? c_.q_peak_rad->value : middle));
   }
 
-  [[nodiscard]] std::vector<double> sliding(const Recording& r, const MotionSegments& motion,
-                                            const StaticFriction& friction, double offset_Nm,
-                                            double inertia_kgm2) const {
+  [[nodiscard]] std::vector<double> sliding(const joint::Recording& r,
+                                            const method::motion::MotionSegments& motion,
+                                            const friction::StaticFriction& friction,
+                                            double offset_Nm, double inertia_kgm2) const {
     std::vector<double> torque(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
       torque[i] = gravity(r.q_rad[i], r.q_rad[i]) + offset_Nm +
@@ -82,11 +83,12 @@ class Maker {
     return torque;
   }
 
-  [[nodiscard]] double rest_speed(const MotionSegments& motion) const {
+  [[nodiscard]] double rest_speed(const method::motion::MotionSegments& motion) const {
     return std::max(1e-9, rest_share * n_ * motion.fastest_rad_s);
   }
 
-  [[nodiscard]] std::vector<double> sweep_torque(const Recording& r, const CogSweepResult& sweep,
+  [[nodiscard]] std::vector<double> sweep_torque(const joint::Recording& r,
+                                                 const method::gravity::CogSweepResult& sweep,
                                                  std::string& why_not) const {
     if (!sweep.found) {
       why_not = "the sweep gave no gravity";
@@ -97,7 +99,7 @@ class Maker {
     const double viscous = sweep.viscous_Nms_rad ? sweep.viscous_Nms_rad->value : 0.0;
     const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value : 0.0;
     const double unloaded = sweep.unloaded_coulomb_Nm ? sweep.unloaded_coulomb_Nm->value : coulomb;
-    const MotionSegments motion = find_plateaus(r);
+    const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
     const SlidingFriction friction(unloaded, viscous, rest_speed(motion));
     std::vector<double> torque = sliding(r, motion, friction, sweep.offset_Nm, inertia);
     if (sweep.load_coulomb_Nm) add_load_friction(r, motion, sweep, torque);
@@ -105,8 +107,9 @@ class Maker {
   }
 
   /// Friction that grows with the gravity torque.
-  void add_load_friction(const Recording& r, const MotionSegments& motion,
-                         const CogSweepResult& sweep, std::vector<double>& torque) const {
+  void add_load_friction(const joint::Recording& r, const method::motion::MotionSegments& motion,
+                         const method::gravity::CogSweepResult& sweep,
+                         std::vector<double>& torque) const {
     const SlidingFriction per_load(present(sweep.load_coulomb_Nm).value, 0.0, rest_speed(motion));
     for (std::size_t i = 0; i < r.size(); ++i) {
       torque[i] += per_load.torque_Nm(n_ * motion.speed_rad_s[i]) *
@@ -114,13 +117,15 @@ class Maker {
     }
   }
 
-  [[nodiscard]] std::vector<double> run_torque(const Recording& r, std::string& why_not) const {
-    const FrictionParametersResult& f = c_.friction;
+  [[nodiscard]] std::vector<double> run_torque(const joint::Recording& r,
+                                               std::string& why_not) const {
+    const method::selection::FrictionParametersResult& f = c_.friction;
     if (f.waiboer && f.waiboer->converged) {
-      return sliding(r, find_plateaus(r), waiboer_of(*f.waiboer), 0, 0);
+      return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
+                     0, 0);
     }
     if (f.coulomb_viscous && !c_.viscous.from_sweep) {
-      const MotionSegments motion = find_plateaus(r);
+      const method::motion::MotionSegments motion = method::motion::find_plateaus(r);
       const SlidingFriction friction(f.coulomb_viscous->coulomb_Nm.value,
                                      f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
       return sliding(r, motion, friction, 0, 0);
@@ -129,19 +134,22 @@ class Maker {
     return {};
   }
 
-  [[nodiscard]] std::vector<double> loop_torque(const Recording& r, std::string& why_not) const {
+  [[nodiscard]] std::vector<double> loop_torque(const joint::Recording& r,
+                                                std::string& why_not) const {
     if (!c_.hysteresis.lugre || !c_.hysteresis.lugre->converged) {
       why_not = "no LuGre model was fitted to the loop";
       return {};
     }
-    const auto motion = fit_oscillation_motion(r);
-    const bool is_harmonic = motion && motion->follows_the_angle(common_step(r.q_rad));
-    const MotionTrace trace = is_harmonic ? MotionTrace{} : trace_motion(r);
+    const auto motion = method::motion::fit_oscillation_motion(r);
+    const bool is_harmonic =
+        motion && motion->follows_the_angle(method::motion::common_step(r.q_rad));
+    const method::motion::MotionTrace trace =
+        is_harmonic ? method::motion::MotionTrace{} : method::motion::trace_motion(r);
     if (!motion && !trace.motion) {
       why_not = "the angle does not swing through one whole cycle; and " + trace.refusal;
       return {};
     }
-    const LuGreFit& fit = *c_.hysteresis.lugre;
+    const method::hysteresis::LuGreFit& fit = *c_.hysteresis.lugre;
     const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
     const auto level = fit.shown("static_Nm");
     if (!stiffness || !level) {
@@ -156,18 +164,18 @@ class Maker {
     const auto coulomb = fit.shown("coulomb_Nm");
     const auto stribeck = fit.shown("stribeck_speed_rad_s");
     const bool weakens = coulomb && stribeck && coulomb->value < level->value;
-    const LuGreFriction friction(
+    const friction::LuGreFriction friction(
         {stiffness->value, size_of("bristle_damping_Nms_rad"), size_of("viscous_Nms_rad"),
          weakens ? coulomb->value : level->value, level->value, weakens ? stribeck->value : 1.0});
     const double inertia = size_of("inertia_kgm2");
-    const LuGreInput input{&r, motion ? &*motion : nullptr,
-                           trace.motion ? &*trace.motion : nullptr};
-    const std::shared_ptr<const Motion> along = input.motor_motion(n_);
-    const Motion& motor = *along;
+    const method::hysteresis::LuGreInput input{&r, motion ? &*motion : nullptr,
+                                               trace.motion ? &*trace.motion : nullptr};
+    const std::shared_ptr<const simulate::Motion> along = input.motor_motion(n_);
+    const simulate::Motion& motor = *along;
     const double dt = (r.t_s.back() - r.t_s.front()) / static_cast<double>(r.size() - 1);
     std::vector<double> z(r.size());
     std::vector<double> dz(r.size());
-    integrate_bristle(friction, motor, 0.0, dt, start_deflection(r), z, dz);
+    simulate::integrate_bristle(friction, motor, 0.0, dt, start_deflection(r), z, dz);
     std::vector<double> torque(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
       // A clock that jitters: between the two instants of the even grid around it.
@@ -183,43 +191,44 @@ class Maker {
   }
 
   /// Of the loop's own bristle where it was observed, else of an unloaded contact.
-  [[nodiscard]] double start_deflection(const Recording& r) const {
-    for (const LoopTrace& trace : c_.hysteresis.traces) {
+  [[nodiscard]] double start_deflection(const joint::Recording& r) const {
+    for (const method::hysteresis::LoopTrace& trace : c_.hysteresis.traces) {
       if (trace.recording == r.name && !trace.z_rad.empty()) return trace.z_rad.front();
     }
     return 0;
   }
 
-  const Calibration& c_;
+  const calibration::Calibration& c_;
   double n_;
   double gravity_Nm_;
 };
 
 /// The recordings that a reading comes from.
-bool is_read_from(const Reading& reading, Role role) {
+bool is_read_from(const Reading& reading, joint::Role role) {
   switch (reading.quantity) {
     case ReadingKind::peak_angle:
-      return role == Role::rough_sweep || role == Role::precise_sweep;
+      return role == joint::Role::rough_sweep || role == joint::Role::precise_sweep;
     case ReadingKind::sweep_friction:
-      return role == Role::rough_sweep;
+      return role == joint::Role::rough_sweep;
     case ReadingKind::gravity:
-      return role == (reading.name == "sweep" ? Role::rough_sweep : Role::oscillation);
+      return role ==
+             (reading.name == "sweep" ? joint::Role::rough_sweep : joint::Role::oscillation);
     case ReadingKind::stiffness:
     case ReadingKind::static_torque:
-      return role == Role::oscillation;
+      return role == joint::Role::oscillation;
     default:
-      return role == Role::constant_speed;
+      return role == joint::Role::constant_speed;
   }
 }
 
 /// Of the identified readings those that the model was made with and that its recordings can show.
-std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
-                            const std::vector<Recording>& recordings) {
+std::vector<Reading> put_in(const calibration::Calibration& c, double gravity_Nm,
+                            const std::vector<joint::Recording>& recordings) {
   std::vector<Reading> kept;
   for (Reading reading : readings_of(c)) {
     const bool is_recorded =
         std::any_of(recordings.begin(), recordings.end(),
-                    [&](const Recording& r) { return is_read_from(reading, r.role); });
+                    [&](const joint::Recording& r) { return is_read_from(reading, r.role); });
     if (!is_recorded || is_single_point(reading.name)) continue;
     // Where eq. (6) is put in, no straight line is.
     const bool is_line =
@@ -238,11 +247,11 @@ std::vector<Reading> put_in(const Calibration& c, double gravity_Nm,
 
 /// Of a recording so long that repeating it would take longer than the identification itself, what
 /// tells as much: an oscillation's first cycles, of any other every so many samples.
-Recording shortened(const Recording& r) {
+joint::Recording shortened(const joint::Recording& r) {
   constexpr std::size_t long_from = 200'000;
   constexpr std::size_t enough = 50'000;
   if (r.size() < long_from) return r;
-  const std::size_t stride = r.role == Role::oscillation ? 1 : r.size() / enough;
+  const std::size_t stride = r.role == joint::Role::oscillation ? 1 : r.size() / enough;
   const auto picked = [&](const std::vector<double>& whole) {
     std::vector<double> out;
     for (std::size_t i = 0; i < whole.size() && out.size() < enough; i += stride) {
@@ -250,7 +259,7 @@ Recording shortened(const Recording& r) {
     }
     return out;
   };
-  Recording out;
+  joint::Recording out;
   out.name = r.name;
   out.role = r.role;
   out.t_s = picked(r.t_s);
@@ -263,19 +272,21 @@ Recording shortened(const Recording& r) {
 
 }  // namespace
 
-IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
+IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibration::Calibration& c) {
   IdentifiedJoint out;
   out.dataset.manifest = dataset.manifest;
-  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   if (mass == nullptr) {
     out.left_out.emplace_back("nothing can be simulated: no gravity torque was identified");
     return out;
   }
   const double gravity = mass->gravity_Nm.value;
   const Maker maker(c, gravity);
-  for (const Recording& recorded : dataset.recordings) {
-    const Recording whole = recorded.role == Role::oscillation ? moving_part(recorded) : recorded;
-    Recording r = shortened(whole);
+  for (const joint::Recording& recorded : dataset.recordings) {
+    const joint::Recording whole = recorded.role == joint::Role::oscillation
+                                       ? method::motion::moving_part(recorded)
+                                       : recorded;
+    joint::Recording r = shortened(whole);
     std::string why_not;
     std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
     if (torque.empty()) {
@@ -283,7 +294,7 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
           fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
       continue;
     }
-    const double step = common_step(whole.torque_Nm);
+    const double step = method::motion::common_step(whole.torque_Nm);
     // A rounded number is uniform within its step: that part comes back with the rounding.
     const double rounding = step / std::sqrt(12.0);
     const double white = white_torque_Nm(whole.torque_Nm);
@@ -292,7 +303,7 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
     if (r.size() < whole.size()) {
       out.left_out.push_back(
           fmt::format("{}: {} of its {} samples are simulated, {}", r.name, r.size(), whole.size(),
-                      r.role == Role::oscillation ? "from the first on" : "evenly spread"));
+                      r.role == joint::Role::oscillation ? "from the first on" : "evenly spread"));
     }
     r.torque_Nm = std::move(torque);
     r.z_rad.clear();
@@ -301,11 +312,12 @@ IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& c) {
   }
   out.ripple = ripple_of(c.rough, c.manifest.drive.gear_ratio());
   out.put_in = put_in(c, gravity, out.dataset.recordings);
-  const FrictionParametersResult& f = c.friction;
+  const method::selection::FrictionParametersResult& f = c.friction;
   if (dataset.manifest.reference && f.waiboer && f.waiboer->converged) {
-    out.dataset.manifest.reference = std::make_shared<WaiboerFriction>(waiboer_of(*f.waiboer));
+    out.dataset.manifest.reference =
+        std::make_shared<friction::WaiboerFriction>(method::viscous::waiboer_of(*f.waiboer));
   }
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

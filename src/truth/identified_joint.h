@@ -17,20 +17,22 @@
 #include "simulate/scenario.h"
 #include "truth/readings.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 
 struct IdentifiedJoint {
   /// The dataset with the model's torque, without noise. Recordings that the model cannot follow
   /// are left out.
-  Dataset dataset;
+  joint::Dataset dataset;
   std::vector<Reading> put_in;   ///< The numbers it was made with, each an estimate of no width.
   std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
   std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
-  std::vector<Noise::Ripple> ripple;   ///< Found in the rough sweep; laid on all recordings.
-  std::vector<std::string> left_out;   ///< What could not be simulated, and why; sentences.
+  std::vector<simulate::Noise::Ripple>
+      ripple;                         ///< Found in the rough sweep; laid on all recordings.
+  std::vector<std::string> left_out;  ///< What could not be simulated, and why; sentences.
 };
 
 /// @param dataset the one that the calibration was made from.
-IdentifiedJoint identified_joint(const Dataset& dataset, const Calibration& calibration);
+IdentifiedJoint identified_joint(const joint::Dataset& dataset,
+                                 const calibration::Calibration& calibration);
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <utility>
 
-namespace tribolog {
+namespace tribolog::truth {
 namespace {
 
 class Reader {
  public:
-  void add(const std::string& name, ReadingKind quantity, const Estimate& estimate) {
+  void add(const std::string& name, ReadingKind quantity, const statistics::Estimate& estimate) {
     if (std::isfinite(estimate.value)) all_.push_back({name, quantity, estimate});
   }
-  void add(const std::string& name, ReadingKind quantity, const std::optional<Estimate>& estimate) {
+  void add(const std::string& name, ReadingKind quantity,
+           const std::optional<statistics::Estimate>& estimate) {
     if (estimate) add(name, quantity, *estimate);
   }
   std::vector<Reading> all() { return std::move(all_); }
@@ -22,35 +23,35 @@ class Reader {
   std::vector<Reading> all_;
 };
 
-void read_masses(const Calibration& c, const char* const* first, const char* const* last,
-                 Reader& out) {
+void read_masses(const calibration::Calibration& c, const char* const* first,
+                 const char* const* last, Reader& out) {
   for (const char* const* name = first; name != last; ++name) {
-    if (const SurrogateMass* mass = c.masses.find(*name)) {
+    if (const method::hysteresis::SurrogateMass* mass = c.masses.find(*name)) {
       out.add(*name, ReadingKind::gravity, mass->gravity_Nm);
     }
   }
 }
 
 /// A and B of the steady loop, with the interval of their mean over the cycles.
-void read_steady_points(const Calibration& c, Reader& out) {
-  for (const LoopPoint& point : c.hysteresis.steady_points) {
+void read_steady_points(const calibration::Calibration& c, Reader& out) {
+  for (const method::hysteresis::LoopPoint& point : c.hysteresis.steady_points) {
     if (point.name != 'A' && point.name != 'B') continue;
     const double cosine = c.q_peak_rad ? std::cos(point.q_rad - c.q_peak_rad->value) : 1.0;
     out.add(std::string(1, point.name) + "_steady", ReadingKind::gravity,
-            scaled({point.torque_Nm, point.torque_low_Nm, point.torque_high_Nm,
-                    "scatter of the cycles"},
-                   1 / cosine));
+            statistics::scaled({point.torque_Nm, point.torque_low_Nm, point.torque_high_Nm,
+                                "scatter of the cycles"},
+                               1 / cosine));
   }
 }
 
-void read_loop_fit(const LuGreFit& fit, Reader& out) {
+void read_loop_fit(const method::hysteresis::LuGreFit& fit, Reader& out) {
   if (!fit.converged) return;
   out.add("fit", ReadingKind::gravity, fit.gravity_Nm);
   out.add("bristle_stiffness", ReadingKind::stiffness, fit.shown("bristle_stiffness_Nm_rad"));
   out.add("static_torque", ReadingKind::static_torque, fit.shown("static_Nm"));
 }
 
-void read_curve(const FrictionParametersResult& friction, Reader& out) {
+void read_curve(const method::selection::FrictionParametersResult& friction, Reader& out) {
   if (const auto& line = friction.coulomb_viscous) {
     out.add("coulomb", ReadingKind::coulomb, line->coulomb_Nm);
     out.add("viscous", ReadingKind::viscous, line->viscous_Nms_rad);
@@ -91,7 +92,7 @@ std::string unit_of(ReadingKind quantity) {
   return "";
 }
 
-std::vector<Reading> readings_of(const Calibration& c) {
+std::vector<Reading> readings_of(const calibration::Calibration& c) {
   Reader out;
   constexpr std::array points{"A", "B", "C", "D", "E", "F"};
   constexpr std::array averages{"AB", "CD", "EF", "midline", "sweep"};
@@ -142,4 +143,4 @@ bool is_single_point(const std::string& name) {
   return name.size() == 1 || name == "A_steady" || name == "B_steady";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

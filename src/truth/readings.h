@@ -7,7 +7,7 @@
 
 #include "calibration/calibration.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 
 /// What a number is of; numbers of one kind share a unit and the bounds of what matters.
 enum class ReadingKind {
@@ -36,11 +36,11 @@ struct Reading {
   /// "viscous_power".
   std::string name;
   ReadingKind quantity{ReadingKind::gravity};
-  Estimate estimate;
+  statistics::Estimate estimate;
 };
 
 /// All that were found, in the order of the names above.
-std::vector<Reading> readings_of(const Calibration& calibration);
+std::vector<Reading> readings_of(const calibration::Calibration& calibration);
 
 const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name);
 
@@ -51,4 +51,4 @@ std::string reading_words(const std::string& name);
 /// the friction of its instant and is off by that, as its definition has it.
 bool is_single_point(const std::string& name);
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

@@ -13,7 +13,7 @@
 #include "statistics/random_stream.h"
 #include "truth/identified_joint.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -39,20 +39,22 @@ double what_matters(const Reading& put_in) {
 }
 
 /// The joint's torque with the noise of one run.
-Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run) {
-  Dataset dataset = joint.dataset;
-  RandomStream phases(seed, run);
-  std::vector<Noise::Ripple> ripple = joint.ripple;
-  for (Noise::Ripple& one : ripple) one.phase_rad = 2 * std::numbers::pi * phases.uniform();
+joint::Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run) {
+  joint::Dataset dataset = joint.dataset;
+  statistics::RandomStream phases(seed, run);
+  std::vector<simulate::Noise::Ripple> ripple = joint.ripple;
+  for (simulate::Noise::Ripple& one : ripple)
+    one.phase_rad = 2 * std::numbers::pi * phases.uniform();
   const double n = dataset.manifest.drive.gear_ratio();
   for (std::size_t k = 0; k < dataset.recordings.size(); ++k) {
-    Recording& r = dataset.recordings[k];
+    joint::Recording& r = dataset.recordings[k];
     // Streams of the recordings lie beyond those of the phases, each of its own.
-    RandomStream random(seed, first_recording_stream + run * dataset.recordings.size() + k);
+    statistics::RandomStream random(seed,
+                                    first_recording_stream + run * dataset.recordings.size() + k);
     const double step = joint.torque_step_Nm[k];
     for (std::size_t i = 0; i < r.size(); ++i) {
       double& torque = r.torque_Nm[i];
-      for (const Noise::Ripple& one : ripple) {
+      for (const simulate::Noise::Ripple& one : ripple) {
         torque +=
             one.amplitude_Nm * std::sin(one.periods_per_turn * n * r.q_rad[i] + one.phase_rad);
       }
@@ -63,8 +65,9 @@ Dataset noisy(const IdentifiedJoint& joint, std::uint64_t seed, std::size_t run)
   return dataset;
 }
 
-ReturnedQuantity returned(const Reading& put_in, const std::vector<std::vector<Reading>>& runs) {
-  ReturnedQuantity q;
+calibration::ReturnedQuantity returned(const Reading& put_in,
+                                       const std::vector<std::vector<Reading>>& runs) {
+  calibration::ReturnedQuantity q;
   q.name = put_in.name;
   q.unit = unit_of(put_in.quantity);
   q.put_in = put_in.estimate.value;
@@ -75,7 +78,7 @@ ReturnedQuantity returned(const Reading& put_in, const std::vector<std::vector<R
   for (const std::vector<Reading>& readings : runs) {
     const Reading* back = find_reading(readings, put_in.name);
     if (back == nullptr) continue;
-    const Estimate& e = back->estimate;
+    const statistics::Estimate& e = back->estimate;
     const bool inside = e.low <= q.put_in && q.put_in <= e.high;
     const double off = e.value - q.put_in;
     values.push_back(e.value);
@@ -98,7 +101,7 @@ ReturnedQuantity returned(const Reading& put_in, const std::vector<std::vector<R
   return q;
 }
 
-std::string finding_of(const ReturnedQuantity& q, std::size_t runs) {
+std::string finding_of(const calibration::ReturnedQuantity& q, std::size_t runs) {
   const std::string name = reading_words(q.name);
   if (q.found == 0) {
     return fmt::format(
@@ -112,31 +115,26 @@ std::string finding_of(const ReturnedQuantity& q, std::size_t runs) {
       name, q.put_in, q.unit, q.came_back, q.unit, q.inside, runs);
 }
 
-double standard_deviation(const std::vector<Noise::Ripple>& ripple) {
+double standard_deviation(const std::vector<simulate::Noise::Ripple>& ripple) {
   double variance = 0;
-  for (const Noise::Ripple& one : ripple) variance += one.amplitude_Nm * one.amplitude_Nm / 2;
+  for (const simulate::Noise::Ripple& one : ripple)
+    variance += one.amplitude_Nm * one.amplitude_Nm / 2;
   return std::sqrt(variance);
 }
 
 }  // namespace
 
-const ReturnedQuantity* TruthCheckResult::find(const std::string& name) const {
-  const auto it = std::find_if(quantities.begin(), quantities.end(),
-                               [&](const ReturnedQuantity& q) { return q.name == name; });
-  return it == quantities.end() ? nullptr : &*it;
-}
-
-TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
-                                   const PlainIdentification& identify,
-                                   const TruthCheckOptions& options) {
-  TruthCheckResult out;
+calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
+                                                const PlainIdentification& identify,
+                                                const TruthCheckOptions& options) {
+  calibration::TruthCheckResult out;
   out.runs = options.runs;
   out.seed = options.seed;
   out.left_out = joint.left_out;
   out.ripple_Nm = standard_deviation(joint.ripple);
   if (!joint.dataset.recordings.empty()) {
-    out.white_Nm = median(joint.white_Nm);
-    out.torque_step_Nm = median(joint.torque_step_Nm);
+    out.white_Nm = statistics::median(joint.white_Nm);
+    out.torque_step_Nm = statistics::median(joint.torque_step_Nm);
   }
   std::vector<std::vector<Reading>> runs(options.runs);
   parallel_for(
@@ -147,16 +145,17 @@ TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
       options.threads);
   for (const Reading& put_in : joint.put_in) {
     out.quantities.push_back(returned(put_in, runs));
-    const ReturnedQuantity& last = out.quantities.back();
+    const calibration::ReturnedQuantity& last = out.quantities.back();
     if (!last.comes_back) out.findings.push_back({last.name, finding_of(last, options.runs)});
   }
   return out;
 }
 
-TruthCheckResult check_known_truth(const Dataset& dataset, const Calibration& calibration,
-                                   const PlainIdentification& identify,
-                                   const TruthCheckOptions& options) {
+calibration::TruthCheckResult check_known_truth(const joint::Dataset& dataset,
+                                                const calibration::Calibration& calibration,
+                                                const PlainIdentification& identify,
+                                                const TruthCheckOptions& options) {
   return check_known_truth(identified_joint(dataset, calibration), identify, options);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

@@ -15,13 +15,14 @@
 
 #include "truth/readings.h"
 
-namespace tribolog {
+namespace tribolog::truth {
 
 struct IdentifiedJoint;
 
 /// Identifies a dataset without a known-truth check of its own. Its numbers, readings_of it, are
 /// all that is compared: what else a calibration holds may be left out.
-using PlainIdentification = std::function<Calibration(const Dataset&, std::uint64_t seed)>;
+using PlainIdentification =
+    std::function<calibration::Calibration(const joint::Dataset&, std::uint64_t seed)>;
 
 struct TruthCheckOptions {
   std::size_t runs{20};  ///< > 0
@@ -30,13 +31,14 @@ struct TruthCheckOptions {
 };
 
 /// @param calibration of the dataset.
-TruthCheckResult check_known_truth(const Dataset& dataset, const Calibration& calibration,
-                                   const PlainIdentification& identify,
-                                   const TruthCheckOptions& options = {});
+calibration::TruthCheckResult check_known_truth(const joint::Dataset& dataset,
+                                                const calibration::Calibration& calibration,
+                                                const PlainIdentification& identify,
+                                                const TruthCheckOptions& options = {});
 
 /// The same for a joint made elsewhere: what its `put_in` says is held against what comes back.
-TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
-                                   const PlainIdentification& identify,
-                                   const TruthCheckOptions& options = {});
+calibration::TruthCheckResult check_known_truth(const IdentifiedJoint& joint,
+                                                const PlainIdentification& identify,
+                                                const TruthCheckOptions& options = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::truth

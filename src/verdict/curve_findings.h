@@ -6,9 +6,9 @@
 
 #include "calibration/calibration.h"
 
-namespace tribolog {
+namespace tribolog::verdict {
 
 /// Most important first; empty if there is nothing that a reader must know.
-std::vector<std::string> curve_findings(const Calibration& calibration);
+std::vector<std::string> curve_findings(const calibration::Calibration& calibration);
 
-}  // namespace tribolog
+}  // namespace tribolog::verdict

@@ -15,7 +15,7 @@
 #include "verdict/curve_findings.h"
 #include "verdict/quantity_rooms.h"
 
-namespace tribolog {
+namespace tribolog::verdict {
 
 // What a quantity that does not come back from its own simulation means for the verdict on it.
 
@@ -38,16 +38,18 @@ std::vector<std::string> quantities_of(const std::string& reading, const std::st
 
 /// Makes the quantities doubtful that the method cannot find again.
 /// @param recommended estimator of the mass: gravity torque and mass stand on it alone.
-void apply_truth_check(const TruthCheckResult& check, const std::string& recommended,
-                       std::vector<QuantityVerdict>& quantities) {
-  for (const TruthFinding& finding : check.findings) {
+void apply_truth_check(const calibration::TruthCheckResult& check, const std::string& recommended,
+                       std::vector<calibration::QuantityVerdict>& quantities) {
+  for (const calibration::TruthFinding& finding : check.findings) {
     for (const std::string& key : quantities_of(finding.name, recommended)) {
-      const auto it = std::find_if(quantities.begin(), quantities.end(),
-                                   [&](const QuantityVerdict& q) { return q.key == key; });
+      const auto it =
+          std::find_if(quantities.begin(), quantities.end(),
+                       [&](const calibration::QuantityVerdict& q) { return q.key == key; });
       if (it == quantities.end()) continue;
-      lower(*it, Verdict::doubtful, finding.words,
-            "a motion that shows it better, or less noise: the known-truth check says how far off "
-            "it comes back");
+      calibration::lower(
+          *it, calibration::Verdict::doubtful, finding.words,
+          "a motion that shows it better, or less noise: the known-truth check says how far off "
+          "it comes back");
     }
   }
 }
@@ -83,7 +85,7 @@ Keys operator+(const Keys& a, const Keys& b) {
 struct Consequence {
   std::string check;
   Keys touched;
-  Verdict lowered_to;
+  calibration::Verdict lowered_to;
 };
 
 std::vector<Consequence> consequences(const Sources& sources) {
@@ -91,8 +93,8 @@ std::vector<Consequence> consequences(const Sources& sources) {
   const Keys everything = torque + Keys{"cog_angle"};
   const Keys of_loop =
       sources.break_away_from_ramps ? bristle : bristle + Keys{"break_away_torque"};
-  const auto doubtful = Verdict::doubtful;
-  const auto none = Verdict::not_identifiable;
+  const auto doubtful = calibration::Verdict::doubtful;
+  const auto none = calibration::Verdict::not_identifiable;
   std::vector<Consequence> all{
       {"effort_provenance", everything, doubtful},
       {"effort_column", everything, doubtful},
@@ -135,30 +137,31 @@ std::vector<Consequence> consequences(const Sources& sources) {
 }
 
 /// Lowers the quantities that the failing checks touch, with the check's words as the reason.
-void apply_data_checks(const DataChecksResult& checks, const Sources& sources,
-                       std::vector<QuantityVerdict>& quantities) {
+void apply_data_checks(const method::checks::DataChecksResult& checks, const Sources& sources,
+                       std::vector<calibration::QuantityVerdict>& quantities) {
   for (const Consequence& consequence : consequences(sources)) {
-    const DataCheck* check = checks.find(consequence.check);
-    if (check == nullptr || check->state != CheckState::fails) continue;
-    for (QuantityVerdict& quantity : quantities) {
+    const method::checks::DataCheck* check = checks.find(consequence.check);
+    if (check == nullptr || check->state != method::checks::CheckState::fails) continue;
+    for (calibration::QuantityVerdict& quantity : quantities) {
       const Keys& touched = consequence.touched;
       if (std::find(touched.begin(), touched.end(), quantity.key) == touched.end()) continue;
-      lower(quantity, consequence.lowered_to, check->found + ": " + check->consequence,
-            check->experiment);
+      calibration::lower(quantity, consequence.lowered_to, check->found + ": " + check->consequence,
+                         check->experiment);
     }
   }
 }
 
-std::vector<QuantityVerdict> judge_quantities(const Calibration& c) {
-  std::vector<QuantityVerdict> all = gravity_verdicts(c);
+std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Calibration& c) {
+  std::vector<calibration::QuantityVerdict> all = gravity_verdicts(c);
   for (const auto& room : {bristle_verdicts(c), curve_verdicts(c)}) {
     all.insert(all.end(), room.begin(), room.end());
   }
   for (const std::string& words : c.cross_checks.findings) {
     if (!c.cross_checks.doubtful) break;
     for (std::size_t k = 1; k < 3; ++k) {
-      lower(all[k], Verdict::doubtful, words,
-            "the micro-oscillation at eight positions spread over one turn of the motor");
+      calibration::lower(
+          all[k], calibration::Verdict::doubtful, words,
+          "the micro-oscillation at eight positions spread over one turn of the motor");
     }
   }
   const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
@@ -171,41 +174,44 @@ std::vector<QuantityVerdict> judge_quantities(const Calibration& c) {
 
 /// Most important first: what is wrong with the data, what does not agree, broken limits, what is
 /// missing, what is to be noted.
-std::vector<std::string> collect_findings(const Calibration& c, const Judgement& judgement,
+std::vector<std::string> collect_findings(const calibration::Calibration& c,
+                                          const calibration::Judgement& judgement,
                                           const std::vector<std::string>& disagreements) {
   std::vector<std::string> findings;
   const auto add = [&](const std::string& finding) {
     const bool is_new = std::find(findings.begin(), findings.end(), finding) == findings.end();
     if (!finding.empty() && is_new) findings.push_back(finding);
   };
-  for (const DataCheck* check : c.data_checks.in_state(CheckState::fails)) {
+  for (const method::checks::DataCheck* check :
+       c.data_checks.in_state(method::checks::CheckState::fails)) {
     add(check->title + ": " + check->found);
   }
-  if (c.position_plan) add(ripple_in_words(*c.position_plan, c.rough.ripple));
+  if (c.position_plan) add(method::hysteresis::ripple_in_words(*c.position_plan, c.rough.ripple));
   for (const std::string& words : disagreements) add(words);
-  for (const QuantityVerdict& quantity : judgement.quantities) {
-    for (const LimitOutcome& limit : quantity.limits) {
-      if (limit.state != LimitState::inside) add(limit.words);
+  for (const calibration::QuantityVerdict& quantity : judgement.quantities) {
+    for (const calibration::LimitOutcome& limit : quantity.limits) {
+      if (limit.state != calibration::LimitState::inside) add(limit.words);
     }
   }
-  for (const StageReport& stage : c.stages()) {
-    if (stage.state != StageState::done) add(stage.reason);
+  for (const statistics::StageReport& stage : c.stages()) {
+    if (stage.state != statistics::StageState::done) add(stage.reason);
   }
   for (const std::string& words : curve_findings(c)) add(words);
-  for (const TruthFinding& finding : c.truth_check.findings) add(finding.words);
-  for (const DataCheck* check : c.data_checks.in_state(CheckState::warns)) {
+  for (const calibration::TruthFinding& finding : c.truth_check.findings) add(finding.words);
+  for (const method::checks::DataCheck* check :
+       c.data_checks.in_state(method::checks::CheckState::warns)) {
     add(check->title + ": " + check->found);
   }
   return findings;
 }
 
-std::string sentence_of(const Calibration& c, Verdict overall, bool has_angle, bool has_mass,
-                        bool has_disagreement, bool limit_broken) {
-  const auto failing = c.data_checks.in_state(CheckState::fails);
-  if (c.manifest.drive.kind() == EffortKind::none) {
+std::string sentence_of(const calibration::Calibration& c, calibration::Verdict overall,
+                        bool has_angle, bool has_mass, bool has_disagreement, bool limit_broken) {
+  const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
+  if (c.manifest.drive.kind() == joint::EffortKind::none) {
     return "No torque was recorded: the motion alone shows neither gravity nor friction.";
   }
-  if (overall == Verdict::not_identifiable) {
+  if (overall == calibration::Verdict::not_identifiable) {
     if (!failing.empty() && c.q_peak_rad && !c.selection.recommended.empty()) {
       return "The data cannot carry an identification: " + failing.front()->found + ".";
     }
@@ -215,7 +221,7 @@ std::string sentence_of(const Calibration& c, Verdict overall, bool has_angle, b
            : has_angle ? "The surrogate mass cannot be found in these recordings."
                        : "The angle of the centre of gravity cannot be found in these recordings.";
   }
-  if (overall == Verdict::usable) {
+  if (overall == calibration::Verdict::usable) {
     return "All stages have their data, and the independent estimates of the mass agree.";
   }
   if (!failing.empty()) {
@@ -232,24 +238,25 @@ std::string sentence_of(const Calibration& c, Verdict overall, bool has_angle, b
 
 }  // namespace
 
-Judgement judge(const Calibration& c) {
-  Judgement out;
+calibration::Judgement judge(const calibration::Calibration& c) {
+  calibration::Judgement out;
   const std::vector<std::string>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
   const auto is_known = [&](std::size_t k) {
-    return out.quantities[k].verdict != Verdict::not_identifiable;
+    return out.quantities[k].verdict != calibration::Verdict::not_identifiable;
   };
   const bool has_angle = is_known(0);
   const bool has_mass = is_known(1) && is_known(2);
   bool limit_broken = false;
-  out.verdict = Verdict::usable;
-  for (const QuantityVerdict& quantity : out.quantities) {
-    if (quantity.decides && quantity.verdict != Verdict::usable) out.verdict = Verdict::doubtful;
-    for (const LimitOutcome& limit : quantity.limits) {
-      limit_broken |= limit.state != LimitState::inside;
+  out.verdict = calibration::Verdict::usable;
+  for (const calibration::QuantityVerdict& quantity : out.quantities) {
+    if (quantity.decides && quantity.verdict != calibration::Verdict::usable)
+      out.verdict = calibration::Verdict::doubtful;
+    for (const calibration::LimitOutcome& limit : quantity.limits) {
+      limit_broken |= limit.state != calibration::LimitState::inside;
     }
   }
-  if (!has_angle || !has_mass) out.verdict = Verdict::not_identifiable;
+  if (!has_angle || !has_mass) out.verdict = calibration::Verdict::not_identifiable;
   out.sentence =
       sentence_of(c, out.verdict, has_angle, has_mass, c.cross_checks.doubtful, limit_broken);
   out.findings = collect_findings(c, out, disagreements);
@@ -265,29 +272,32 @@ const char* const record_runs =
     "ten to twenty constant speeds, from the slowest smooth one to the fastest allowed, in both "
     "directions over the same angles";
 
-QuantityVerdict by_estimate(const std::string& key, const std::string& words,
-                            const std::string& unit, const std::optional<Estimate>& estimate,
-                            const std::string& why_absent, const std::string& experiment) {
+calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& words,
+                                         const std::string& unit,
+                                         const std::optional<statistics::Estimate>& estimate,
+                                         const std::string& why_absent,
+                                         const std::string& experiment) {
   constexpr double widest_usable = 0.3;
-  QuantityVerdict q;
+  calibration::QuantityVerdict q;
   q.key = key;
   q.words = words;
   q.unit = unit;
   if (!estimate || !std::isfinite(estimate->value)) {
-    lower(q, Verdict::not_identifiable, why_absent, experiment);
+    calibration::lower(q, calibration::Verdict::not_identifiable, why_absent, experiment);
     return q;
   }
   q.estimate = estimate;
   const double share = estimate->half_width() / std::abs(estimate->value);
   if (!(estimate->low > 0)) {
-    lower(q, Verdict::not_identifiable,
-          fmt::format("the data do not show it: its 95 % interval reaches {}",
-                      estimate->low < 0 ? "below zero" : "zero"),
-          experiment);
+    calibration::lower(q, calibration::Verdict::not_identifiable,
+                       fmt::format("the data do not show it: its 95 % interval reaches {}",
+                                   estimate->low < 0 ? "below zero" : "zero"),
+                       experiment);
   } else if (!(share <= widest_usable)) {
-    lower(q, Verdict::doubtful, fmt::format("known to ± {:.0f} % only", 100 * share), experiment);
+    calibration::lower(q, calibration::Verdict::doubtful,
+                       fmt::format("known to ± {:.0f} % only", 100 * share), experiment);
   }
   return q;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::verdict

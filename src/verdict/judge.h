@@ -3,11 +3,11 @@
 
 #include "calibration/calibration.h"
 
-namespace tribolog {
+namespace tribolog::verdict {
 
 /// Each quantity by what the stages found, by the checks on the data, and by the manifest's limits.
 /// Over all: usable if every quantity that decides is usable and independent estimates agree; not
 /// identifiable without the angle of the centre of gravity or without its torque; else doubtful.
-Judgement judge(const Calibration& calibration);
+calibration::Judgement judge(const calibration::Calibration& calibration);
 
-}  // namespace tribolog
+}  // namespace tribolog::verdict

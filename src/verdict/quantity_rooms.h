@@ -9,17 +9,17 @@
 #include "calibration/calibration.h"
 #include "calibration/quantity_verdict.h"
 
-namespace tribolog {
+namespace tribolog::verdict {
 
 /// Angle of the centre of gravity, gravity torque, surrogate mass.
-std::vector<QuantityVerdict> gravity_verdicts(const Calibration& c);
+std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Calibration& c);
 /// Break-away torque, bristle stiffness, bristle damping, inertia: what the loop shows.
-std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c);
+std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c);
 /// Coulomb torque, Stribeck velocity, viscous coefficient, viscous curve: what the runs show.
-std::vector<QuantityVerdict> curve_verdicts(const Calibration& c);
+std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c);
 
 /// From the runs, or else from the sweep; motor side.
-std::optional<Estimate> coulomb_torque(const Calibration& c);
+std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c);
 
 /// What to record for each family.
 extern const char* const record_a_sweep;
@@ -29,8 +29,10 @@ extern const char* const record_runs;
 /// A positive quantity by its estimate: absent or with an interval that reaches zero it is not
 /// identifiable; with one wider than 30 % of it, doubtful.
 /// @param why_absent in words, where there is no estimate.
-QuantityVerdict by_estimate(const std::string& key, const std::string& words,
-                            const std::string& unit, const std::optional<Estimate>& estimate,
-                            const std::string& why_absent, const std::string& experiment);
+calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& words,
+                                         const std::string& unit,
+                                         const std::optional<statistics::Estimate>& estimate,
+                                         const std::string& why_absent,
+                                         const std::string& experiment);
 
-}  // namespace tribolog
+}  // namespace tribolog::verdict

@@ -3,64 +3,71 @@
 #include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"
 
-namespace tribolog {
+namespace tribolog::verdict {
 
 namespace {
 
 /// Why no sweep gave the angle: the sweep that was recorded speaks first.
-std::string why_no_angle(const Calibration& c) {
-  const StageReport& rough = c.rough.stage;
-  const StageReport& precise = c.precise.stage;
-  return rough.state == StageState::skipped && precise.state != StageState::skipped ? precise.reason
-                                                                                    : rough.reason;
+std::string why_no_angle(const calibration::Calibration& c) {
+  const statistics::StageReport& rough = c.rough.stage;
+  const statistics::StageReport& precise = c.precise.stage;
+  return rough.state == statistics::StageState::skipped &&
+                 precise.state != statistics::StageState::skipped
+             ? precise.reason
+             : rough.reason;
 }
 
-QuantityVerdict angle(const Calibration& c) {
-  constexpr double widest_usable_rad = 5 * rad_per_degree;
-  constexpr double widest_known_rad = 30 * rad_per_degree;
-  QuantityVerdict q;
+calibration::QuantityVerdict angle(const calibration::Calibration& c) {
+  constexpr double widest_usable_rad = 5 * joint::rad_per_degree;
+  constexpr double widest_known_rad = 30 * joint::rad_per_degree;
+  calibration::QuantityVerdict q;
   q.key = "cog_angle";
   q.words = "Angle of the centre of gravity";
   q.unit = "rad";
   if (!c.q_peak_rad) {
-    lower(q, Verdict::not_identifiable, why_no_angle(c), record_a_sweep);
+    calibration::lower(q, calibration::Verdict::not_identifiable, why_no_angle(c), record_a_sweep);
     return q;
   }
   q.estimate = c.q_peak_rad;
   const double half_width = c.q_peak_rad->half_width();
   if (half_width > widest_usable_rad) {
-    lower(q, half_width > widest_known_rad ? Verdict::not_identifiable : Verdict::doubtful,
-          fmt::format("known to ± {:.0f}° only", half_width * degrees_per_rad), record_a_sweep);
+    calibration::lower(q,
+                       half_width > widest_known_rad ? calibration::Verdict::not_identifiable
+                                                     : calibration::Verdict::doubtful,
+                       fmt::format("known to ± {:.0f}° only", half_width * joint::degrees_per_rad),
+                       record_a_sweep);
   }
-  const StageReport& source = c.q_peak_source == "cog_precise" ? c.precise.stage : c.rough.stage;
-  if (source.state == StageState::partial) {
-    lower(q, Verdict::doubtful, source.reason, record_a_sweep);
+  const statistics::StageReport& source =
+      c.q_peak_source == "cog_precise" ? c.precise.stage : c.rough.stage;
+  if (source.state == statistics::StageState::partial) {
+    calibration::lower(q, calibration::Verdict::doubtful, source.reason, record_a_sweep);
   }
   return q;
 }
 
 }  // namespace
 
-std::vector<QuantityVerdict> gravity_verdicts(const Calibration& c) {
-  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Calibration& c) {
+  const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   const std::string why = c.masses.stage.reason;
   const char* const both =
       "slow sweep over the joint's range in both directions, and a "
       "micro-oscillation about the gravity peak";
-  std::optional<Estimate> gravity_Nm;
-  std::optional<Estimate> mass_kg;
+  std::optional<statistics::Estimate> gravity_Nm;
+  std::optional<statistics::Estimate> mass_kg;
   if (mass != nullptr) {
     gravity_Nm = mass->gravity_Nm;
     mass_kg = mass->mass_kg;
   }
-  std::vector<QuantityVerdict> all{
+  std::vector<calibration::QuantityVerdict> all{
       angle(c), by_estimate("gravity_torque", "Gravity torque", "N·m", gravity_Nm, why, both),
       by_estimate("surrogate_mass", "Surrogate mass", "kg", mass_kg, why, both)};
   // Each independent way to gravity has to be there, or the mass stands on one alone.
-  for (const StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
-    if (mass == nullptr || stage->state == StageState::done) continue;
+  for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
+    if (mass == nullptr || stage->state == statistics::StageState::done) continue;
     for (std::size_t k = 1; k < all.size(); ++k) {
-      lower(all[k], Verdict::doubtful, "nothing independent checks it: " + stage->reason, both);
+      calibration::lower(all[k], calibration::Verdict::doubtful,
+                         "nothing independent checks it: " + stage->reason, both);
     }
   }
   return all;
@@ -69,7 +76,7 @@ std::vector<QuantityVerdict> gravity_verdicts(const Calibration& c) {
 namespace {
 
 /// Why the loop gave no parameters: the fit's own words, or the stage's.
-std::string why_no_fit(const Calibration& c) {
+std::string why_no_fit(const calibration::Calibration& c) {
   const auto& fit = c.hysteresis.lugre;
   if (fit && !fit->reason.empty()) return fit->reason;
   if (!c.hysteresis.stage.reason.empty()) return c.hysteresis.stage.reason;
@@ -77,65 +84,72 @@ std::string why_no_fit(const Calibration& c) {
 }
 
 /// From ramps where there are some that broke away, else from the loop's level.
-QuantityVerdict break_away(const Calibration& c, const std::optional<Estimate>& loop_level_Nm,
-                           const std::string& why) {
-  const BreakAwayResult& ramps = c.break_away;
+calibration::QuantityVerdict break_away(const calibration::Calibration& c,
+                                        const std::optional<statistics::Estimate>& loop_level_Nm,
+                                        const std::string& why) {
+  const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
-  QuantityVerdict q =
+  calibration::QuantityVerdict q =
       by_estimate("break_away_torque", "Break-away torque", "N·m",
                   from_ramps ? ramps.mean_Nm : loop_level_Nm, why, record_an_oscillation);
   if (!ramps.ramps.empty() && !from_ramps) {
-    lower(q, Verdict::doubtful, "the ramps do not show it: " + ramps.stage.reason,
-          "ramps of the torque that go on until the joint slides, several in each direction");
+    calibration::lower(
+        q, calibration::Verdict::doubtful, "the ramps do not show it: " + ramps.stage.reason,
+        "ramps of the torque that go on until the joint slides, several in each direction");
   }
   // Sliding friction cannot be larger than what it takes to start sliding.
-  const std::optional<Estimate> coulomb = coulomb_torque(c);
+  const std::optional<statistics::Estimate> coulomb = coulomb_torque(c);
   if (!from_ramps && loop_level_Nm && coulomb && loop_level_Nm->high < coulomb->low) {
-    lower(q, Verdict::not_identifiable,
-          "the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
-          "the break-away torque is only known to be larger",
-          "oscillate with a larger amplitude, until the loop's branches run flat");
+    calibration::lower(
+        q, calibration::Verdict::not_identifiable,
+        "the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
+        "the break-away torque is only known to be larger",
+        "oscillate with a larger amplitude, until the loop's branches run flat");
   }
   return q;
 }
 
 /// A number of a model is one of the joint as far as the model describes the joint.
-void judge_by_misfit(const LuGreFit& fit, QuantityVerdict& q) {
+void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::QuantityVerdict& q) {
   // A joint whose loop differs from LuGre's by 0.6 % of its height can be 26 % stiffer or softer
   // (tests/identify/other_friction_test.cpp).
   constexpr double doubtful_share = 0.005;
   constexpr double hopeless_share = 0.1;
-  const LuGreLoop* worst = fit.worst_described();
+  const method::hysteresis::LuGreLoop* worst = fit.worst_described();
   if (worst == nullptr || !(worst->height_Nm > 0)) return;
   const double share = worst->systematic_Nm / worst->height_Nm;
   if (share <= doubtful_share) return;
-  lower(q, share > hopeless_share ? Verdict::not_identifiable : Verdict::doubtful,
-        fmt::format("{}: the LuGre model leaves {:.2g} N·m, {:.1f} % of the loop's height, that "
-                    "noise does not explain (limit {:.1f} %): its number is the model's nearest, "
-                    "not the joint's",
-                    worst->recording, worst->systematic_Nm, 100 * share, 100 * doubtful_share),
-        "compare with the stiffness behind reversals, which needs no model (table of the loops)");
+  calibration::lower(
+      q,
+      share > hopeless_share ? calibration::Verdict::not_identifiable
+                             : calibration::Verdict::doubtful,
+      fmt::format("{}: the LuGre model leaves {:.2g} N·m, {:.1f} % of the loop's height, that "
+                  "noise does not explain (limit {:.1f} %): its number is the model's nearest, "
+                  "not the joint's",
+                  worst->recording, worst->systematic_Nm, 100 * share, 100 * doubtful_share),
+      "compare with the stiffness behind reversals, which needs no model (table of the loops)");
 }
 
 }  // namespace
 
-std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c) {
+std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
   const auto& fit = c.hysteresis.lugre;
   // A parameter that the loops do not show says why, and what would show it.
   const auto of_fit = [&](const std::string& key, const std::string& words, const std::string& unit,
-                          const char* name, const std::optional<Estimate>& instead) {
+                          const char* name, const std::optional<statistics::Estimate>& instead) {
     std::string why = why_no_fit(c);
     std::string experiment = record_an_oscillation;
-    std::optional<Estimate> estimate = instead;
+    std::optional<statistics::Estimate> estimate = instead;
     if (fit && !estimate) estimate = fit->shown(name);
-    for (const LuGreParameter& p : fit ? fit->parameters : std::vector<LuGreParameter>{}) {
+    for (const method::hysteresis::LuGreParameter& p :
+         fit ? fit->parameters : std::vector<method::hysteresis::LuGreParameter>{}) {
       if (p.name != name || p.estimate) continue;
       why = p.why_not;
       experiment = p.experiment;
     }
     return by_estimate(key, words, unit, estimate, why, experiment);
   };
-  std::vector<QuantityVerdict> all{
+  std::vector<calibration::QuantityVerdict> all{
       break_away(c, fit ? fit->shown("static_Nm") : std::nullopt, why_no_fit(c)),
       of_fit("bristle_stiffness", "Bristle stiffness", "N·m/rad", "bristle_stiffness_Nm_rad", {}),
       of_fit("bristle_damping", "Bristle damping", "N·m·s/rad", "bristle_damping_Nms_rad", {}),
@@ -151,39 +165,41 @@ std::vector<QuantityVerdict> bristle_verdicts(const Calibration& c) {
 
 namespace {
 
-QuantityVerdict viscous_curve(const Calibration& c) {
-  QuantityVerdict q;
+calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
+  calibration::QuantityVerdict q;
   q.key = "viscous_curve";
   q.words = "Viscous curve";
-  const StageReport& stage = c.viscous.stage;
+  const statistics::StageReport& stage = c.viscous.stage;
   if (c.viscous.runs.empty() || c.viscous.curves.empty()) {
-    lower(q, Verdict::not_identifiable, stage.reason, record_runs);
+    calibration::lower(q, calibration::Verdict::not_identifiable, stage.reason, record_runs);
     return q;
   }
-  if (stage.state != StageState::done) lower(q, Verdict::doubtful, stage.reason, record_runs);
+  if (stage.state != statistics::StageState::done)
+    calibration::lower(q, calibration::Verdict::doubtful, stage.reason, record_runs);
   if (c.quality.errors.empty()) {
-    lower(q, Verdict::doubtful, "nothing checks the curve: " + c.quality.stage.reason, record_runs);
+    calibration::lower(q, calibration::Verdict::doubtful,
+                       "nothing checks the curve: " + c.quality.stage.reason, record_runs);
   }
   return q;
 }
 
 }  // namespace
 
-std::optional<Estimate> coulomb_torque(const Calibration& c) {
+std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c) {
   const auto& line = c.friction.coulomb_viscous;
   return line ? line->coulomb_Nm : c.rough.coulomb_Nm;
 }
 
-std::vector<QuantityVerdict> curve_verdicts(const Calibration& c) {
+std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
   const auto& line = c.friction.coulomb_viscous;
   const auto& waiboer = c.friction.waiboer;
   const std::string why = c.friction.stage.reason;
-  std::optional<Estimate> viscous = c.rough.viscous_Nms_rad;
-  std::optional<Estimate> stribeck;
+  std::optional<statistics::Estimate> viscous = c.rough.viscous_Nms_rad;
+  std::optional<statistics::Estimate> stribeck;
   if (line) viscous = line->viscous_Nms_rad;
   if (waiboer && waiboer->converged) stribeck = waiboer->stribeck_speed_rad_s;
   // Which model of the curve was chosen, and what it shows of each parameter, enters here.
-  std::vector<QuantityVerdict> all{
+  std::vector<calibration::QuantityVerdict> all{
       by_estimate("coulomb_torque", "Coulomb torque", "N·m", coulomb_torque(c), why, record_runs),
       by_estimate("stribeck_speed", "Stribeck velocity", "rad/s", stribeck,
                   why.empty() ? "no model with a Stribeck velocity was fitted to the curve" : why,
@@ -196,4 +212,4 @@ std::vector<QuantityVerdict> curve_verdicts(const Calibration& c) {
   return all;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::verdict

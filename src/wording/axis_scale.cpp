@@ -7,7 +7,7 @@
 #include "joint/degrees.h"
 #include "wording/number_text.h"
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 namespace {
 
 constexpr double smallest_shown = 0.5;
@@ -60,7 +60,7 @@ AxisScale prefixed(const std::string& si_unit, double largest) {
   return {prefixes.back().factor, prefixes.back().name + si_unit};
 }
 
-AxisScale degrees() { return {degrees_per_rad, "°"}; }
+AxisScale degrees() { return {joint::degrees_per_rad, "°"}; }
 
 AxisScale levelled(const std::string& si_unit, const Extent& extent) {
   const double span = extent.span();
@@ -82,4 +82,4 @@ std::string axis_title(const std::string& quantity_and_symbol, const AxisScale& 
   return title + " [" + scale.unit + "]";
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 
 /// Smallest and largest of some numbers; those that are not finite do not count.
 struct Extent {
@@ -45,4 +45,4 @@ AxisScale levelled(const std::string& si_unit, const Extent& extent);
 std::string axis_title(const std::string& quantity_and_symbol, const AxisScale& scale,
                        const std::string& si_unit = "");
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

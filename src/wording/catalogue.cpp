@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tribolog {
+namespace tribolog::wording {
 namespace {
 
 /// Where sentences may end: behind each of these and its blank.
@@ -174,4 +174,4 @@ std::vector<std::string> Catalogue::template_messages() const {
   return messages;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

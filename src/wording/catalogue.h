@@ -15,7 +15,7 @@
 
 #include "wording/message_pattern.h"
 
-namespace tribolog {
+namespace tribolog::wording {
 
 class Catalogue {
  public:
@@ -55,4 +55,4 @@ class Catalogue {
   std::vector<Message> with_places_;  ///< Those that say most first.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

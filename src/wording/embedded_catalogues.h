@@ -3,9 +3,9 @@
 
 #include "base/embedded_file.h"
 
-namespace tribolog {
+namespace tribolog::wording {
 
 /// All of them, sorted by name: "pl_figures.json".
 const std::vector<EmbeddedFile>& embedded_catalogues();
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

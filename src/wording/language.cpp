@@ -4,7 +4,7 @@
 
 #include "wording/embedded_catalogues.h"
 
-namespace tribolog {
+namespace tribolog::wording {
 namespace {
 
 Catalogue read_catalogue(Language language) {
@@ -41,4 +41,4 @@ std::string in_language(Language language, std::string_view text) {
   return catalogue == nullptr ? std::string(text) : catalogue->translate(text);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

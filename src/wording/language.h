@@ -7,7 +7,7 @@
 
 #include "wording/catalogue.h"
 
-namespace tribolog {
+namespace tribolog::wording {
 
 /// English is the program's own; every other one has a catalogue in templates/languages/.
 enum class Language { english, polish };
@@ -25,4 +25,4 @@ const Catalogue* catalogue_of(Language language);
 /// The text in the language, or as it is where there is no translation.
 std::string in_language(Language language, std::string_view text);
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::wording {
 namespace {
 
 [[noreturn]] void refuse(std::string_view message, const std::string& what) {
@@ -154,4 +154,4 @@ std::string fill_places(std::string_view translation, const std::vector<std::str
   return filled;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::wording {
 
 /// What stood in the places of a message.
 struct PlacedText {
@@ -58,4 +58,4 @@ std::string fill_places(std::string_view translation, const std::vector<std::str
 /// to 14; 2 for all others and for fractions and what is no number.
 int plural_form(std::string_view number);
 
-}  // namespace tribolog
+}  // namespace tribolog::wording

@@ -5,24 +5,11 @@
 
 #include <fmt/format.h>
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 namespace {
 
 constexpr double lopsided = 0.2;  // of the half width: more is shown as two ends
 constexpr double exact = 1e-6;
-
-std::string with_minus(std::string text) {
-  const std::size_t first = text.find('-');
-  if (first != 0) return text;
-  // "-0.00" is zero.
-  if (text.find_first_of("123456789") == std::string::npos) return text.substr(1);
-  std::string minus = "−";
-  return minus.append(text, 1, std::string::npos);
-}
-
-std::string fixed(double value, int decimals) {
-  return with_minus(fmt::format("{:.{}f}", value, decimals));
-}
 
 /// Decimals that show `step` with so many significant digits.
 int decimals_for(double step, int digits) {
@@ -49,12 +36,6 @@ std::string joined(const std::string& number, const std::string& unit) {
 
 }  // namespace
 
-std::string significant(double value, int digits) {
-  if (!std::isfinite(value)) return "unknown";
-  if (!printable_in_full(value)) return with_minus(fmt::format("{:.{}e}", value, digits - 1));
-  return fixed(value, value == 0.0 ? 0 : decimals_for(value, digits));
-}
-
 std::string to_place(double value, double largest, int digits) {
   if (!std::isfinite(value)) return "unknown";
   if (!printable_in_full(largest) || largest == 0.0) return significant(value, digits);
@@ -73,7 +54,7 @@ std::string size_words(double si_size, double floor, const std::string& si_unit)
   return with_unit(si_size, scale_of(si_size), 2);
 }
 
-std::string with_interval(const Estimate& estimate, const AxisScale& scale) {
+std::string with_interval(const statistics::Estimate& estimate, const AxisScale& scale) {
   const double value = scale(estimate.value);
   const double below = value - scale(estimate.low);
   const double above = scale(estimate.high) - value;
@@ -90,7 +71,7 @@ std::string with_interval(const Estimate& estimate, const AxisScale& scale) {
   return joined(fixed(value, decimals) + " ± " + fixed(half, decimals), scale.unit);
 }
 
-std::string rounded(const Estimate& estimate, const AxisScale& scale) {
+std::string rounded(const statistics::Estimate& estimate, const AxisScale& scale) {
   const double value = scale(estimate.value);
   const double half = std::abs(estimate.half_width() * scale.factor);
   if (!worth_showing(half, value)) return joined(significant(value, 5), scale.unit);
@@ -110,4 +91,4 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

@@ -7,12 +7,9 @@
 
 #include "statistics/estimate.h"
 #include "wording/axis_scale.h"
+#include "wording/rounding.h"
 
-namespace tribolog::figures {
-
-/// Fixed notation with so many significant digits and a real minus sign: "−22.23", "0.00310".
-/// Beyond 1e-9 to 1e9 in scientific notation; not finite: "unknown".
-std::string significant(double value, int digits);
+namespace tribolog::wording {
 
 /// The value to the place that shows `largest` with so many digits: members of one list.
 std::string to_place(double value, double largest, int digits);
@@ -30,10 +27,10 @@ inline constexpr double percent_floor = 1e-3;
 
 /// "3.8832 ± 0.0043 N·m", the interval to two digits and the value to the same place. Where the
 /// interval is lopsided: "3.883 N·m (3.879 to 3.899)". Without an interval: five digits.
-std::string with_interval(const Estimate& estimate, const AxisScale& scale);
+std::string with_interval(const statistics::Estimate& estimate, const AxisScale& scale);
 
 /// The value alone, rounded to where its interval begins: "3.883 N·m".
-std::string rounded(const Estimate& estimate, const AxisScale& scale);
+std::string rounded(const statistics::Estimate& estimate, const AxisScale& scale);
 
 /// "1 run", "20 runs"
 std::string counted(std::size_t count, const std::string& singular);
@@ -41,4 +38,4 @@ std::string counted(std::size_t count, const std::string& singular);
 /// "A, B and C"
 std::string listed(const std::vector<std::string>& words);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

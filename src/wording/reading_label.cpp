@@ -6,10 +6,10 @@
 
 #include "truth/readings.h"
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 
 std::string reading_label(const std::string& reading) {
-  const std::string words = reading_words(reading);
+  const std::string words = truth::reading_words(reading);
   const std::size_t mark = words.find('_');
   if (mark == std::string::npos) return words;
   const std::size_t end = std::min(words.find(' ', mark), words.size());
@@ -17,4 +17,4 @@ std::string reading_label(const std::string& reading) {
                      words.substr(mark + 1, end - mark - 1), words.substr(end));
 }
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 
 /// reading_words() with the subscript marked up: "break-away torque T_{s}".
 std::string reading_label(const std::string& reading);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

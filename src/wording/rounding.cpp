@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog::report {
+namespace tribolog::wording {
 namespace {
 
 constexpr int most_significant_digits = 7;
@@ -71,7 +71,7 @@ std::string as_stated(double value) {
   return std::isfinite(value) ? with_minus_sign(fmt::format("{:.10g}", value)) : "unknown";
 }
 
-RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale) {
+RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Scale& scale) {
   RoundedEstimate text;
   if (!std::isfinite(estimate.value)) {
     text.estimate = "not identified";
@@ -118,7 +118,7 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return unit == "°" ? number + unit : number + "\u00a0" + unit;
 }
 
-std::string in_words(const Estimate& estimate, const Scale& scale) {
+std::string in_words(const statistics::Estimate& estimate, const Scale& scale) {
   const RoundedEstimate text = round_by_interval(estimate, scale);
   if (!text.half_width.empty()) {
     const bool degrees = scale.unit == "°";
@@ -137,4 +137,4 @@ std::string count(std::size_t value) {
   return digits;
 }
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

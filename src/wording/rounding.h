@@ -11,7 +11,7 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog::report {
+namespace tribolog::wording {
 
 /// How an SI number is shown: `number * factor` in `unit`.
 struct Scale {
@@ -30,10 +30,10 @@ struct RoundedEstimate {
 };
 
 /// An interval counts as lopsided if its sides differ by more than a tenth of the half width.
-RoundedEstimate round_by_interval(const Estimate& estimate, const Scale& scale);
+RoundedEstimate round_by_interval(const statistics::Estimate& estimate, const Scale& scale);
 
 /// "3.8832 ± 0.0043 N·m"; lopsided: "3.8832 N·m (3.8789 … 3.8899)".
-std::string in_words(const Estimate& estimate, const Scale& scale);
+std::string in_words(const statistics::Estimate& estimate, const Scale& scale);
 
 /// A hyphen in front becomes U+2212; in front of a zero it goes.
 std::string with_minus_sign(std::string digits);
@@ -61,4 +61,4 @@ std::string with_unit(const std::string& number, const std::string& unit);
 /// Whole number, digits in groups of three: "120 000" (narrow no-break space).
 std::string count(std::size_t value);
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

@@ -6,15 +6,15 @@
 
 #include "joint/dataset.h"
 
-namespace tribolog::figures {
+namespace tribolog::wording {
 
 /// "motor", or "joint" where the gear ratio is 1.
-std::string shaft(const Manifest& manifest);
+std::string shaft(const joint::Manifest& manifest);
 
 /// "φ̇", or "q̇" where the gear ratio is 1.
-std::string speed_symbol(const Manifest& manifest);
+std::string speed_symbol(const joint::Manifest& manifest);
 
 /// "motor speed φ̇", or "joint speed q̇" where the gear ratio is 1.
-std::string speed_quantity(const Manifest& manifest);
+std::string speed_quantity(const joint::Manifest& manifest);
 
-}  // namespace tribolog::figures
+}  // namespace tribolog::wording

@@ -5,7 +5,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog::report {
+namespace tribolog::wording {
 namespace {
 
 // The prefix changes a decade below 1 so that "0.88 N·m" stays "0.88 N·m".
@@ -27,8 +27,8 @@ Scale stiffness_scale(double size_Nm_rad) {
   return absolute >= 1e4 ? Scale{1e-3, "kN·m/rad"} : Scale{1.0, "N·m/rad"};
 }
 
-Scale degree_scale() { return {degrees_per_rad, "°"}; }
-Scale degree_per_second_scale() { return {degrees_per_rad, "°/s"}; }
+Scale degree_scale() { return {joint::degrees_per_rad, "°"}; }
+Scale degree_per_second_scale() { return {joint::degrees_per_rad, "°/s"}; }
 Scale plain_scale(std::string unit) { return {1.0, std::move(unit)}; }
 
 Scale quantity_scale(const std::string& unit, double size) {
@@ -39,4 +39,4 @@ Scale quantity_scale(const std::string& unit, double size) {
   return plain_scale(unit);
 }
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

@@ -3,7 +3,7 @@
 
 #include "wording/rounding.h"
 
-namespace tribolog::report {
+namespace tribolog::wording {
 
 /// N·m, mN·m or µN·m for torques of about this size.
 Scale torque_scale(double size_Nm);
@@ -24,4 +24,4 @@ Scale plain_scale(std::string unit);  ///< SI as it is.
 /// By the unit of a quantity of the verdict, for a value of about this size.
 Scale quantity_scale(const std::string& unit, double size);
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

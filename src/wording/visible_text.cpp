@@ -6,7 +6,7 @@
 
 #include "base/utf8.h"
 
-namespace tribolog::report {
+namespace tribolog::wording {
 namespace {
 
 bool is_control(char32_t c) { return is_control_character(c) && c != '\t' && c != '\n'; }
@@ -37,4 +37,4 @@ std::string visible_text(std::string_view text) {
   return shown;
 }
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog::report {
+namespace tribolog::wording {
 
 /// Valid UTF-8 in which nothing hides:
 /// - bytes that are not UTF-8 become `\xNN`,
@@ -14,4 +14,4 @@ namespace tribolog::report {
 /// Markup is left as it is: the template engine escapes it for the place where it stands.
 std::string visible_text(std::string_view text);
 
-}  // namespace tribolog::report
+}  // namespace tribolog::wording

@@ -28,7 +28,7 @@ struct Column {
 
 std::vector<Column> columns_of(sql::Dialect dialect) {
   const auto model = sql::sqlite_in_memory();
-  create_schema(*model);
+  store::create_schema(*model);
   std::vector<std::string> tables = test::tables_of_archive();
   if (dialect == sql::Dialect::sqlite) tables.emplace_back("sqlite_sequence");
   std::vector<Column> columns;
@@ -73,28 +73,29 @@ std::vector<std::string> alterations_of(const Column& column, sql::Dialect diale
 class AlteredArchive {
  public:
   explicit AlteredArchive(test::ArchivePlace& place) : place_(place) {
-    CalibrationArchive archive = open_archive(place.location(), sql::Access::write);
-    NewCalibration first = sample_calibration(1, 2, 3, 0.45);
+    store::CalibrationArchive archive = store::open_archive(place.location(), sql::Access::write);
+    calibration::NewCalibration first = test::sample_calibration(1, 2, 3, 0.45);
     first.facts.payload_kg = 5;
     first.facts.payload_distance_m = 0.25;
     first.facts.payload = "a box";
     first.facts.note = "warm";
     first.facts.operator_name = "A. Nowak";
-    for (const Input& input : first.inputs) {
-      first.documents.push_back({DocumentKind::input, input.name, "log of " + input.name});
+    for (const calibration::Input& input : first.inputs) {
+      first.documents.push_back(
+          {calibration::DocumentKind::input, input.name, "log of " + input.name});
     }
-    const Added added = archive.add(first, false, now);
+    const store::Added added = archive.add(first, false, now);
     archive.add(first, true, now);
-    archive.add(sample_calibration(1, 2, 4, 0.46), false, now);
+    archive.add(test::sample_calibration(1, 2, 4, 0.46), false, now);
     archive.attach_report(added.id, "<html></html>", now);
-    const Entry entry = archive.find(added.id);
-    archive.add_review(entry, {now, "A. Nowak", Review::Decision::approved, "good"});
-    archive.add_review(entry, {now, "B. Kowal", Review::Decision::rejected, "cold"});
+    const calibration::Entry entry = archive.find(added.id);
+    archive.add_review(entry, {now, "A. Nowak", calibration::Review::Decision::approved, "good"});
+    archive.add_review(entry, {now, "B. Kowal", calibration::Review::Decision::rejected, "cold"});
     place.keep();
   }
 
   [[nodiscard]] sql::Dialect dialect() const {
-    return is_server(place_.location()) ? sql::Dialect::postgres : sql::Dialect::sqlite;
+    return store::is_server(place_.location()) ? sql::Dialect::postgres : sql::Dialect::sqlite;
   }
 
   /// How many rows a statement changes; the database may refuse it.
@@ -108,7 +109,8 @@ class AlteredArchive {
 
   [[nodiscard]] bool is_noticed() const {
     try {
-      CalibrationArchive archive = open_archive(place_.location(), sql::Access::read, 200);
+      store::CalibrationArchive archive =
+          store::open_archive(place_.location(), sql::Access::read, 200);
       return !archive.verify("", {}).faults.empty();
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), ExitStatus::archive_failed) << error.what();

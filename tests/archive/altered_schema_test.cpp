@@ -50,12 +50,12 @@ TEST(AlteredSchema, IsRefusedByReadersAndWriters) {
   };
   for (const auto& [statements, says] : damages) {
     test::SqlitePlace place;
-    open_archive(place.location(), sql::Access::write)
+    store::open_archive(place.location(), sql::Access::write)
         .add(test::sample_calibration(1, 2, 3, 0.45), false, "2026-12-24T12:00:00Z");
     place.run(statements, false);
     for (const sql::Access access : {sql::Access::read, sql::Access::write}) {
       const std::string said = test::refusal_of<ArchiveError>([&] {
-        (void)open_archive(place.location(), access);
+        (void)store::open_archive(place.location(), access);
         return 0;
       });
       EXPECT_NE(said.find(says), std::string::npos) << statements << ": " << said;
@@ -67,10 +67,11 @@ TEST(AlteredSchema, IsRefusedByReadersAndWriters) {
 
 TEST(AlteredSchema, StatisticsAndFreePagesAreNone) {
   test::SqlitePlace place;
-  open_archive(place.location(), sql::Access::write)
+  store::open_archive(place.location(), sql::Access::write)
       .add(test::sample_calibration(1, 2, 3, 0.45), false, "2026-12-24T12:00:00Z");
   place.run("ANALYZE; VACUUM; CREATE TABLE x (y); DROP TABLE x", false);
-  EXPECT_TRUE(open_archive(place.location(), sql::Access::read).verify("", {}).faults.empty());
+  EXPECT_TRUE(
+      store::open_archive(place.location(), sql::Access::read).verify("", {}).faults.empty());
 }
 
 }  // namespace

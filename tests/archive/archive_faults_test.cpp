@@ -47,9 +47,9 @@ class ArchiveOnASmallDisk : public testing::Test {
 TEST_F(ArchiveOnASmallDisk, FullKeepsWhatWasAcknowledged) {
   std::size_t kept = 0;
   std::string said;
-  CalibrationArchive archive = open_archive(path(), sql::Access::write);
+  store::CalibrationArchive archive = store::open_archive(path(), sql::Access::write);
   for (int day = 0; said.empty() && day < 100; ++day) {
-    NewCalibration c = test::sample_calibration(1, 1, day, 0.4);
+    calibration::NewCalibration c = test::sample_calibration(1, 1, day, 0.4);
     c.documents.front().bytes += noise(80'000);
     try {
       archive.add(c, false, now);
@@ -60,7 +60,7 @@ TEST_F(ArchiveOnASmallDisk, FullKeepsWhatWasAcknowledged) {
   }
   EXPECT_EQ(said, path() + ": no space left for the archive; nothing was changed");
   EXPECT_GT(kept, 2U);
-  CalibrationArchive again = open_archive(path(), sql::Access::read);
+  store::CalibrationArchive again = store::open_archive(path(), sql::Access::read);
   EXPECT_EQ(again.list({}).size(), kept);
   EXPECT_TRUE(again.verify("", {}).faults.empty());
   EXPECT_EQ(disk_.entries(), 1U);
@@ -68,22 +68,24 @@ TEST_F(ArchiveOnASmallDisk, FullKeepsWhatWasAcknowledged) {
 
 TEST_F(ArchiveOnASmallDisk, FullMakesNoArchive) {
   (void)disk_.file("filler", std::string(1'040'000, 'x'));
-  EXPECT_THROW((void)open_archive(path(), sql::Access::write), OutputError);
+  EXPECT_THROW((void)store::open_archive(path(), sql::Access::write), OutputError);
   EXPECT_EQ(disk_.entries(), 1U);
 }
 
 TEST(ArchiveBehindTheLimitOfFileSize, IsLeftAsItIsWithoutAJournal) {
   const test::TemporaryDirectory directory;
   const std::string path = directory.path("a.tribolog");
-  open_archive(path, sql::Access::write).add(test::sample_calibration(1, 1, 1, 0.4), false, now);
+  store::open_archive(path, sql::Access::write)
+      .add(test::sample_calibration(1, 1, 1, 0.4), false, now);
   const std::string before = directory.contents("a.tribolog");
   rlimit usual{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
   const rlimit small{before.size() / 2, usual.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string said = refusal_of<OutputError>([&] {
-    open_archive(path, sql::Access::write).add(test::sample_calibration(1, 1, 2, 0.4), false, now);
+  const std::string said = test::refusal_of<OutputError>([&] {
+    store::open_archive(path, sql::Access::write)
+        .add(test::sample_calibration(1, 1, 2, 0.4), false, now);
     return 0;
   });
   setrlimit(RLIMIT_FSIZE, &usual);
@@ -94,16 +96,17 @@ TEST(ArchiveBehindTheLimitOfFileSize, IsLeftAsItIsWithoutAJournal) {
 }
 
 TEST_F(ArchiveOnASmallDisk, ReadOnlyIsReadAndNotWritten) {
-  open_archive(path(), sql::Access::write).add(test::sample_calibration(1, 1, 1, 0.4), false, now);
+  store::open_archive(path(), sql::Access::write)
+      .add(test::sample_calibration(1, 1, 1, 0.4), false, now);
   ASSERT_EQ(mount("tmpfs", disk_.path().c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=1m"), 0);
-  const std::string said = refusal_of<OutputError>([&] {
-    (void)open_archive(path(), sql::Access::write);
+  const std::string said = test::refusal_of<OutputError>([&] {
+    (void)store::open_archive(path(), sql::Access::write);
     return 0;
   });
   EXPECT_EQ(said, path() +
                       ": the archive cannot be written: Read-only file system; nothing was "
                       "changed");
-  CalibrationArchive readable = open_archive(path(), sql::Access::read);
+  store::CalibrationArchive readable = store::open_archive(path(), sql::Access::read);
   EXPECT_EQ(readable.list({}).size(), 1U);
   EXPECT_TRUE(readable.verify("", {}).faults.empty());
 }

@@ -26,21 +26,22 @@ std::string noise_text(std::size_t characters) {
 }
 
 TEST_P(AnyArchive, HostileTextsAreText) {
-  NewCalibration hostile = sample_calibration(1, 2, 3, 0.45);
+  calibration::NewCalibration hostile = test::sample_calibration(1, 2, 3, 0.45);
   hostile.facts.of.robot = "'; DROP TABLE calibration; --";
   hostile.facts.of.serial = "../../x\xe2\x80\xae\\x41%s$1";
   hostile.facts.of.joint = noise_text(10000);
   hostile.facts.note = "\xf0\x9f\xa4\x96";
   hostile.quantities[1].name = noise_text(9000);
   hostile.inputs[1].name = noise_text(11000);
-  hostile.documents.push_back({DocumentKind::input, hostile.inputs[1].name, "a log"});
-  CalibrationArchive archive = open();
-  const Added added = archive.add(hostile, false, now);
-  const Entry entry = archive.find(added.id);
+  hostile.documents.push_back({calibration::DocumentKind::input, hostile.inputs[1].name, "a log"});
+  store::CalibrationArchive archive = open();
+  const store::Added added = archive.add(hostile, false, now);
+  const calibration::Entry entry = archive.find(added.id);
   EXPECT_EQ(entry.facts.of, hostile.facts.of);
   EXPECT_EQ(entry.facts.note, hostile.facts.note);
-  EXPECT_EQ(archive.document(entry, DocumentKind::input, hostile.inputs[1].name), "a log");
-  Filter filter;
+  EXPECT_EQ(archive.document(entry, calibration::DocumentKind::input, hostile.inputs[1].name),
+            "a log");
+  store::Filter filter;
   filter.robot = hostile.facts.of.robot;
   filter.joint = hostile.facts.of.joint;
   EXPECT_EQ(archive.list(filter).size(), 1U);
@@ -48,16 +49,16 @@ TEST_P(AnyArchive, HostileTextsAreText) {
 }
 
 TEST_P(AnyArchive, TakesNoTextThatOneOfBothWouldNotKeep) {
-  CalibrationArchive archive = open();
+  store::CalibrationArchive archive = open();
   for (const std::string& text : {std::string("\xff"), std::string("J\xc3"), std::string("a\0b", 3),
                                   std::string("\xed\xa0\x80")}) {
-    NewCalibration wrong = sample_calibration(1, 2, 3, 0.45);
+    calibration::NewCalibration wrong = test::sample_calibration(1, 2, 3, 0.45);
     wrong.facts.of.joint = text;
     EXPECT_THROW(archive.add(wrong, false, now), UsageError);
-    wrong = sample_calibration(1, 2, 3, 0.45);
+    wrong = test::sample_calibration(1, 2, 3, 0.45);
     wrong.inputs[0].name = text;
     EXPECT_THROW(archive.add(wrong, false, now), UsageError);
-    Filter filter;
+    store::Filter filter;
     filter.serial = text;
     EXPECT_THROW((void)archive.list(filter), UsageError);
   }
@@ -66,19 +67,20 @@ TEST_P(AnyArchive, TakesNoTextThatOneOfBothWouldNotKeep) {
 
 TEST_P(AnyArchive, GivesBackEveryBit) {
   using Limits = std::numeric_limits<double>;
-  NewCalibration given = sample_calibration(1, 2, 3, 0.45);
+  calibration::NewCalibration given = test::sample_calibration(1, 2, 3, 0.45);
   given.quantities.clear();
   for (const double value : {1.0 / 3, 0.1, -0.1, 5.0, 0.0, -0.0, Limits::max(), Limits::lowest(),
                              Limits::min(), Limits::denorm_min(), 1e15 + 0.3, 9007199254740993.0}) {
     given.quantities.push_back({fmt::format("q{}", given.quantities.size()), "", "N·m",
-                                Verdict::usable, Estimate{value, value, value, ""}});
+                                calibration::Verdict::usable,
+                                statistics::Estimate{value, value, value, ""}});
   }
   given.inputs[0].bytes = 9007199254740993;  // no double has it
   std::string bytes;
   for (int k = 0; k < 4 * 256; ++k) bytes += static_cast<char>(k * 37);
-  given.documents.push_back({DocumentKind::input, "log.bin", bytes});
-  CalibrationArchive archive = open();
-  const Entry entry = archive.find(archive.add(given, false, now).id);
+  given.documents.push_back({calibration::DocumentKind::input, "log.bin", bytes});
+  store::CalibrationArchive archive = open();
+  const calibration::Entry entry = archive.find(archive.add(given, false, now).id);
   const auto quantities = archive.quantities(entry);
   ASSERT_EQ(quantities.size(), given.quantities.size());
   for (std::size_t k = 0; k < quantities.size(); ++k) {
@@ -86,7 +88,7 @@ TEST_P(AnyArchive, GivesBackEveryBit) {
     EXPECT_EQ(quantities[k].unit, "N·m");
   }
   EXPECT_EQ(archive.inputs(entry)[0].bytes, 9007199254740993U);
-  EXPECT_EQ(archive.document(entry, DocumentKind::input, "log.bin"), bytes);
+  EXPECT_EQ(archive.document(entry, calibration::DocumentKind::input, "log.bin"), bytes);
   EXPECT_TRUE(faults().empty());
 }
 
@@ -96,15 +98,16 @@ TEST_P(AnyArchive, ManyAtOnceMakeOneArchiveAndLoseNothing) {
   std::vector<std::thread> threads;
   for (int writer = 0; writer < writers; ++writer) {
     threads.emplace_back([&, writer] {
-      CalibrationArchive archive = open_archive(place_->location(), sql::Access::write, 60000);
+      store::CalibrationArchive archive =
+          store::open_archive(place_->location(), sql::Access::write, 60000);
       for (int k = 0; k < each; ++k) {
-        EXPECT_TRUE(archive.add(sample_calibration(writer, k, 3, 0.45), false, now).is_new);
-        (void)archive.add(sample_calibration(99, k, 3, 0.45), false, now);  // all of them do
+        EXPECT_TRUE(archive.add(test::sample_calibration(writer, k, 3, 0.45), false, now).is_new);
+        (void)archive.add(test::sample_calibration(99, k, 3, 0.45), false, now);  // all of them do
       }
     });
   }
   for (std::thread& thread : threads) thread.join();
-  const Verification outcome = open(sql::Access::read).verify("", {});
+  const store::Verification outcome = open(sql::Access::read).verify("", {});
   EXPECT_TRUE(outcome.faults.empty());
   EXPECT_EQ(outcome.entries, static_cast<std::size_t>((writers + 1) * each));
   EXPECT_EQ(outcome.events, outcome.entries);

@@ -28,17 +28,17 @@ class ArchivePlace {
   virtual void keep() = 0;
   virtual void restore() = 0;
   /// A connection on which the database's own rules are switched off as far as they can be.
-  [[nodiscard]] virtual std::unique_ptr<sql::Connection> without_rules() const = 0;
+  [[nodiscard]] virtual std::unique_ptr<archive::sql::Connection> without_rules() const = 0;
   /// By which a table's row is told from others: "rowid".
   [[nodiscard]] virtual std::string row_id() const = 0;
 };
 
 /// The tables of an archive, as the schema that makes them names them.
 inline std::vector<std::string> tables_of_archive() {
-  const auto model = sql::sqlite_in_memory();
-  archive::create_schema(*model);
+  const auto model = archive::sql::sqlite_in_memory();
+  archive::store::create_schema(*model);
   std::vector<std::string> tables;
-  for (const sql::Row& row :
+  for (const archive::sql::Row& row :
        model->run("SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE "
                   "'sqlite%' ORDER BY rowid")) {
     tables.push_back(row.front().text());
@@ -56,11 +56,12 @@ class AnyArchive : public testing::TestWithParam<MakePlace> {
     place_ = GetParam()(why);
     if (!place_) GTEST_SKIP() << why;
   }
-  [[nodiscard]] archive::CalibrationArchive open(sql::Access access = sql::Access::write) const {
-    return archive::open_archive(place_->location(), access, 200);
+  [[nodiscard]] archive::store::CalibrationArchive open(
+      archive::sql::Access access = archive::sql::Access::write) const {
+    return archive::store::open_archive(place_->location(), access, 200);
   }
   [[nodiscard]] std::vector<std::string> faults(const std::string& head = "") const {
-    return open(sql::Access::read).verify(head, {}).faults;
+    return open(archive::sql::Access::read).verify(head, {}).faults;
   }
   std::unique_ptr<ArchivePlace> place_;
 };

@@ -31,33 +31,35 @@ std::string noise(int lines) {
 }
 
 void fill(const std::string& path) {
-  CalibrationArchive archive = open_archive(path, sql::Access::write);
+  store::CalibrationArchive archive = store::open_archive(path, sql::Access::write);
   for (int day = 0; day < 4; ++day) {
-    NewCalibration c = test::sample_calibration(1, 1 + day % 2, day, 0.4 + 0.01 * day);
+    calibration::NewCalibration c = test::sample_calibration(1, 1 + day % 2, day, 0.4 + 0.01 * day);
     c.facts.note = "note of day " + std::to_string(day);
     c.documents.front().bytes += noise(100);
     if (day == 1) {
-      for (const Input& input : c.inputs) {
-        c.documents.push_back({DocumentKind::input, input.name, noise(50) + input.name});
+      for (const calibration::Input& input : c.inputs) {
+        c.documents.push_back(
+            {calibration::DocumentKind::input, input.name, noise(50) + input.name});
       }
     }
     const std::string id = archive.add(c, false, now).id;
     if (day > 1) archive.attach_report(id, "<html>" + noise(600) + std::to_string(day), now);
-    archive.add_review(archive.find(id), {now, "A. Nowak", Review::Decision::approved, "good"});
+    archive.add_review(archive.find(id),
+                       {now, "A. Nowak", calibration::Review::Decision::approved, "good"});
   }
   archive.remove(archive.list({}).front(), now);
 }
 
 /// Everything that the commands show or give back.
 std::string contents(const std::string& path) {
-  CalibrationArchive archive = open_archive(path, sql::Access::read);
-  const std::vector<Entry> entries = archive.list({});
-  std::string all = entries_json(entries, archive.decisions({}));
-  for (const Entry& entry : entries) {
+  store::CalibrationArchive archive = store::open_archive(path, sql::Access::read);
+  const std::vector<calibration::Entry> entries = archive.list({});
+  std::string all = store::entries_json(entries, archive.decisions({}));
+  for (const calibration::Entry& entry : entries) {
     const auto documents = archive.documents(entry);
-    all += entry_json(entry, archive.quantities(entry), archive.inputs(entry), documents,
-                      archive.reviews(entry));
-    for (const StoredDocument& document : documents) {
+    all += store::entry_json(entry, archive.quantities(entry), archive.inputs(entry), documents,
+                             archive.reviews(entry));
+    for (const store::StoredDocument& document : documents) {
       all += archive.document(entry, document.kind, document.name).value_or("nothing");
     }
   }
@@ -74,7 +76,7 @@ struct Counts {
 std::string check_flip(const std::string& path, const std::string& before, Counts& counts) {
   bool is_noticed = true;
   try {
-    const auto faults = open_archive(path, sql::Access::read).verify("", {}).faults;
+    const auto faults = store::open_archive(path, sql::Access::read).verify("", {}).faults;
     is_noticed = !faults.empty();
     if (is_noticed) ++counts.found;
   } catch (const Error& error) {
@@ -93,7 +95,8 @@ std::string check_flip(const std::string& path, const std::string& before, Count
     if (!is_noticed) return std::string("unnoticed, but: ") + error.what();
   }
   try {
-    open_archive(path, sql::Access::write).add(test::sample_calibration(2, 1, 1, 0.5), false, now);
+    store::open_archive(path, sql::Access::write)
+        .add(test::sample_calibration(2, 1, 1, 0.5), false, now);
   } catch (const Error& error) {
     if (error.status() != ExitStatus::archive_failed &&
         error.status() != ExitStatus::output_failed) {

@@ -15,11 +15,11 @@ using test::sample_calibration;
 const std::string now = "2026-12-24T12:00:00Z";
 
 TEST_P(AnyArchive, GivesBackWhatWasAdded) {
-  const NewCalibration given = sample_calibration(1, 2, 3, 0.45);
-  const Added added = open().add(given, false, now);
+  const calibration::NewCalibration given = test::sample_calibration(1, 2, 3, 0.45);
+  const store::Added added = open().add(given, false, now);
   EXPECT_TRUE(added.is_new);
-  CalibrationArchive again = open(sql::Access::read);
-  const Entry entry = again.find(added.id.substr(0, shown_digits));
+  store::CalibrationArchive again = open(sql::Access::read);
+  const calibration::Entry entry = again.find(added.id.substr(0, calibration::shown_digits));
   EXPECT_EQ(entry.facts.of, given.facts.of);
   EXPECT_EQ(entry.facts.measured_at, "2026-01-04T10:00:00Z");
   EXPECT_EQ(entry.facts.temperature_C, 25.0);
@@ -31,26 +31,27 @@ TEST_P(AnyArchive, GivesBackWhatWasAdded) {
   EXPECT_EQ(quantities[0].estimate->high, 0.46);
   EXPECT_FALSE(quantities[1].estimate);
   EXPECT_EQ(again.inputs(entry).size(), 2U);
-  EXPECT_EQ(again.document(entry, DocumentKind::calibration), given.documents.front().bytes);
-  EXPECT_EQ(again.document(entry, DocumentKind::report), std::nullopt);
+  EXPECT_EQ(again.document(entry, calibration::DocumentKind::calibration),
+            given.documents.front().bytes);
+  EXPECT_EQ(again.document(entry, calibration::DocumentKind::report), std::nullopt);
   EXPECT_TRUE(faults().empty());
 }
 
 TEST_P(AnyArchive, TheSameInputsAreOneEntry) {
-  CalibrationArchive archive = open();
-  NewCalibration one = sample_calibration(1, 2, 3, 0.45);
-  const Added first = archive.add(one, false, now);
+  store::CalibrationArchive archive = open();
+  calibration::NewCalibration one = test::sample_calibration(1, 2, 3, 0.45);
+  const store::Added first = archive.add(one, false, now);
   one.facts.tool_version = "9.9";
-  const Added second = archive.add(one, false, now);
+  const store::Added second = archive.add(one, false, now);
   EXPECT_FALSE(second.is_new);
   EXPECT_EQ(second.id, first.id);
   EXPECT_EQ(second.tool_version, "0.1.0");
   EXPECT_EQ(archive.list({}).size(), 1U);
-  const Added third = archive.add(one, true, now);
+  const store::Added third = archive.add(one, true, now);
   EXPECT_TRUE(third.is_new);
   EXPECT_NE(third.id, first.id);
   EXPECT_EQ(archive.list({}).size(), 2U);
-  Filter latest;
+  store::Filter latest;
   latest.latest_revisions = true;
   ASSERT_EQ(archive.list(latest).size(), 1U);
   EXPECT_EQ(archive.list(latest).front().id, third.id);
@@ -58,38 +59,38 @@ TEST_P(AnyArchive, TheSameInputsAreOneEntry) {
   EXPECT_FALSE(archive.add(one, false, now).is_new) << "of the same recordings";
   std::swap(one.inputs.front(), one.inputs.back());
   EXPECT_FALSE(archive.add(one, false, now).is_new) << "in another order";
-  one.inputs.front().sha256 = sample_calibration(1, 2, 4, 0.45).inputs.front().sha256;
+  one.inputs.front().sha256 = test::sample_calibration(1, 2, 4, 0.45).inputs.front().sha256;
   EXPECT_TRUE(archive.add(one, false, now).is_new);
 }
 
 TEST_P(AnyArchive, KeepsTheFirstReport) {
-  CalibrationArchive archive = open();
-  const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive archive = open();
+  const store::Added added = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   const std::string html = "<html>" + std::string(100000, 'x') + "</html>";
   EXPECT_TRUE(archive.attach_report(added.id, html, now));
   EXPECT_FALSE(archive.attach_report(added.id, "<html>other</html>", now));
-  const Entry entry = archive.find(added.id);
-  EXPECT_EQ(archive.document(entry, DocumentKind::report), html);
+  const calibration::Entry entry = archive.find(added.id);
+  EXPECT_EQ(archive.document(entry, calibration::DocumentKind::report), html);
   EXPECT_LT(archive.documents(entry)[1].stored_bytes, 200U);
   EXPECT_TRUE(faults().empty());
 }
 
 TEST_P(AnyArchive, ListsByJointAndTime) {
-  CalibrationArchive archive = open();
+  store::CalibrationArchive archive = open();
   for (const int day : {9, 3, 30}) {
     for (const int joint : {2, 1}) {
-      archive.add(sample_calibration(1, joint, day, 0.45), false, now);
-      archive.add(sample_calibration(2, joint, day, 0.45), false, now);
+      archive.add(test::sample_calibration(1, joint, day, 0.45), false, now);
+      archive.add(test::sample_calibration(2, joint, day, 0.45), false, now);
     }
   }
-  Filter filter;
+  store::Filter filter;
   filter.robot = "R1";
   filter.joint = "J2";
   const auto measured = archive.measured(filter);
   ASSERT_EQ(measured.size(), 3U);
   EXPECT_EQ(measured[0].entry.facts.measured_on, "2026-01-04");
   EXPECT_EQ(measured[2].entry.facts.measured_on, "2026-02-03");
-  for (const Measured& one : measured) {
+  for (const calibration::Measured& one : measured) {
     EXPECT_EQ(one.entry.facts.of.joint, "J2");
     ASSERT_EQ(one.quantities.size(), 2U);
     EXPECT_EQ(one.quantities[0].estimate->value, 0.45);
@@ -98,8 +99,8 @@ TEST_P(AnyArchive, ListsByJointAndTime) {
 }
 
 TEST_P(AnyArchive, FindsByEnoughDigits) {
-  CalibrationArchive archive = open();
-  const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive archive = open();
+  const store::Added added = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   EXPECT_EQ(archive.find(added.id.substr(0, 4)).id, added.id);
   EXPECT_THROW((void)archive.find(added.id.substr(0, 3)), UsageError);
   EXPECT_THROW((void)archive.find("%"), UsageError);
@@ -110,9 +111,9 @@ TEST_P(AnyArchive, VerifyFindsEveryAlteration) {
   std::string id;
   std::string head;
   const auto fill = [&] {
-    CalibrationArchive archive = open();
-    id = archive.add(sample_calibration(1, 2, 3, 0.45), false, now).id;
-    archive.add(sample_calibration(1, 2, 4, 0.46), false, now);
+    store::CalibrationArchive archive = open();
+    id = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now).id;
+    archive.add(test::sample_calibration(1, 2, 4, 0.46), false, now);
     archive.attach_report(id, "<html></html>", now);
     head = archive.verify("", {}).head;
   };
@@ -144,37 +145,38 @@ TEST_P(AnyArchive, VerifyFindsEveryAlteration) {
   fill();
   place_->run("DELETE FROM event WHERE number = 3; DELETE FROM document WHERE kind = 'report'",
               true);
-  if (is_server(place_->location())) {
+  if (store::is_server(place_->location())) {
     EXPECT_TRUE(faults().empty());
   }
   EXPECT_FALSE(faults(head).empty());
 }
 
 TEST_P(AnyArchive, RemovesAndRemembersThatItDid) {
-  CalibrationArchive archive = open();
-  const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive archive = open();
+  const store::Added added = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   archive.remove(archive.find(added.id), now);
   EXPECT_TRUE(archive.list({}).empty());
-  const Verification outcome = archive.verify("", {});
+  const store::Verification outcome = archive.verify("", {});
   EXPECT_TRUE(outcome.faults.empty());
   EXPECT_EQ(outcome.events, 2U);
-  EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+  EXPECT_TRUE(archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now).is_new);
 }
 
 TEST_P(AnyArchive, AReaderSeesOneState) {
-  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
+  open().add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   std::size_t removed = 0;
-  const Verification outcome = open(sql::Access::read).verify("", [&](std::size_t, std::size_t) {
-    try {
-      CalibrationArchive other = open();
-      for (const Entry& entry : other.list({})) {
-        other.remove(entry, now);
-        ++removed;
-      }
-    } catch (const ArchiveError&) {
-      // An SQLite file's writer waits for its readers.
-    }
-  });
+  const store::Verification outcome =
+      open(sql::Access::read).verify("", [&](std::size_t, std::size_t) {
+        try {
+          store::CalibrationArchive other = open();
+          for (const calibration::Entry& entry : other.list({})) {
+            other.remove(entry, now);
+            ++removed;
+          }
+        } catch (const ArchiveError&) {
+          // An SQLite file's writer waits for its readers.
+        }
+      });
   EXPECT_TRUE(outcome.faults.empty());
   EXPECT_EQ(outcome.entries, 1U);
   EXPECT_EQ(open(sql::Access::read).list({}).size(), 1U - removed);
@@ -185,9 +187,9 @@ TEST_P(AnyArchive, IsAskedForWhereThereIsNone) {
 }
 
 TEST_P(AnyArchive, ImpossibleNumbersAreRefusedAndNothingIsKept) {
-  NewCalibration wrong = sample_calibration(1, 2, 3, 0.45);
+  calibration::NewCalibration wrong = test::sample_calibration(1, 2, 3, 0.45);
   wrong.quantities[0].estimate->low = 0.5;
-  CalibrationArchive archive = open();
+  store::CalibrationArchive archive = open();
   EXPECT_ANY_THROW(archive.add(wrong, false, now));
   EXPECT_TRUE(archive.list({}).empty());
   EXPECT_EQ(archive.verify("", {}).events, 0U);

@@ -24,9 +24,11 @@ constexpr std::size_t id_digits = 64;
 /// Archives one calibration after the other, and writes each id to the pipe once add() is back.
 [[noreturn]] void archive_until_killed(const std::string& path, int pipe, int writer) {
   for (int k = 0;; ++k) {
-    NewCalibration c = test::sample_calibration(writer, k % 6, k % 300, 0.4 + 1e-6 * k);
+    calibration::NewCalibration c =
+        test::sample_calibration(writer, k % 6, k % 300, 0.4 + 1e-6 * k);
     c.documents.front().bytes += std::string(20000, static_cast<char>('a' + k % 26));
-    const Added added = open_archive(path, sql::Access::write, 60'000).add(c, false, now);
+    const store::Added added =
+        store::open_archive(path, sql::Access::write, 60'000).add(c, false, now);
     if (::write(pipe, added.id.data(), id_digits) != static_cast<ssize_t>(id_digits)) ::_exit(1);
   }
 }
@@ -45,7 +47,7 @@ TEST(KilledWriters, LoseNothingThatWasAcknowledged) {
   constexpr double longest_life_ms = 160;
   const test::TemporaryDirectory directory;
   const std::string path = directory.path("a.tribolog");
-  (void)open_archive(path, sql::Access::write);
+  (void)store::open_archive(path, sql::Access::write);
   int pipe[2];
   ASSERT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
   ::fcntl(pipe[0], F_SETFL, O_NONBLOCK);
@@ -58,7 +60,7 @@ TEST(KilledWriters, LoseNothingThatWasAcknowledged) {
     return child;
   };
   for (pid_t& child : children) child = start();
-  RandomStream random(20261122, 0);
+  statistics::RandomStream random(20261122, 0);
   std::set<std::string> acknowledged;
   int unexpected = 0;
   for (int k = 0; k < kills; ++k) {
@@ -78,11 +80,11 @@ TEST(KilledWriters, LoseNothingThatWasAcknowledged) {
   take_acknowledged(pipe[0], acknowledged);
   EXPECT_EQ(unexpected, 0) << "a writer ended by itself";
 
-  CalibrationArchive archive = open_archive(path, sql::Access::write);
-  const Verification outcome = archive.verify("", {});
+  store::CalibrationArchive archive = store::open_archive(path, sql::Access::write);
+  const store::Verification outcome = archive.verify("", {});
   EXPECT_TRUE(outcome.faults.empty()) << outcome.faults.front();
   std::set<std::string> kept;
-  for (const Measured& measured : archive.measured({})) {
+  for (const calibration::Measured& measured : archive.measured({})) {
     kept.insert(measured.entry.id);
     EXPECT_EQ(measured.quantities.size(), 2U);
   }

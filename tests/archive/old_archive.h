@@ -16,7 +16,8 @@ inline const std::string head_of_schema_2 =
 inline void make_archive_of_schema_2(const std::string& path) {
   const std::string script =
       read_file(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/archive_schema_2.sql");
-  sql::create_sqlite(path, [&](sql::Connection& made) { made.run_script(script); });
+  archive::sql::create_sqlite(path,
+                              [&](archive::sql::Connection& made) { made.run_script(script); });
 }
 
 }  // namespace tribolog::test

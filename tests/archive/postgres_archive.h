@@ -34,8 +34,9 @@ class PostgresArchive : public testing::Test {
     }
     return {};
   }
-  Refusal refusal(const std::string& uri, sql::Access access = sql::Access::write) const {
-    return refusal_of([&] { (void)archive::open_archive(uri, access, 300); });
+  Refusal refusal(const std::string& uri,
+                  archive::sql::Access access = archive::sql::Access::write) const {
+    return refusal_of([&] { (void)archive::store::open_archive(uri, access, 300); });
   }
   void expect(const Refusal& refused, ExitStatus status, const char* words) const {
     EXPECT_EQ(refused.status, status) << refused.words;

@@ -28,15 +28,15 @@ const std::string now = "2026-12-24T12:00:00Z";
 INSTANTIATE_TEST_SUITE_P(
     Postgres, AnyArchive,
     testing::Values([](std::string& why) -> std::unique_ptr<test::ArchivePlace> {
-      why = PostgresServer::of_this_program().why_not();
+      why = test::PostgresServer::of_this_program().why_not();
       if (!why.empty()) return nullptr;
-      return std::make_unique<PostgresPlace>();
+      return std::make_unique<test::PostgresPlace>();
     }));
 
 TEST_F(PostgresArchive, SaysInOneLineWhyThereIsNoConnection) {
   constexpr ExitStatus failed = ExitStatus::archive_failed;
   const std::string uri = server_.new_database();
-  const std::string password = PostgresServer::password_in_uri();
+  const std::string password = test::PostgresServer::password_in_uri();
   const std::string port = uri.substr(uri.rfind(':') + 1, uri.rfind('/') - uri.rfind(':') - 1);
   expect(refusal(replaced(uri, password, "wrong")), failed, "password authentication failed");
   expect(refusal(replaced(uri, ":" + password, "")), failed, "no password supplied");
@@ -62,50 +62,52 @@ TEST_F(PostgresArchive, RefusesAStringFromWhichAPasswordCouldShow) {
 
 TEST_F(PostgresArchive, ShowsItsNameWithoutThePassword) {
   const std::string uri = server_.new_database();
-  const std::string shown = replaced(uri, ":" + PostgresServer::password_in_uri(), "");
-  EXPECT_EQ(open_archive(uri, sql::Access::write).name(), shown);
+  const std::string shown = replaced(uri, ":" + test::PostgresServer::password_in_uri(), "");
+  EXPECT_EQ(store::open_archive(uri, sql::Access::write).name(), shown);
 }
 
 TEST_F(PostgresArchive, ReadOnlyIsAnOutputErrorAndChangesNothing) {
   const std::string uri = server_.new_database();
-  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
-  CalibrationArchive earlier = open_archive(uri, sql::Access::write);
+  store::open_archive(uri, sql::Access::write)
+      .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive earlier = store::open_archive(uri, sql::Access::write);
   const std::string name = uri.substr(uri.rfind('/') + 1);
   server_.run("ALTER DATABASE " + name + " SET default_transaction_read_only = on", uri);
   expect(refusal(uri), ExitStatus::output_failed, "read-only");
-  EXPECT_EQ(open_archive(uri, sql::Access::read).list({}).size(), 1U);
-  EXPECT_TRUE(open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
+  EXPECT_EQ(store::open_archive(uri, sql::Access::read).list({}).size(), 1U);
+  EXPECT_TRUE(store::open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
 }
 
 TEST_F(PostgresArchive, WhoMayNotWriteReadsAndIsToldSo) {
   const std::string uri = server_.new_database();
-  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::open_archive(uri, sql::Access::write)
+      .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   server_.run(
       "CREATE ROLE reader LOGIN PASSWORD 'r'; GRANT SELECT ON ALL TABLES IN SCHEMA public "
       "TO reader",
       uri);
   const std::string as_reader =
-      replaced(uri, "tribolog:" + PostgresServer::password_in_uri(), "reader:r");
-  EXPECT_EQ(open_archive(as_reader, sql::Access::read).list({}).size(), 1U);
-  CalibrationArchive archive = open_archive(as_reader, sql::Access::write);
-  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 4, 0.45), false, now); }),
+      replaced(uri, "tribolog:" + test::PostgresServer::password_in_uri(), "reader:r");
+  EXPECT_EQ(store::open_archive(as_reader, sql::Access::read).list({}).size(), 1U);
+  store::CalibrationArchive archive = store::open_archive(as_reader, sql::Access::write);
+  expect(refusal_of([&] { archive.add(test::sample_calibration(1, 2, 4, 0.45), false, now); }),
          ExitStatus::output_failed, "permission denied");
   EXPECT_EQ(archive.list({}).size(), 1U);
 }
 
 TEST_F(PostgresArchive, SaysThatAnotherProcessHasLockedIt) {
   const std::string uri = server_.new_database();
-  CalibrationArchive waiting = open_archive(uri, sql::Access::write, 300);
+  store::CalibrationArchive waiting = store::open_archive(uri, sql::Access::write, 300);
   const auto holder = sql::open_postgres(uri, sql::Access::write, 300);
   holder->write([&] {
-    expect(refusal_of([&] { waiting.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+    expect(refusal_of([&] { waiting.add(test::sample_calibration(1, 2, 3, 0.45), false, now); }),
            ExitStatus::archive_failed, "locked by another process, for more than 0.3 s");
-    CalibrationArchive at_once = open_archive(uri, sql::Access::write, 0);
-    expect(refusal_of([&] { at_once.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+    store::CalibrationArchive at_once = store::open_archive(uri, sql::Access::write, 0);
+    expect(refusal_of([&] { at_once.add(test::sample_calibration(1, 2, 3, 0.45), false, now); }),
            ExitStatus::archive_failed, "locked by another process");
     EXPECT_TRUE(waiting.list({}).empty()) << "a reader waits for no writer";
   });
-  EXPECT_TRUE(waiting.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+  EXPECT_TRUE(waiting.add(test::sample_calibration(1, 2, 3, 0.45), false, now).is_new);
 }
 
 const std::string cut_all_others =
@@ -114,7 +116,7 @@ const std::string cut_all_others =
 
 TEST_F(PostgresArchive, SaysThatTheConnectionWasLostAndKeepsNothingHalf) {
   const std::string uri = server_.new_database();
-  open_archive(uri, sql::Access::write);
+  store::open_archive(uri, sql::Access::write);
   const auto connection = sql::open_postgres(uri, sql::Access::write, 300);
   expect(refusal_of([&] {
            connection->write([&] {
@@ -130,9 +132,9 @@ TEST_F(PostgresArchive, SaysThatTheConnectionWasLostAndKeepsNothingHalf) {
 
 TEST_F(PostgresArchive, AConnectionThatWasCutMeanwhileIsMadeAgain) {
   const std::string uri = server_.new_database();
-  CalibrationArchive archive = open_archive(uri, sql::Access::write);
+  store::CalibrationArchive archive = store::open_archive(uri, sql::Access::write);
   server_.run(cut_all_others, uri);
-  EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+  EXPECT_TRUE(archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now).is_new);
   server_.run(cut_all_others, uri);
   EXPECT_TRUE(archive.verify("", {}).faults.empty());
   EXPECT_EQ(archive.list({}).size(), 1U);
@@ -140,7 +142,7 @@ TEST_F(PostgresArchive, AConnectionThatWasCutMeanwhileIsMadeAgain) {
 
 TEST_F(PostgresArchive, ANewerSchemaAndOtherTablesAreLeftAlone) {
   const std::string newer = server_.new_database();
-  open_archive(newer, sql::Access::write);
+  store::open_archive(newer, sql::Access::write);
   server_.run("UPDATE archive SET version = 7", newer);
   expect(refusal(newer), ExitStatus::archive_failed, "newer tribolog");
   const std::string other = server_.new_database();
@@ -153,21 +155,22 @@ TEST_F(PostgresArchive, ANewerSchemaAndOtherTablesAreLeftAlone) {
 
 TEST_F(PostgresArchive, IsBroughtUpToDateWhollyOrNotAtAll) {
   const std::string uri = server_.new_database();
-  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::open_archive(uri, sql::Access::write)
+      .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   const auto connection = sql::open_postgres(uri, sql::Access::write, 300);
-  const UpgradeStep adds = [](sql::Connection& c) {
+  const store::UpgradeStep adds = [](sql::Connection& c) {
     c.run_script("ALTER TABLE calibration ADD COLUMN site TEXT NOT NULL DEFAULT 'here'");
   };
-  const UpgradeStep fails = [](sql::Connection&) { throw ArchiveError("no further"); };
-  std::vector<UpgradeStep> steps = upgrade_steps();
+  const store::UpgradeStep fails = [](sql::Connection&) { throw ArchiveError("no further"); };
+  std::vector<store::UpgradeStep> steps = store::upgrade_steps();
   steps.push_back(adds);
   steps.push_back(fails);
-  EXPECT_THROW(upgrade(*connection, steps), ArchiveError);
-  EXPECT_EQ(version_of(*connection), schema_version);
-  EXPECT_TRUE(open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
+  EXPECT_THROW(store::upgrade(*connection, steps), ArchiveError);
+  EXPECT_EQ(store::version_of(*connection), store::schema_version);
+  EXPECT_TRUE(store::open_archive(uri, sql::Access::read).verify("", {}).faults.empty());
   steps.pop_back();
-  EXPECT_EQ(upgrade(*connection, steps), schema_version);
-  EXPECT_EQ(version_of(*connection), schema_version + 1);
+  EXPECT_EQ(store::upgrade(*connection, steps), store::schema_version);
+  EXPECT_EQ(store::version_of(*connection), store::schema_version + 1);
   EXPECT_EQ(connection->run("SELECT site FROM calibration").front().front().text(), "here");
   expect(refusal(uri), ExitStatus::archive_failed, "newer tribolog");
 }
@@ -180,7 +183,7 @@ void move_archive_of_schema_2(const std::string& uri) {
   const auto from = sql::open_sqlite(path, sql::Access::read, 300);
   const auto to = sql::open_postgres(uri, sql::Access::write, 300);
   to->write([&] {
-    create_schema(*to, 2);
+    store::create_schema(*to, 2);
     to->run_script(
         "ALTER TABLE calibration ALTER number SET GENERATED BY DEFAULT; ALTER TABLE document ALTER "
         "number SET GENERATED BY DEFAULT");
@@ -206,11 +209,12 @@ void move_archive_of_schema_2(const std::string& uri) {
 TEST_F(PostgresArchive, Schema2IsProvenByItsOwnDigestsBeforeAndAfter) {
   const std::string uri = server_.new_database();
   move_archive_of_schema_2(uri);
-  EXPECT_TRUE(
-      open_archive(uri, sql::Access::read).verify(test::head_of_schema_2, {}).faults.empty());
-  CalibrationArchive archive = open_archive(uri, sql::Access::write);
-  EXPECT_EQ(server_.run("SELECT version FROM archive", uri), std::to_string(schema_version));
-  archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  EXPECT_TRUE(store::open_archive(uri, sql::Access::read)
+                  .verify(test::head_of_schema_2, {})
+                  .faults.empty());
+  store::CalibrationArchive archive = store::open_archive(uri, sql::Access::write);
+  EXPECT_EQ(server_.run("SELECT version FROM archive", uri), std::to_string(store::schema_version));
+  archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   EXPECT_TRUE(archive.verify(test::head_of_schema_2, {}).faults.empty());
 }
 
@@ -222,9 +226,10 @@ TEST_F(PostgresArchive, Schema1TakesReviewsOnceItIsWritten) {
       "CONSTRAINT event_what_check; ALTER TABLE event ADD CONSTRAINT event_what_check CHECK (what "
       "IN ('added', 'report', 'removed')); UPDATE archive SET version = 1",
       uri);
-  CalibrationArchive archive = open_archive(uri, sql::Access::write);
-  const Entry entry = archive.list({}).front();
-  archive.add_review(entry, {now, "A. Reviewer", Review::Decision::rejected, "too warm"});
+  store::CalibrationArchive archive = store::open_archive(uri, sql::Access::write);
+  const calibration::Entry entry = archive.list({}).front();
+  archive.add_review(entry,
+                     {now, "A. Reviewer", calibration::Review::Decision::rejected, "too warm"});
   EXPECT_EQ(archive.reviews(entry).size(), 1U);
   EXPECT_TRUE(archive.verify("", {}).faults.empty());
 }
@@ -244,7 +249,8 @@ TEST_F(PostgresArchive, ADamagedSchemaIsRefused) {
         "ALTER TABLE review RENAME TO r2; CREATE VIEW review AS SELECT * FROM r2",
         "INSERT INTO archive VALUES (3)", "DELETE FROM archive"}) {
     const std::string uri = server_.new_database();
-    open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
+    store::open_archive(uri, sql::Access::write)
+        .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
     server_.run(statement, uri);
     for (const sql::Access access : {sql::Access::read, sql::Access::write}) {
       expect(refusal(uri, access), ExitStatus::archive_failed, "schema is damaged");
@@ -269,13 +275,14 @@ TEST_F(PostgresArchive, KeepsTwoArchivesOfOneDatabaseApart) {
   const std::string uri = server_.new_database();
   server_.run("CREATE SCHEMA cell_b", uri);
   const std::string other = uri + "?options=-csearch_path%3Dcell_b";
-  open_archive(uri, sql::Access::write).add(sample_calibration(1, 2, 3, 0.45), false, now);
-  EXPECT_TRUE(open_archive(other, sql::Access::write).list({}).empty());
-  EXPECT_EQ(open_archive(uri, sql::Access::read).list({}).size(), 1U);
+  store::open_archive(uri, sql::Access::write)
+      .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
+  EXPECT_TRUE(store::open_archive(other, sql::Access::write).list({}).empty());
+  EXPECT_EQ(store::open_archive(uri, sql::Access::read).list({}).size(), 1U);
 }
 
 TEST_F(PostgresArchive, BackupIsLeftToPgDump) {
-  EXPECT_THROW(open_archive(server_.new_database(), sql::Access::write).backup("/nowhere"),
+  EXPECT_THROW(store::open_archive(server_.new_database(), sql::Access::write).backup("/nowhere"),
                UsageError);
 }
 

@@ -19,29 +19,29 @@ using test::sample_calibration;
 
 const std::string now = "2026-12-24T12:00:00Z";
 
-class PostgresDisk : public PostgresArchive {};
+class PostgresDisk : public test::PostgresArchive {};
 
 TEST_F(PostgresDisk, AFullDiskIsAnOutputErrorAndKeepsNothing) {
   const std::string uri = server_.new_database();
-  CalibrationArchive archive = open_archive(uri, sql::Access::write);
+  store::CalibrationArchive archive = store::open_archive(uri, sql::Access::write);
   // What the server answers when it cannot make a file longer.
   server_.run(
       "CREATE FUNCTION no_space() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
       "'could not extend file: No space left on device' USING ERRCODE = 'disk_full'; END $$;"
       "CREATE TRIGGER no_space BEFORE INSERT ON event EXECUTE FUNCTION no_space()",
       uri);
-  expect(refusal_of([&] { archive.add(sample_calibration(1, 2, 3, 0.45), false, now); }),
+  expect(refusal_of([&] { archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now); }),
          ExitStatus::output_failed, "no space left");
   EXPECT_TRUE(archive.list({}).empty());
   server_.run("DROP TRIGGER no_space ON event", uri);
-  EXPECT_TRUE(archive.add(sample_calibration(1, 2, 3, 0.45), false, now).is_new);
+  EXPECT_TRUE(archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now).is_new);
   EXPECT_TRUE(archive.verify("", {}).faults.empty());
 }
 
 /// A disk of its own for a database; the server's log of changes is elsewhere.
 class SmallTablespace {
  public:
-  explicit SmallTablespace(PostgresServer& server) : server_(server) {
+  explicit SmallTablespace(test::PostgresServer& server) : server_(server) {
     is_mounted_ = mount("tmpfs", disk_.path().c_str(), "tmpfs", 0, "size=20m,mode=777") == 0;
     if (!is_mounted_) return;
     const passwd* const owner = getpwnam("postgres");
@@ -69,7 +69,7 @@ class SmallTablespace {
   [[nodiscard]] const std::string& uri() const { return uri_; }
 
  private:
-  PostgresServer& server_;
+  test::PostgresServer& server_;
   test::ScratchDirectory disk_;
   bool is_mounted_{false};
   std::string uri_;
@@ -78,15 +78,16 @@ class SmallTablespace {
 TEST_F(PostgresDisk, ADiskThatBecomesFullKeepsWhatWasAcknowledged) {
   const SmallTablespace small(server_);
   if (!small.is_mounted()) GTEST_SKIP() << "cannot mount a file system here";
-  CalibrationArchive archive = open_archive(small.uri(), sql::Access::write);
+  store::CalibrationArchive archive = store::open_archive(small.uri(), sql::Access::write);
   std::mt19937_64 random(3);
   std::size_t kept = 0;
   const Refusal refused = refusal_of([&] {
     for (;; ++kept) {
-      NewCalibration large = sample_calibration(1, 2, static_cast<int>(kept), 0.45);
+      calibration::NewCalibration large =
+          test::sample_calibration(1, 2, static_cast<int>(kept), 0.45);
       std::string log;
       while (log.size() < 1'000'000) log += std::to_string(random());
-      large.documents.push_back({DocumentKind::input, "log.csv", log});
+      large.documents.push_back({calibration::DocumentKind::input, "log.csv", log});
       archive.add(large, false, now);
     }
   });

@@ -33,8 +33,8 @@ class PostgresPlace final : public ArchivePlace {
     }
     server_.run(script, uri_);
   }
-  [[nodiscard]] std::unique_ptr<sql::Connection> without_rules() const override {
-    auto connection = sql::open_postgres(uri_, sql::Access::write, 200);
+  [[nodiscard]] std::unique_ptr<archive::sql::Connection> without_rules() const override {
+    auto connection = archive::sql::open_postgres(uri_, archive::sql::Access::write, 200);
     connection->run_script("SET session_replication_role = replica");
     return connection;
   }

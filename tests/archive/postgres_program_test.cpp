@@ -43,7 +43,7 @@ TEST_F(PostgresProgram, EveryCommandDoesTheSame) {
   const ProgramRun added = archive("add '" + calibration() + "' --report '" + report +
                                    "' --inputs '" + dataset_.scratch().path() + "'");
   ASSERT_EQ(added.status, 0) << added.err;
-  const std::string id = added.out.substr(added.out.find(": ") + 2, archive::shown_digits);
+  const std::string id = added.out.substr(added.out.find(": ") + 2, calibration::shown_digits);
   EXPECT_NE(archive("add '" + calibration() + "'").out.find("already archived: " + id),
             std::string::npos);
   EXPECT_NE(archive("list --robot 'test robot'").out.find(id), std::string::npos);
@@ -115,13 +115,14 @@ TEST_F(PostgresProgram, KilledAtAnyMomentItLosesNothingItAcknowledged) {
   }
   for (std::thread& thread : threads) thread.join();
 
-  archive::CalibrationArchive kept = archive::open_archive(uri_, sql::Access::read);
-  const archive::Verification outcome = kept.verify("", {});
+  archive::store::CalibrationArchive kept =
+      archive::store::open_archive(uri_, archive::sql::Access::read);
+  const archive::store::Verification outcome = kept.verify("", {});
   EXPECT_TRUE(outcome.faults.empty()) << outcome.faults.front();
   EXPECT_EQ(outcome.documents, outcome.entries);
   std::set<std::string> there;
-  for (const archive::Entry& entry : kept.list({})) {
-    there.insert(entry.id.substr(0, archive::shown_digits));
+  for (const calibration::Entry& entry : kept.list({})) {
+    there.insert(entry.id.substr(0, calibration::shown_digits));
   }
   std::vector<std::string> lost;
   std::set_difference(acknowledged.begin(), acknowledged.end(), there.begin(), there.end(),

@@ -14,34 +14,35 @@ using test::sample_calibration;
 const std::string now = "2026-12-24T12:00:00Z";
 const std::string later = "2027-01-08T08:30:00Z";
 
-Entry reviewed_entry(CalibrationArchive& archive) {
-  const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
-  const Entry entry = archive.find(added.id);
-  archive.add_review(entry, {now, "A. 'Reviewer\"", Review::Decision::rejected, "too warm\nagain"});
-  archive.add_review(entry, {later, "B", Review::Decision::approved, ""});
+calibration::Entry reviewed_entry(store::CalibrationArchive& archive) {
+  const store::Added added = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
+  const calibration::Entry entry = archive.find(added.id);
+  archive.add_review(
+      entry, {now, "A. 'Reviewer\"", calibration::Review::Decision::rejected, "too warm\nagain"});
+  archive.add_review(entry, {later, "B", calibration::Review::Decision::approved, ""});
   return entry;
 }
 
 TEST_P(AnyArchive, KeepsEveryDecisionInItsOrder) {
-  CalibrationArchive archive = open();
-  const Entry entry = reviewed_entry(archive);
+  store::CalibrationArchive archive = open();
+  const calibration::Entry entry = reviewed_entry(archive);
   const auto reviews = archive.reviews(entry);
   ASSERT_EQ(reviews.size(), 2U);
   EXPECT_EQ(reviews[0].reviewer, "A. 'Reviewer\"");
-  EXPECT_EQ(reviews[0].decision, Review::Decision::rejected);
+  EXPECT_EQ(reviews[0].decision, calibration::Review::Decision::rejected);
   EXPECT_EQ(reviews[0].note, "too warm\nagain");
-  EXPECT_EQ(reviews[1].decision, Review::Decision::approved);
+  EXPECT_EQ(reviews[1].decision, calibration::Review::Decision::approved);
   EXPECT_EQ(reviews[1].at_utc, later);
   EXPECT_EQ(archive.find(entry.id).digest, entry.digest) << "the calibration is what it was";
   EXPECT_TRUE(faults().empty());
-  const Added other = archive.add(sample_calibration(1, 2, 4, 0.45), false, now);
+  const store::Added other = archive.add(test::sample_calibration(1, 2, 4, 0.45), false, now);
   EXPECT_TRUE(archive.reviews(archive.find(other.id)).empty());
 }
 
 TEST_P(AnyArchive, FindsAlteredLostAndForgedDecisions) {
-  CalibrationArchive archive = open();
-  const Entry entry = reviewed_entry(archive);
-  const std::vector<std::string> wrong{entry.id.substr(0, shown_digits) +
+  store::CalibrationArchive archive = open();
+  const calibration::Entry entry = reviewed_entry(archive);
+  const std::vector<std::string> wrong{entry.id.substr(0, calibration::shown_digits) +
                                        ": its reviews are not those that were given"};
   place_->run("UPDATE review SET decision = 'approved' WHERE place = 0", false);
   EXPECT_EQ(faults(), wrong);
@@ -60,30 +61,30 @@ TEST_P(AnyArchive, FindsAlteredLostAndForgedDecisions) {
 }
 
 TEST_P(AnyArchive, DecisionsGoWithTheirCalibration) {
-  CalibrationArchive archive = open();
-  const Entry entry = reviewed_entry(archive);
+  store::CalibrationArchive archive = open();
+  const calibration::Entry entry = reviewed_entry(archive);
   archive.remove(entry, later);
   EXPECT_TRUE(faults().empty());
-  archive.add(sample_calibration(1, 2, 3, 0.45), false, later);
+  archive.add(test::sample_calibration(1, 2, 3, 0.45), false, later);
   EXPECT_TRUE(archive.reviews(archive.find(entry.id)).empty());
   EXPECT_TRUE(faults().empty());
 }
 
 TEST_P(AnyArchive, FindsAReportByItsFingerprint) {
-  CalibrationArchive archive = open();
-  const Added added = archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive archive = open();
+  const store::Added added = archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   archive.attach_report(added.id, "<html>a</html>", now);
   ASSERT_TRUE(archive.find_report(sha256_hex("<html>a</html>")));
   EXPECT_EQ(archive.find_report(sha256_hex("<html>a</html>"))->id, added.id);
   EXPECT_FALSE(archive.find_report(sha256_hex("<html>b</html>")));
   EXPECT_FALSE(
-      archive.find_report(sha256_hex(sample_calibration(1, 2, 3, 0.45).documents[0].bytes)))
+      archive.find_report(sha256_hex(test::sample_calibration(1, 2, 3, 0.45).documents[0].bytes)))
       << "of a calibration, which is no report";
 }
 
 TEST_P(AnyArchive, RefusesTextsOfDecisionsThatItCannotKeep) {
-  CalibrationArchive archive = open();
-  const Entry entry = reviewed_entry(archive);
+  store::CalibrationArchive archive = open();
+  const calibration::Entry entry = reviewed_entry(archive);
   EXPECT_THROW(archive.add_review(entry, {now, std::string("a\0b", 3), {}, ""}), UsageError);
   EXPECT_THROW(archive.add_review(entry, {now, "a", {}, "\xff"}), UsageError);
   EXPECT_EQ(archive.reviews(entry).size(), 2U);

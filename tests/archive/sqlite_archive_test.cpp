@@ -18,20 +18,20 @@ const std::string now = "2026-12-24T12:00:00Z";
 class SqliteArchive : public testing::Test {
  protected:
   [[nodiscard]] std::string path() const { return place_.location(); }
-  [[nodiscard]] CalibrationArchive open() const {
-    return open_archive(path(), sql::Access::write, 200);
+  [[nodiscard]] store::CalibrationArchive open() const {
+    return store::open_archive(path(), sql::Access::write, 200);
   }
   void run(const std::string& statement) { place_.run(statement, true); }
-  SqlitePlace place_;
-  const TemporaryDirectory& directory_{place_.directory()};
+  test::SqlitePlace place_;
+  const test::TemporaryDirectory& directory_{place_.directory()};
 };
 
 TEST_F(SqliteArchive, BacksUpWithoutReplacingAFile) {
-  CalibrationArchive archive = open();
-  archive.add(sample_calibration(1, 2, 3, 0.45), false, now);
+  store::CalibrationArchive archive = open();
+  archive.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   const std::string copy = directory_.path("copy.tribolog");
   archive.backup(copy);
-  CalibrationArchive other = open_archive(copy, sql::Access::read);
+  store::CalibrationArchive other = store::open_archive(copy, sql::Access::read);
   EXPECT_EQ(other.list({}).size(), 1U);
   EXPECT_TRUE(other.verify(archive.verify("", {}).head, {}).faults.empty());
   EXPECT_THROW(archive.backup(copy), OutputError);
@@ -39,7 +39,7 @@ TEST_F(SqliteArchive, BacksUpWithoutReplacingAFile) {
 
 std::string refusal(const std::string& path, sql::Access access, ExitStatus& status) {
   try {
-    (void)open_archive(path, access, 100);
+    (void)store::open_archive(path, access, 100);
   } catch (const Error& error) {
     status = error.status();
     return error.what();
@@ -71,7 +71,7 @@ TEST_F(SqliteArchive, RefusesAnotherProgramsDatabaseANewerSchemaAndATruncatedFil
             std::string::npos);
   EXPECT_EQ(status, ExitStatus::archive_failed);
   std::filesystem::remove(path());
-  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
+  open().add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   const std::string whole = directory_.contents("a.tribolog");
   run("PRAGMA user_version = 7");
   EXPECT_NE(refusal(path(), sql::Access::read, status).find("newer tribolog"), std::string::npos);
@@ -83,7 +83,7 @@ TEST_F(SqliteArchive, RefusesAnotherProgramsDatabaseANewerSchemaAndATruncatedFil
 }
 
 TEST_F(SqliteArchive, SaysThatAnotherProcessHasLockedIt) {
-  open().add(sample_calibration(1, 2, 3, 0.45), false, now);
+  open().add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(database, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
@@ -95,7 +95,7 @@ TEST_F(SqliteArchive, SaysThatAnotherProcessHasLockedIt) {
 }
 
 TEST(ArchiveLocation, IsAskedForWhereThereIsNone) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   ExitStatus status{};
   EXPECT_NE(refusal(directory.path("none"), sql::Access::read, status).find("no archive here"),
             std::string::npos);
@@ -106,19 +106,19 @@ TEST(ArchiveLocation, IsAskedForWhereThereIsNone) {
 
 TEST(ArchiveLocation, FollowsTheXdgRules) {
   setenv("XDG_DATA_HOME", "/data", 1);
-  EXPECT_EQ(default_location(), "/data/tribolog/archive.tribolog");
+  EXPECT_EQ(store::default_location(), "/data/tribolog/archive.tribolog");
   setenv("XDG_DATA_HOME", "relative", 1);
   setenv("HOME", "/home/a", 1);
-  EXPECT_EQ(default_location(), "/home/a/.local/share/tribolog/archive.tribolog");
+  EXPECT_EQ(store::default_location(), "/home/a/.local/share/tribolog/archive.tribolog");
   unsetenv("XDG_DATA_HOME");
   unsetenv("HOME");
-  EXPECT_THROW((void)default_location(), UsageError);
+  EXPECT_THROW((void)store::default_location(), UsageError);
 }
 
 using test::AnyArchive;
 INSTANTIATE_TEST_SUITE_P(Sqlite, AnyArchive,
                          testing::Values([](std::string&) -> std::unique_ptr<test::ArchivePlace> {
-                           return std::make_unique<SqlitePlace>();
+                           return std::make_unique<test::SqlitePlace>();
                          }));
 
 }  // namespace

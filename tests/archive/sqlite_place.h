@@ -24,8 +24,8 @@ class SqlitePlace final : public ArchivePlace {
   void start_again() override { std::filesystem::remove(location()); }
   void keep() override { copy(location(), location() + ".kept"); }
   void restore() override { copy(location() + ".kept", location()); }
-  [[nodiscard]] std::unique_ptr<sql::Connection> without_rules() const override {
-    auto connection = sql::open_sqlite(location(), sql::Access::write, 200);
+  [[nodiscard]] std::unique_ptr<archive::sql::Connection> without_rules() const override {
+    auto connection = archive::sql::open_sqlite(location(), archive::sql::Access::write, 200);
     connection->run_script("PRAGMA foreign_keys=0; PRAGMA ignore_check_constraints=1");
     return connection;
   }

@@ -15,7 +15,7 @@ const std::string now = "2026-12-24T12:00:00Z";
 class Upgrade : public testing::Test {
  protected:
   void SetUp() override {
-    open_archive(path_, sql::Access::write)
+    store::open_archive(path_, sql::Access::write)
         .add(test::sample_calibration(1, 2, 3, 0.45), false, now);
     connection_ = sql::open_sqlite(path_, sql::Access::write, sql::usual_wait_ms);
   }
@@ -31,8 +31,8 @@ class Upgrade : public testing::Test {
 };
 
 /// Steps of a program that knows more.
-std::vector<UpgradeStep> and_then(const std::vector<UpgradeStep>& further) {
-  std::vector<UpgradeStep> steps = upgrade_steps();
+std::vector<store::UpgradeStep> and_then(const std::vector<store::UpgradeStep>& further) {
+  std::vector<store::UpgradeStep> steps = store::upgrade_steps();
   steps.insert(steps.end(), further.begin(), further.end());
   return steps;
 }
@@ -54,27 +54,29 @@ void fail(sql::Connection& c) {
 }
 
 TEST_F(Upgrade, HasAsManyStepsAsTheSchemasNumberSays) {
-  EXPECT_EQ(upgrade_steps().size() + 1, static_cast<std::size_t>(schema_version));
-  EXPECT_EQ(upgrade(*connection_, upgrade_steps()), schema_version);
+  EXPECT_EQ(store::upgrade_steps().size() + 1, static_cast<std::size_t>(store::schema_version));
+  EXPECT_EQ(store::upgrade(*connection_, store::upgrade_steps()), store::schema_version);
   EXPECT_EQ(directory_.entries(), 1U) << "no copy where nothing changes";
 }
 
 TEST_F(Upgrade, AppliesWhatIsMissingAndKeepsACopy) {
-  EXPECT_EQ(upgrade(*connection_, and_then({add_humidity})), schema_version);
-  EXPECT_EQ(version_of(*connection_), schema_version + 1);
+  EXPECT_EQ(store::upgrade(*connection_, and_then({add_humidity})), store::schema_version);
+  EXPECT_EQ(store::version_of(*connection_), store::schema_version + 1);
   EXPECT_EQ(columns_called("humidity"), 1U);
-  EXPECT_EQ(upgrade(*connection_, and_then({add_humidity})), schema_version + 1) << "once";
-  const std::string copy = path_ + ".schema-" + std::to_string(schema_version);
-  EXPECT_EQ(open_archive(copy, sql::Access::read).list({}).size(), 1U);
-  EXPECT_THROW((void)open_archive(path_, sql::Access::read), ArchiveError) << "newer than known";
+  EXPECT_EQ(store::upgrade(*connection_, and_then({add_humidity})), store::schema_version + 1)
+      << "once";
+  const std::string copy = path_ + ".schema-" + std::to_string(store::schema_version);
+  EXPECT_EQ(store::open_archive(copy, sql::Access::read).list({}).size(), 1U);
+  EXPECT_THROW((void)store::open_archive(path_, sql::Access::read), ArchiveError)
+      << "newer than known";
 }
 
 TEST_F(Upgrade, IsAllOrNothing) {
-  EXPECT_THROW(upgrade(*connection_, and_then({add_humidity, fail})), std::runtime_error);
-  EXPECT_EQ(version_of(*connection_), schema_version);
+  EXPECT_THROW(store::upgrade(*connection_, and_then({add_humidity, fail})), std::runtime_error);
+  EXPECT_EQ(store::version_of(*connection_), store::schema_version);
   EXPECT_EQ(columns_called("humidity"), 0U);
   EXPECT_EQ(columns_called("wind"), 0U);
-  EXPECT_TRUE(open_archive(path_, sql::Access::read).verify("", {}).faults.empty());
+  EXPECT_TRUE(store::open_archive(path_, sql::Access::read).verify("", {}).faults.empty());
 }
 
 class OldArchive : public testing::Test {
@@ -84,7 +86,7 @@ class OldArchive : public testing::Test {
     connection_ = sql::open_sqlite(path_, sql::Access::write, sql::usual_wait_ms);
   }
   [[nodiscard]] std::vector<std::string> faults(const std::string& head = "") const {
-    return open_archive(path_, sql::Access::read).verify(head, {}).faults;
+    return store::open_archive(path_, sql::Access::read).verify(head, {}).faults;
   }
 
   test::TemporaryDirectory directory_;
@@ -94,26 +96,27 @@ class OldArchive : public testing::Test {
 
 TEST_F(OldArchive, OfSchema1IsReadAndTakesReviewsOnceItIsWritten) {
   make_schema_1(*connection_);
-  CalibrationArchive reader = open_archive(path_, sql::Access::read);
-  const Entry entry = reader.list({}).front();
+  store::CalibrationArchive reader = store::open_archive(path_, sql::Access::read);
+  const calibration::Entry entry = reader.list({}).front();
   EXPECT_TRUE(reader.reviews(entry).empty());
   EXPECT_TRUE(reader.verify("", {}).faults.empty());
-  EXPECT_EQ(version_of(*connection_), 1) << "reading changes nothing";
+  EXPECT_EQ(store::version_of(*connection_), 1) << "reading changes nothing";
   const std::string head = reader.verify("", {}).head;
 
-  CalibrationArchive writer = open_archive(path_, sql::Access::write);
-  EXPECT_EQ(version_of(*connection_), schema_version);
-  writer.add_review(entry, {now, "A. Reviewer", Review::Decision::approved, ""});
+  store::CalibrationArchive writer = store::open_archive(path_, sql::Access::write);
+  EXPECT_EQ(store::version_of(*connection_), store::schema_version);
+  writer.add_review(entry, {now, "A. Reviewer", calibration::Review::Decision::approved, ""});
   EXPECT_EQ(writer.reviews(entry).size(), 1U);
   EXPECT_TRUE(writer.verify(head, {}).faults.empty()) << "the chain goes on from where it was";
-  EXPECT_EQ(open_archive(path_ + ".schema-1", sql::Access::read).verify(head, {}).head, head);
+  EXPECT_EQ(store::open_archive(path_ + ".schema-1", sql::Access::read).verify(head, {}).head,
+            head);
 }
 
 TEST_F(OldArchive, OfSchema2IsProvenByItsOwnDigestsBeforeAndAfter) {
   EXPECT_TRUE(faults(test::head_of_schema_2).empty());
-  EXPECT_EQ(version_of(*connection_), 2) << "reading changes nothing";
-  CalibrationArchive writer = open_archive(path_, sql::Access::write);
-  EXPECT_EQ(version_of(*connection_), schema_version);
+  EXPECT_EQ(store::version_of(*connection_), 2) << "reading changes nothing";
+  store::CalibrationArchive writer = store::open_archive(path_, sql::Access::write);
+  EXPECT_EQ(store::version_of(*connection_), store::schema_version);
   EXPECT_TRUE(faults(test::head_of_schema_2).empty());
   writer.add(test::sample_calibration(1, 2, 3, 0.45), false, now);
   EXPECT_TRUE(faults(test::head_of_schema_2).empty());

@@ -19,21 +19,21 @@ using test::refusal_of;
 using test::TemporaryDirectory;
 
 std::string check_refusal(const std::string& path) {
-  return refusal_of<OutputError>([&] {
+  return test::refusal_of<OutputError>([&] {
     check_output_can_be_written(path);
     return 0;
   });
 }
 
 std::string write_refusal(const std::string& path) {
-  return refusal_of<OutputError>([&] {
+  return test::refusal_of<OutputError>([&] {
     write_file_atomically(path, "new");
     return 0;
   });
 }
 
 TEST(WriteFileAtomically, WritesAndReplaces) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.path("report.html");
   check_output_can_be_written(path);
   write_file_atomically(path, "old");
@@ -46,7 +46,7 @@ TEST(WriteFileAtomically, WritesAndReplaces) {
 }
 
 TEST(WriteFileAtomically, LeavesThePermissionsToTheUmask) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const mode_t before = umask(027);
   write_file_atomically(directory.path("a"), "a");
   umask(before);
@@ -56,7 +56,7 @@ TEST(WriteFileAtomically, LeavesThePermissionsToTheUmask) {
 }
 
 TEST(WriteFileAtomically, FollowsALinkToAFile) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string target = directory.file("real.html", "old");
   fs::create_symlink("real.html", directory.path("link.html"));
   write_file_atomically(directory.path("link.html"), "new");
@@ -65,7 +65,7 @@ TEST(WriteFileAtomically, FollowsALinkToAFile) {
 }
 
 TEST(WriteFileAtomically, TakesNamesAsLongAsTheFileSystemDoes) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string name(255, 'x');
   write_file_atomically(directory.path(name), "long");
   EXPECT_EQ(directory.contents(name), "long");
@@ -75,7 +75,7 @@ TEST(WriteFileAtomically, TakesNamesAsLongAsTheFileSystemDoes) {
 }
 
 TEST(WriteFileAtomically, RefusesWhatIsNoFile) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   fs::create_directory(directory.path("folder"));
   const std::string folder = directory.path("folder");
   EXPECT_EQ(write_refusal(folder), folder + ": cannot write: is a directory");
@@ -87,7 +87,7 @@ TEST(WriteFileAtomically, RefusesWhatIsNoFile) {
 }
 
 TEST(WriteFileAtomically, WritesToDevicesAndPipesAsTheyAre) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   for (const char* device : {"/dev/null", "/dev/full"}) check_output_can_be_written(device);
   write_file_atomically("/dev/null", "gone");
   EXPECT_EQ(write_refusal("/dev/full"), "/dev/full: cannot write: No space left on device");
@@ -107,7 +107,7 @@ TEST(WriteFileAtomically, WritesToDevicesAndPipesAsTheyAre) {
 }
 
 TEST(WriteFileAtomically, WritesIntoADescriptorThatIsOpenBehindWhatIsThere) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("log", "before ");
   const int file = open(path.c_str(), O_WRONLY | O_APPEND);
   ASSERT_GE(file, 0);
@@ -127,7 +127,7 @@ TEST(WriteFileAtomically, WritesIntoADescriptorThatIsOpenBehindWhatIsThere) {
 }
 
 TEST(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   fs::create_symlink("nothing", directory.path("dangling"));
   fs::create_symlink("loop", directory.path("loop"));
   const std::string dangling = directory.path("dangling");
@@ -142,7 +142,7 @@ TEST(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
 }
 
 TEST(WriteFileAtomically, KeepsPermissionsAndOwnerOfWhatItReplaces) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("a", "old");
   fs::create_symlink("a", directory.path("link"));
   const bool is_root = geteuid() == 0;
@@ -162,14 +162,14 @@ TEST(WriteFileAtomically, KeepsPermissionsAndOwnerOfWhatItReplaces) {
 }
 
 TEST(WriteFileAtomically, ShowsStrangeNamesEscaped) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.path("a\nb/c");
   EXPECT_EQ(check_refusal(path),
             directory.path() + R"(/a\x0ab/c: cannot write: the directory does not exist)");
 }
 
 TEST(WriteFileAtomically, KeepsTheOldFileWhereTheNewOneIsTooLarge) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("report.html", "old");
   struct rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -177,7 +177,7 @@ TEST(WriteFileAtomically, KeepsTheOldFileWhereTheNewOneIsTooLarge) {
   small.rlim_cur = 4096;
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string said = refusal_of<OutputError>([&] {
+  const std::string said = test::refusal_of<OutputError>([&] {
     write_file_atomically(path, std::string(100'000, 'x'));
     return 0;
   });
@@ -189,7 +189,7 @@ TEST(WriteFileAtomically, KeepsTheOldFileWhereTheNewOneIsTooLarge) {
 }
 
 TEST(WriteFileAtomically, RemovesItsOwnTemporaryFilesOnceTheyAreOld) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string old_own = directory.file(".report.html.tmp-aB3xYz", "left by a killed run");
   const std::string new_own = directory.file(".report.html.tmp-cD4xYz", "of a run still going");
   const std::string other = directory.file(".other.html.tmp-aB3xYz", "not ours");
@@ -203,7 +203,7 @@ TEST(WriteFileAtomically, RemovesItsOwnTemporaryFilesOnceTheyAreOld) {
 }
 
 TEST(AtomicFiles, TakeTheirPlacesTogether) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   write_file_atomically(directory.path("a"), "old a");
   {
     AtomicFiles files;
@@ -224,14 +224,14 @@ TEST(AtomicFiles, TakeTheirPlacesTogether) {
 }
 
 TEST(AtomicFiles, GetTheirOldContentsBackWhereOneCannotTakeItsPlace) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   write_file_atomically(directory.path("a"), "old a");
   AtomicFiles files;
   files.add(directory.path("a"), "new a");
   files.add(directory.path("new"), "n");
   files.add(directory.path("b"), "b");
   fs::create_directory(directory.path("b"));  // meanwhile
-  EXPECT_EQ(refusal_of<OutputError>([&] {
+  EXPECT_EQ(test::refusal_of<OutputError>([&] {
               files.commit();
               return 0;
             }),
@@ -241,7 +241,7 @@ TEST(AtomicFiles, GetTheirOldContentsBackWhereOneCannotTakeItsPlace) {
 }
 
 TEST(AtomicFiles, TakeTheirDirectoryBackWithThem) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string made = directory.path("out/2026");
   {
     AtomicFiles files;
@@ -266,10 +266,10 @@ TEST(AtomicFiles, TakeTheirDirectoryBackWithThem) {
 }
 
 TEST(AtomicFiles, AreDifferentFiles) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   AtomicFiles files;
   files.add(directory.path("a"), "a");
-  EXPECT_EQ(refusal_of<UsageError>([&] {
+  EXPECT_EQ(test::refusal_of<UsageError>([&] {
               files.add(directory.path() + "/./a", "b");
               return 0;
             }),
@@ -277,9 +277,9 @@ TEST(AtomicFiles, AreDifferentFiles) {
 }
 
 TEST(CheckOutput, RefusesOneFileForTwoOutputs) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const auto is_refused = [&](const std::string& a, const std::string& b) {
-    return !refusal_of<UsageError>([&] {
+    return !test::refusal_of<UsageError>([&] {
               check_outputs_differ({a, "", b});
               return 0;
             }).empty();
@@ -302,20 +302,20 @@ TEST(CheckOutput, RefusesOneFileForTwoOutputs) {
 }
 
 TEST(CheckOutput, RefusesToOverwriteAnInput) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string input = directory.file("run.csv", "t");
   fs::create_symlink("run.csv", directory.path("link"));
   fs::create_hard_link(input, directory.path("hard"));
   for (const char* name : {"run.csv", "./run.csv", "link", "hard"}) {
     const std::string path = directory.path() + "/" + name;
-    EXPECT_EQ(refusal_of<UsageError>([&] {
+    EXPECT_EQ(test::refusal_of<UsageError>([&] {
                 check_output_can_be_written(path, {"nowhere", input});
                 return 0;
               }),
               path + ": is also an input; it would be overwritten");
   }
   check_output_can_be_written(directory.path("other"), {input, ""});
-  EXPECT_NE(refusal_of<UsageError>([&] {
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
               check_output_can_be_written(directory.path("new"), {directory.path() + "/./new"});
               return 0;
             }),
@@ -323,12 +323,12 @@ TEST(CheckOutput, RefusesToOverwriteAnInput) {
 }
 
 TEST(CreateDirectory, MakesThoseAboveToo) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   create_directory(directory.path("a/b/c"));
   EXPECT_TRUE(fs::is_directory(directory.path("a/b/c")));
   create_directory(directory.path("a/b/c"));
   const std::string file = directory.file("file", "");
-  EXPECT_EQ(refusal_of<OutputError>([&] {
+  EXPECT_EQ(test::refusal_of<OutputError>([&] {
               create_directory(file);
               return 0;
             }),

@@ -61,7 +61,7 @@ Ended ended_by(int signal, int times, const std::function<void()>& work) {
 }
 
 TEST(EarlyEnd, RemovesWhatIsUnfinishedAndSaysThatNothingWasChanged) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   ASSERT_NE(directory.file("page", "old"), "");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
     const Ended ended = ended_by(signal, 1, [&] {
@@ -80,7 +80,7 @@ TEST(EarlyEnd, RemovesWhatIsUnfinishedAndSaysThatNothingWasChanged) {
 }
 
 TEST(EarlyEnd, SaysWhatWasKept) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const Ended ended =
       ended_by(SIGTERM, 1, [&] { write_file_atomically(directory.path("page"), "new"); });
   EXPECT_TRUE(ended.said.ends_with("; kept: " + directory.path("page") + "\n")) << ended.said;
@@ -88,14 +88,14 @@ TEST(EarlyEnd, SaysWhatWasKept) {
 }
 
 TEST(EarlyEnd, WaitsForWhatBelongsTogetherButNotAtTheSecondSignal) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const Ended ended = ended_by(SIGINT, 2, [&] { new Uninterrupted; });
   EXPECT_TRUE(WIFSIGNALED(ended.status) && WTERMSIG(ended.status) == SIGINT) << ended.status;
   EXPECT_EQ(ended.said, "");
 }
 
 TEST(EarlyEnd, LeavesASignalThatIsIgnoredIgnored) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const auto before = std::signal(SIGHUP, SIG_IGN);
   const pid_t child = fork();
   if (child == 0) {

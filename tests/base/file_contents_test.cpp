@@ -16,11 +16,11 @@ using test::refusal_of;
 using test::TemporaryDirectory;
 
 std::string refusal(const std::string& path) {
-  return refusal_of<InputError>([&] { return read_file(path); });
+  return test::refusal_of<InputError>([&] { return read_file(path); });
 }
 
 TEST(ReadFile, GivesEveryByte) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::string bytes;
   for (int i = 0; i < 1000; ++i) bytes += static_cast<char>(i);
   EXPECT_EQ(read_file(directory.file("bytes", bytes)), bytes);
@@ -30,7 +30,7 @@ TEST(ReadFile, GivesEveryByte) {
 }
 
 TEST(ReadFile, SaysWhyAFileCannotBeRead) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   EXPECT_EQ(refusal(directory.path("no.csv")),
             directory.path("no.csv") + ": cannot open: No such file or directory");
   EXPECT_EQ(refusal(directory.path()), directory.path() + ": cannot read: is a directory");
@@ -39,7 +39,7 @@ TEST(ReadFile, SaysWhyAFileCannotBeRead) {
 }
 
 TEST(ReadFile, RefusesDevicesAndPipesWithoutWaiting) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string pipe = directory.path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string hint = "; hint: save what comes through it as a file first";
@@ -50,17 +50,17 @@ TEST(ReadFile, RefusesDevicesAndPipesWithoutWaiting) {
 
 TEST(ReadFile, RefusesAFileWithoutPermission) {
   if (geteuid() == 0) GTEST_SKIP() << "root may read every file";
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("secret.csv", "t");
   ASSERT_EQ(chmod(path.c_str(), 0), 0);
   EXPECT_EQ(refusal(path), path + ": cannot open: Permission denied");
 }
 
 TEST(ReadFile, RefusesWhatIsLargerThanTheBound) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("large", "123456");
   EXPECT_EQ(read_file(path, 6), "123456");
-  EXPECT_EQ(refusal_of<InputError>([&] { return read_file(path, 5); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_file(path, 5); }),
             path +
                 ": file is larger than the bound of 5 bytes; hint: split it, or leave out "
                 "columns that are not needed");
@@ -72,7 +72,7 @@ TEST(ReadFile, ReadsFilesThatHaveNoSize) {  // such as those of /proc
 }
 
 TEST(InputFileSource, LeavesWhatIsAddedWhileItReads) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("log.csv", "12345");
   InputFileSource source(path);
   EXPECT_FALSE(source.has_grown());
@@ -85,14 +85,14 @@ TEST(InputFileSource, LeavesWhatIsAddedWhileItReads) {
 }
 
 TEST(InputFileSource, RefusesAFileThatBecomesShorterWhileItReads) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("log.csv", "12345");
   InputFileSource source(path);
   std::filesystem::resize_file(path, 3);
   std::string bytes(100, '\0');
   EXPECT_EQ(source.read(bytes.data(), bytes.size()), 3U);
   EXPECT_EQ(
-      refusal_of<InputError>([&] { return source.read(bytes.data(), bytes.size()); }),
+      test::refusal_of<InputError>([&] { return source.read(bytes.data(), bytes.size()); }),
       path +
           ": file has become shorter while it was read, found 3 bytes, expected 5; hint: is it "
           "still being written? read a copy of it");

@@ -31,14 +31,14 @@ class SmallDisk : public testing::Test {
     return mount("tmpfs", disk_.path().c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=64k") == 0;
   }
 
-  TemporaryDirectory disk_;
+  test::TemporaryDirectory disk_;
   bool is_mounted_{false};
 };
 
 TEST_F(SmallDisk, FullKeepsTheOldFileAndLeavesNoTemporaryOne) {
   const std::string path = disk_.path("report.html");
   write_file_atomically(path, "old");
-  const std::string said = refusal_of<OutputError>([&] {
+  const std::string said = test::refusal_of<OutputError>([&] {
     write_file_atomically(path, std::string(1 << 20, 'x'));
     return 0;
   });
@@ -51,7 +51,7 @@ TEST_F(SmallDisk, FullKeepsTheOldFileAndLeavesNoTemporaryOne) {
 
 TEST_F(SmallDisk, FullKeepsEveryOldFileOfASet) {
   write_file_atomically(disk_.path("a.csv"), "old a");
-  const std::string said = refusal_of<OutputError>([&] {
+  const std::string said = test::refusal_of<OutputError>([&] {
     AtomicFiles files;
     files.add(disk_.path("a.csv"), "new a");
     files.add(disk_.path("b.csv"), std::string(1 << 20, 'x'));
@@ -68,12 +68,12 @@ TEST_F(SmallDisk, ReadOnlyIsFoundBeforeTheComputation) {
   write_file_atomically(path, "old");
   if (!make_read_only()) GTEST_SKIP() << "cannot mount read-only: " << std::strerror(errno);
   const std::string reason = path + ": cannot write: Read-only file system";
-  EXPECT_EQ(refusal_of<OutputError>([&] {
+  EXPECT_EQ(test::refusal_of<OutputError>([&] {
               check_output_can_be_written(path);
               return 0;
             }),
             reason);
-  EXPECT_EQ(refusal_of<OutputError>([&] {
+  EXPECT_EQ(test::refusal_of<OutputError>([&] {
               write_file_atomically(path, "new");
               return 0;
             }),

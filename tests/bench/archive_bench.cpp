@@ -32,30 +32,35 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-archive::CalibrationArchive opened(const std::string& path, sql::Access access) {
-  return archive::CalibrationArchive(sql::open_sqlite(path, access, sql::usual_wait_ms));
+tribolog::archive::store::CalibrationArchive opened(const std::string& path,
+                                                    tribolog::archive::sql::Access access) {
+  return tribolog::archive::store::CalibrationArchive(
+      tribolog::archive::sql::open_sqlite(path, access, tribolog::archive::sql::usual_wait_ms));
 }
 
 /// Without waiting for the disk each time: filling is not what is measured.
 void fill(const std::string& path, int count, std::size_t document_bytes) {
-  sql::create_sqlite(path, [](sql::Connection& c) { archive::create_schema(c); });
-  auto connection = sql::open_sqlite(path, sql::Access::write, sql::usual_wait_ms);
+  tribolog::archive::sql::create_sqlite(path, [](tribolog::archive::sql::Connection& c) {
+    tribolog::archive::store::create_schema(c);
+  });
+  auto connection = tribolog::archive::sql::open_sqlite(path, tribolog::archive::sql::Access::write,
+                                                        tribolog::archive::sql::usual_wait_ms);
   connection->run_script("PRAGMA synchronous=OFF");
-  archive::CalibrationArchive archive(std::move(connection));
-  RandomStream random(1, 0);
+  tribolog::archive::store::CalibrationArchive archive(std::move(connection));
+  tribolog::statistics::RandomStream random(1, 0);
   for (int k = 0; k < count; ++k) {
     const double coulomb_Nm = 0.45 * (1 + 0.01 * (random.uniform() - 0.5));
-    auto c = test::sample_calibration(k % robots, k / robots % joints, k / (robots * joints),
-                                      coulomb_Nm);
-    const archive::Quantity first = c.quantities.front();
+    auto c = tribolog::test::sample_calibration(k % robots, k / robots % joints,
+                                                k / (robots * joints), coulomb_Nm);
+    const tribolog::calibration::Quantity first = c.quantities.front();
     for (int q = 0; q < 9; ++q) {
-      archive::Quantity other = first;
+      tribolog::calibration::Quantity other = first;
       other.name = fmt::format("quantity_{}", q);
       c.quantities.push_back(other);
     }
     for (int i = 0; i < 22; ++i) {
       c.inputs.push_back({fmt::format("constant_speed_{:02}.csv", i), "constant_speed", 561407,
-                          sha256_hex(fmt::format("{} {}", k, i))});
+                          tribolog::sha256_hex(fmt::format("{} {}", k, i))});
     }
     std::string& bytes = c.documents.front().bytes;
     while (bytes.size() < document_bytes) {
@@ -91,24 +96,25 @@ int main(int argc, char** argv) {
   std::printf("%.1f kB for each of %d calibrations\n",
               1e-3 * static_cast<double>(std::filesystem::file_size(path)) / count, count);
   time("open, list one robot", [&](int round) {
-    archive::Filter filter;
+    tribolog::archive::store::Filter filter;
     filter.robot = fmt::format("R{}", 7 * round);
-    return opened(path, sql::Access::read).list(filter).size();
+    return opened(path, tribolog::archive::sql::Access::read).list(filter).size();
   });
   time("open, results of one joint over time", [&](int round) {
-    archive::Filter filter;
+    tribolog::archive::store::Filter filter;
     filter.robot = fmt::format("R{}", 3 * round);
     filter.serial = fmt::format("S{}", 3 * round);
     filter.joint = "J2";
     filter.latest_revisions = true;
-    return opened(path, sql::Access::read).measured(filter).size();
+    return opened(path, tribolog::archive::sql::Access::read).measured(filter).size();
   });
-  time("list all", [&](int) { return opened(path, sql::Access::read).list({}).size(); });
+  time("list all",
+       [&](int) { return opened(path, tribolog::archive::sql::Access::read).list({}).size(); });
   time("archive one more", [&](int round) {
-    auto c = test::sample_calibration(-1, 0, round, 0.45);
+    auto c = tribolog::test::sample_calibration(-1, 0, round, 0.45);
     c.inputs.front().sha256 =
-        sha256_hex(fmt::format("{}", Clock::now().time_since_epoch().count()));
-    return opened(path, sql::Access::write).add(c, false, now).id.size() / 64;
+        tribolog::sha256_hex(fmt::format("{}", Clock::now().time_since_epoch().count()));
+    return opened(path, tribolog::archive::sql::Access::write).add(c, false, now).id.size() / 64;
   });
   return 0;
 }

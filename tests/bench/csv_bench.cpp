@@ -38,14 +38,15 @@ void write(const char* path, long rows) {
 
 int read(const char* path) {
   const auto begin = std::chrono::steady_clock::now();
-  InputFileSource bytes(path);
-  const CsvTable table = read_csv(bytes, path, {{"t_s"}, {"q_rad"}, {"dq_rad_s"}, {"tau_Nm"}});
+  tribolog::InputFileSource bytes(path);
+  const tribolog::ingest::text::CsvTable table =
+      tribolog::ingest::text::read_csv(bytes, path, {{"t_s"}, {"q_rad"}, {"dq_rad_s"}, {"tau_Nm"}});
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   double sum = 0;
-  for (const LogColumn& column : table.columns) {
+  for (const tribolog::ingest::log::LogColumn& column : table.columns) {
     for (const double value : column.values) sum += value;
   }
   std::printf("%.6f %zu %.17g %.1f %.1f\n", seconds, table.rows, sum,

@@ -10,12 +10,14 @@
 
 int main() {
   using namespace tribolog;
-  render::FigureRenderer renderer;
-  const Dataset dataset = test::simulated_dataset(test::paper_joint());
-  const Calibration calibration = identify(dataset);
-  std::vector<render::Figure> figures;
+  tribolog::render::workers::FigureRenderer renderer;
+  const tribolog::joint::Dataset dataset =
+      tribolog::simulate::simulated_dataset(tribolog::test::paper_joint());
+  const tribolog::calibration::Calibration calibration = tribolog::identify::identify(dataset);
+  std::vector<tribolog::render::figure::Figure> figures;
   for (int round = 0; round < 2; ++round) {
-    for (const ReportFigure& f : figure_set(dataset, calibration)) {
+    for (const tribolog::figures::ReportFigure& f :
+         tribolog::figures::figure_set(dataset, calibration)) {
       // The paper's bear its numbers; the peer knows no others.
       if (!f.figure.id.starts_with("fig-1") && !f.figure.id.starts_with("fig-2")) continue;
       figures.push_back(f.figure);
@@ -23,7 +25,7 @@ int main() {
     }
   }
   std::size_t bytes = 0;
-  for (const render::DrawnFigure& drawn : renderer.draw(figures)) {
+  for (const tribolog::render::workers::DrawnFigure& drawn : renderer.draw(figures)) {
     if (!drawn.error.empty()) {
       std::fprintf(stderr, "%s: %s\n", drawn.id.c_str(), drawn.error.c_str());
       return 1;

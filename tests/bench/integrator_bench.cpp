@@ -19,8 +19,10 @@ using namespace tribolog;
 constexpr double frequency_Hz = 1;
 constexpr double duration_s = 2;
 
-const LuGreFriction paper_joint({465.42, 0.77080, 0.001, 0.60, 0.88437633, 5.0});
-const HarmonicMotion micro_oscillation = HarmonicMotion::sine(0, 0.01, frequency_Hz);
+const tribolog::friction::LuGreFriction paper_joint({465.42, 0.77080, 0.001, 0.60, 0.88437633,
+                                                     5.0});
+const tribolog::simulate::HarmonicMotion micro_oscillation =
+    tribolog::simulate::HarmonicMotion::sine(0, 0.01, frequency_Hz);
 
 std::size_t samples_at(double rate) { return static_cast<std::size_t>(duration_s * rate) + 1; }
 
@@ -32,7 +34,8 @@ const std::vector<double>& reference(double rate) {
     const std::size_t n = (samples_at(rate) - 1) * finer + 1;
     std::vector<double> fine(n);
     std::vector<double> dz(n);
-    integrate_bristle(paper_joint, micro_oscillation, 0, 1 / rate / finer, 0, fine, dz);
+    tribolog::simulate::integrate_bristle(paper_joint, micro_oscillation, 0, 1 / rate / finer, 0,
+                                          fine, dz);
     for (std::size_t i = 0; i < n; i += finer) z.push_back(fine[i]);
   }
   return z;
@@ -57,7 +60,7 @@ void ours(benchmark::State& state) {
   std::vector<double> z(samples_at(rate));
   std::vector<double> dz(z.size());
   for (auto _ : state) {
-    integrate_bristle(paper_joint, micro_oscillation, 0, 1 / rate, 0, z, dz);
+    tribolog::simulate::integrate_bristle(paper_joint, micro_oscillation, 0, 1 / rate, 0, z, dz);
     benchmark::DoNotOptimize(z.data());
   }
   report(state, z, rate);
@@ -66,14 +69,14 @@ void ours(benchmark::State& state) {
 void cvode(benchmark::State& state) {
   const auto rate = static_cast<double>(state.range(0));
   const double tolerance = std::pow(10.0, -static_cast<double>(state.range(1)));
-  test::CvodeOptions options;
+  tribolog::test::CvodeOptions options;
   options.relative_tolerance = tolerance;
   options.absolute_tolerance_rad = tolerance * 1e-5;
   options.largest_step_s = 0.005 / frequency_Hz;
-  options.reversals_s = test::sine_reversals(frequency_Hz, duration_s);
+  options.reversals_s = tribolog::test::sine_reversals(frequency_Hz, duration_s);
   std::vector<double> z(samples_at(rate));
   for (auto _ : state) {
-    test::solve_bristle_with_cvode(paper_joint, micro_oscillation, 1 / rate, options, z);
+    tribolog::test::solve_bristle_with_cvode(paper_joint, micro_oscillation, 1 / rate, options, z);
     benchmark::DoNotOptimize(z.data());
   }
   report(state, z, rate);

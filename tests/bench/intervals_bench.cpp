@@ -11,12 +11,13 @@
 
 namespace {
 
-double milliseconds(const tribolog::Dataset& dataset, std::size_t resamples) {
-  tribolog::IdentifyOptions options;
+double milliseconds(const tribolog::joint::Dataset& dataset, std::size_t resamples) {
+  tribolog::identify::IdentifyOptions options;
   options.resamples = resamples;
   options.threads = 2;
   const auto start = std::chrono::steady_clock::now();
-  const tribolog::Calibration calibration = tribolog::identify(dataset, options);
+  const tribolog::calibration::Calibration calibration =
+      tribolog::identify::identify(dataset, options);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   return calibration.masses.masses.empty() ? 0.0 : took.count();
 }
@@ -31,8 +32,8 @@ double median(std::vector<double> values) {
 int main() {
   constexpr int rounds = 9;
   constexpr double most = 10;
-  const tribolog::Dataset dataset =
-      tribolog::test::simulated_dataset(tribolog::test::noisy_paper_joint(1));
+  const tribolog::joint::Dataset dataset =
+      tribolog::simulate::simulated_dataset(tribolog::test::noisy_paper_joint(1));
   std::vector<double> without, with;
   for (int round = 0; round < rounds; ++round) {
     without.push_back(milliseconds(dataset, 0));

@@ -23,12 +23,12 @@ constexpr double gear_ratio = 100;
 constexpr int fits = 41;
 
 /// Four cycles at 500 Hz.
-Recording data() {
-  Scenario s = test::noisy_paper_joint(1);
+tribolog::joint::Recording data() {
+  tribolog::simulate::Scenario s = tribolog::test::noisy_paper_joint(1);
   s.noise.encoder_counts_per_turn = 0;
   s.oscillation->cycles = 4;
   s.oscillation->sample_rate_Hz = 500;
-  Recording r = test::oscillations_of(s).front();
+  tribolog::joint::Recording r = tribolog::test::oscillations_of(s).front();
   for (auto* signal : {&r.t_s, &r.q_rad, &r.torque_Nm}) signal->resize(2000);
   r.dq_rad_s.clear();
   return r;
@@ -38,9 +38,10 @@ Recording data() {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const Recording r = data();
-  const auto sine = std::make_shared<HarmonicMotion>(
-      HarmonicMotion::sine(gear_ratio * test::true_q_peak_rad(), 0.01, 1.0));
+  const tribolog::joint::Recording r = data();
+  const auto sine =
+      std::make_shared<tribolog::simulate::HarmonicMotion>(tribolog::simulate::HarmonicMotion::sine(
+          gear_ratio * tribolog::test::true_q_peak_rad(), 0.01, 1.0));
   std::ofstream out(argv[1]);
   out.precision(17);
   for (std::size_t i = 0; i < r.size(); ++i) {
@@ -51,20 +52,24 @@ int main(int argc, char** argv) {
 
   // Six parameters: stiffness, static torque, both dampings, inertia and gravity; z = 0 at the
   // start, as in the peer.
-  const LuGreFreedom free{{LuGreShared::log_stiffness, LuGreShared::log_static,
-                           LuGreShared::damping, LuGreShared::viscous, LuGreShared::inertia},
-                          false};
-  LuGrePoint start;
-  start.shared(LuGreShared::log_stiffness) = std::log(530.0);
-  start.shared(LuGreShared::log_static) = std::log(0.9);
-  start.shared(LuGreShared::damping) = 0.5;
+  const tribolog::method::hysteresis::LuGreFreedom free{
+      {tribolog::method::hysteresis::LuGreShared::log_stiffness,
+       tribolog::method::hysteresis::LuGreShared::log_static,
+       tribolog::method::hysteresis::LuGreShared::damping,
+       tribolog::method::hysteresis::LuGreShared::viscous,
+       tribolog::method::hysteresis::LuGreShared::inertia},
+      false};
+  tribolog::method::hysteresis::LuGrePoint start;
+  start.shared(tribolog::method::hysteresis::LuGreShared::log_stiffness) = std::log(530.0);
+  start.shared(tribolog::method::hysteresis::LuGreShared::log_static) = std::log(0.9);
+  start.shared(tribolog::method::hysteresis::LuGreShared::damping) = 0.5;
   start.locals = {{3.9, 0}};
   // What depends on the motion alone is made once, in the peer too.
-  std::vector<LuGreLoopModel> models;
-  models.emplace_back(r, sine, gear_ratio, test::true_q_peak_rad());
-  const LuGreProblem problem(std::move(models));
-  const LeastSquaresLimits as_the_peer{1e-12, 1e-12, 200};
-  LuGreProblem::Solution found;
+  std::vector<tribolog::method::hysteresis::LuGreLoopModel> models;
+  models.emplace_back(r, sine, gear_ratio, tribolog::test::true_q_peak_rad());
+  const tribolog::method::hysteresis::LuGreProblem problem(std::move(models));
+  const tribolog::statistics::LeastSquaresLimits as_the_peer{1e-12, 1e-12, 200};
+  tribolog::method::hysteresis::LuGreProblem::Solution found;
   std::vector<double> milliseconds;
   for (int k = 0; k < fits; ++k) {
     const auto begin = std::chrono::steady_clock::now();

@@ -38,20 +38,20 @@
 namespace {
 
 using namespace tribolog;
-using Method = CvodeSolver::Method;
+using Method = tribolog::simulate::CvodeSolver::Method;
 
-const ContactParameters contact;
+const tribolog::friction::ContactParameters contact;
 
 struct NamedMotion {
   std::string name;
-  HarmonicMotion motion;
+  tribolog::simulate::HarmonicMotion motion;
 };
 
 // Samples do not fall on reversals, where a torque that jumps there could be read on either side.
 constexpr double frequency_Hz = 2;
 constexpr double phase_rad = 0.1234567;
 
-HarmonicMotion oscillation(double amplitude_rad, double third_harmonic_rad) {
+tribolog::simulate::HarmonicMotion oscillation(double amplitude_rad, double third_harmonic_rad) {
   return {0,
           frequency_Hz,
           {{amplitude_rad * std::sin(phase_rad), amplitude_rad * std::cos(phase_rad)},
@@ -70,24 +70,25 @@ const std::vector<NamedMotion>& motions() {
 /// One model, motion and sampling rate, with the reference.
 class Task {
  public:
-  Task(const FrictionModelEntry& entry, const NamedMotion& motion, double rate_Hz)
+  Task(const tribolog::friction::FrictionModelEntry& entry, const NamedMotion& motion,
+       double rate_Hz)
       : model_(entry.matched(contact)), motion_(motion.motion), rate_Hz_(rate_Hz) {
     const bool snaps_often = entry.traits.is_random && motion.name == "sliding";
     duration_s_ = snaps_often ? 0.2 : 1.0;
     constexpr double scan_s = 0.003;
-    reversals_s_ = test::reversals_of(motion_, duration_s_, scan_s);
+    reversals_s_ = tribolog::test::reversals_of(motion_, duration_s_, scan_s);
   }
 
   [[nodiscard]] std::vector<double> by_our_method() const { return by_our_method(rate_Hz_); }
   [[nodiscard]] std::vector<double> by_cvode(Method method, double tolerance) const {
-    test::CvodeFrictionOptions options;
+    tribolog::test::CvodeFrictionOptions options;
     options.method = method;
     options.relative_tolerance = tolerance;
     options.largest_step_s = 0.01;
     options.first_step_s = 1e-6;
     options.reversals_s = reversals_s_;
     std::vector<double> torque(samples(rate_Hz_));
-    test::friction_by_cvode(*model_, motion_, 1 / rate_Hz_, options, torque);
+    tribolog::test::friction_by_cvode(*model_, motion_, 1 / rate_Hz_, options, torque);
     return torque;
   }
   [[nodiscard]] double error_of(const std::vector<double>& torque) {
@@ -107,12 +108,12 @@ class Task {
   [[nodiscard]] std::vector<double> by_our_method(double rate_Hz) const {
     std::vector<double> torque(samples(rate_Hz));
     std::vector<double> state = model_->unloaded();
-    friction_response(*model_, motion_, 0, 1 / rate_Hz, state, torque);
+    tribolog::simulate::friction_response(*model_, motion_, 0, 1 / rate_Hz, state, torque);
     return torque;
   }
 
-  std::unique_ptr<DynamicFriction> model_;
-  const Motion& motion_;
+  std::unique_ptr<tribolog::friction::DynamicFriction> model_;
+  const tribolog::simulate::Motion& motion_;
   double rate_Hz_;
   double duration_s_;
   std::vector<double> reversals_s_;
@@ -147,7 +148,8 @@ void register_cvode(const std::string& name, const std::shared_ptr<Task>& task, 
       });
 }
 
-void register_task(const FrictionModelEntry& entry, const NamedMotion& motion, double rate_Hz) {
+void register_task(const tribolog::friction::FrictionModelEntry& entry, const NamedMotion& motion,
+                   double rate_Hz) {
   const auto task = std::make_shared<Task>(entry, motion, rate_Hz);
   const std::string name =
       entry.name + "/" + motion.name + "/" + std::to_string(std::lround(rate_Hz));
@@ -164,7 +166,8 @@ void register_task(const FrictionModelEntry& entry, const NamedMotion& motion, d
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const FrictionModelEntry& entry : dynamic_friction_models()) {
+  for (const tribolog::friction::FrictionModelEntry& entry :
+       tribolog::friction::dynamic_friction_models()) {
     for (const NamedMotion& motion : motions()) {
       for (const double rate_Hz : {1e3, 1e4}) register_task(entry, motion, rate_Hz);
     }

@@ -25,8 +25,8 @@ struct Written {
 };
 
 template <class Document>
-Written write_all(const std::vector<ReportFigure>& figures, const std::string& directory,
-                  const std::string& ending, Document&& document) {
+Written write_all(const std::vector<tribolog::figures::ReportFigure>& figures,
+                  const std::string& directory, const std::string& ending, Document&& document) {
   Written sum;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto start = Clock::now();
@@ -35,7 +35,7 @@ Written write_all(const std::vector<ReportFigure>& figures, const std::string& d
     sum.bytes += bytes.size();
     std::printf("  %-32s %s %8zu bytes\n", figures[i].id.c_str(), ending.c_str(), bytes.size());
     if (!directory.empty()) {
-      write_file_atomically(directory + "/" + figures[i].id + "." + ending, bytes);
+      tribolog::write_file_atomically(directory + "/" + figures[i].id + "." + ending, bytes);
     }
   }
   return sum;
@@ -47,23 +47,26 @@ int main(int argc, char** argv) {
   const std::string directory = argc > 1 ? argv[1] : "";
   const bool publication = argc > 2 && std::string(argv[2]) == "paper";
   const std::string examples = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/";
-  if (!directory.empty()) create_directory(directory);
-  render::FigureRenderer renderer(2, render::Prepared::charts_and_scenes);
-  const paper::PapersJoint joint(read_scenario(examples + "scenario.toml"),
-                                 read_robot(examples + "am100ib.toml"));
-  std::vector<ReportFigure> figures = paper::paper_figures(joint);
-  const render::Font font;
-  std::vector<render::Figure> descriptions;
-  std::vector<render::DrawList> lists;
-  for (ReportFigure& one : figures) {
-    if (publication) one.figure = for_publication(one.figure, font);
+  if (!directory.empty()) tribolog::create_directory(directory);
+  tribolog::render::workers::FigureRenderer renderer(
+      2, tribolog::render::workers::Prepared::charts_and_scenes);
+  const tribolog::paper::checks::PapersJoint joint(
+      tribolog::ingest::manifest::read_scenario(examples + "scenario.toml"),
+      tribolog::ingest::manifest::read_robot(examples + "am100ib.toml"));
+  std::vector<tribolog::figures::ReportFigure> figures =
+      tribolog::paper::checks::paper_figures(joint);
+  const tribolog::render::text::Font font;
+  std::vector<tribolog::render::figure::Figure> descriptions;
+  std::vector<tribolog::render::figure::DrawList> lists;
+  for (tribolog::figures::ReportFigure& one : figures) {
+    if (publication) one.figure = tribolog::render::composition::for_publication(one.figure, font);
     descriptions.push_back(one.figure);
-    lists.push_back(render::lay_out(one.figure, font));
+    lists.push_back(tribolog::render::composition::lay_out(one.figure, font));
   }
   auto start = Clock::now();
   const auto pictures = renderer.draw(descriptions);
   const double picture_s = std::chrono::duration<double>(Clock::now() - start).count();
-  render::DrawOptions solid_only;
+  tribolog::render::workers::DrawOptions solid_only;
   solid_only.solid_parts_only = true;
   std::vector<std::vector<std::byte>> solid(figures.size());
   start = Clock::now();
@@ -72,9 +75,9 @@ int main(int argc, char** argv) {
   }
   const double solid_s = std::chrono::duration<double>(Clock::now() - start).count();
   const auto texts = [&](std::size_t i) {
-    return render::DocumentTexts{figures[i].id, figures[i].title, figures[i].alt};
+    return tribolog::render::vector::DocumentTexts{figures[i].id, figures[i].title, figures[i].alt};
   };
-  for (const render::DrawnFigure& one : pictures) {
+  for (const tribolog::render::workers::DrawnFigure& one : pictures) {
     if (!one.error.empty()) std::printf("%s: %s\n", one.id.c_str(), one.error.c_str());
     for (const std::string& warning : one.warnings) {
       std::printf("%s: note: %s\n", one.id.c_str(), warning.c_str());
@@ -85,10 +88,10 @@ int main(int argc, char** argv) {
                        pictures[i].png.size());
   });
   const Written svg = write_all(figures, directory, "svg", [&](std::size_t i) {
-    return svg_document(lists[i], texts(i), font, solid[i]);
+    return tribolog::render::vector::svg_document(lists[i], texts(i), font, solid[i]);
   });
   const Written pdf = write_all(figures, directory, "pdf", [&](std::size_t i) {
-    return pdf_document(lists[i], texts(i), font, solid[i]);
+    return tribolog::render::vector::pdf_document(lists[i], texts(i), font, solid[i]);
   });
   std::printf("%zu figures\n", figures.size());
   std::printf("png %zu bytes, %.2f s by two processes\n", png.bytes, picture_s);

@@ -17,10 +17,12 @@ namespace {
 
 using nlohmann::json;
 
-json parsed(const Calibration& c) { return json::parse(calibration_json(c, sample_provenance())); }
+json parsed(const calibration::Calibration& c) {
+  return json::parse(calibration::calibration_json(c, sample_provenance()));
+}
 
 /// Reads the calibration and the schema; prints every fault.
-void expect_valid(const Calibration& c) {
+void expect_valid(const calibration::Calibration& c) {
   if (!has_python_module("jsonschema")) GTEST_SKIP() << "python3-jsonschema is not installed";
   const std::string program =
       "import json, sys, jsonschema\n"
@@ -34,13 +36,13 @@ void expect_valid(const Calibration& c) {
       "faults = list(validator.iter_errors(json.load(open(sys.argv[1]))))\n"
       "for f in faults: print(list(f.path), f.message[:300])\n"
       "sys.exit(1 if faults else 0)\n";
-  EXPECT_TRUE(run_python(program, calibration_json(c, sample_provenance())));
+  EXPECT_TRUE(run_python(program, calibration::calibration_json(c, sample_provenance())));
 }
 
 TEST(CalibrationJson, FollowsTheSchemaWhenComplete) { expect_valid(complete_calibration()); }
 
 TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.truth_check.runs = 2;
   c.truth_check.quantities = {
       {"midline", "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
@@ -56,18 +58,18 @@ TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
 TEST(CalibrationJson, FollowsTheSchemaWhenHalfIsMissing) { expect_valid(sweep_only()); }
 
 TEST(CalibrationJson, FollowsTheSchemaWithoutAnyData) {
-  const Dataset nothing;
-  expect_valid(identify(nothing));
+  const joint::Dataset nothing;
+  expect_valid(identify::identify(nothing));
 }
 
 TEST(CalibrationJson, FollowsTheSchemaForTheSimulatedJoint) {
-  const Dataset dataset = simulated_dataset(noisy_paper_joint(3));
-  expect_valid(identify(dataset));
+  const joint::Dataset dataset = simulate::simulated_dataset(noisy_paper_joint(3));
+  expect_valid(identify::identify(dataset));
 }
 
 TEST(CalibrationJson, HoldsTheSteadyLoopInFewDigits) {
-  const Dataset dataset = simulated_dataset(noisy_paper_joint(3));
-  const Calibration c = identify(dataset);
+  const joint::Dataset dataset = simulate::simulated_dataset(noisy_paper_joint(3));
+  const calibration::Calibration c = identify::identify(dataset);
   const json loop = parsed(c)["hysteresis"]["oscillations"][0]["steady_loop"];
   ASSERT_EQ(loop["torque_Nm"].size(), 200U);
   ASSERT_EQ(loop["angle_from_centre_rad"].size(), 200U);
@@ -122,7 +124,7 @@ TEST(CalibrationJson, WhatIsMissingIsNull) {
 }
 
 TEST(CalibrationJson, NumbersThatAreNotFiniteAreNull) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.quality.errors[0].percent[0] = std::numeric_limits<double>::quiet_NaN();
   c.viscous.runs[0].direction_difference_Nm = std::numeric_limits<double>::infinity();
   c.rough.q_peak_rad.value = std::numeric_limits<double>::quiet_NaN();
@@ -133,15 +135,16 @@ TEST(CalibrationJson, NumbersThatAreNotFiniteAreNull) {
 }
 
 TEST(CalibrationJson, SurvivesTextThatIsNotUtf8) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.manifest.note = "a\xff\"b";
   c.viscous.runs[0].recording.assign(1, '\xc3');
   EXPECT_EQ(parsed(c)["robot"]["note"], "a\uFFFD\"b");
 }
 
 TEST(CalibrationJson, SameCalibrationSameBytesInAFixedOrder) {
-  const std::string text = calibration_json(complete_calibration(), sample_provenance());
-  EXPECT_EQ(text, calibration_json(complete_calibration(), sample_provenance()));
+  const std::string text =
+      calibration::calibration_json(complete_calibration(), sample_provenance());
+  EXPECT_EQ(text, calibration::calibration_json(complete_calibration(), sample_provenance()));
   EXPECT_EQ(text.rfind("{\n  \"schema\": \"tribolog-calibration-1\",\n  \"units\"", 0), 0U);
   EXPECT_LT(text.find("\"cog\""), text.find("\"hysteresis\": {"));
 }

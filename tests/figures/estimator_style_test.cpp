@@ -11,17 +11,17 @@ namespace {
 
 // A grey print, or a reader who sees no colour, must still tell every pair apart.
 TEST(EstimatorStyle, DashAndMarkerAloneAreDistinct) {
-  std::set<std::pair<render::LineStyle, render::Marker>> seen;
+  std::set<std::pair<render::figure::LineStyle, render::figure::Marker>> seen;
   for (const char* name : styled_names) {
     const SeriesStyle style = estimator_style(name);
     EXPECT_TRUE(seen.emplace(style.line, style.marker).second) << name;
-    EXPECT_NE(style.line, render::LineStyle::none) << name;
+    EXPECT_NE(style.line, render::figure::LineStyle::none) << name;
   }
 }
 
 TEST(EstimatorStyle, YellowIsTooPaleOnWhite) {
   for (const char* name : styled_names) {
-    EXPECT_FALSE(estimator_style(name).colour == render::palette::yellow) << name;
+    EXPECT_FALSE(estimator_style(name).colour == render::figure::palette::yellow) << name;
   }
 }
 
@@ -35,7 +35,7 @@ TEST(EstimatorStyle, EveryNameHasWords) {
 }
 
 TEST(EstimatorStyle, ApplyGivesTheSeriesThatLook) {
-  render::Series series;
+  render::figure::Series series;
   const SeriesStyle style = estimator_style("B");
   apply(style, series);
   EXPECT_TRUE(series.colour == style.colour);

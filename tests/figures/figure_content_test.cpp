@@ -16,23 +16,24 @@ namespace {
 class EveryPanel : public ::testing::Test {
  protected:
   EveryPanel() : dataset_(test::hand_made_dataset()) {
-    for (const Calibration& calibration :
+    for (const calibration::Calibration& calibration :
          {test::hand_made_calibration(dataset_), test::sweep_only_calibration(dataset_)}) {
-      for (ReportFigure& figure : figure_set(dataset_, calibration)) figures_.push_back(figure);
+      for (figures::ReportFigure& figure : figures::figure_set(dataset_, calibration))
+        figures_.push_back(figure);
     }
   }
 
   template <typename Check>
   void for_each_panel(const Check& check) const {
-    for (const ReportFigure& figure : figures_) {
+    for (const figures::ReportFigure& figure : figures_) {
       SCOPED_TRACE(figure.id);
       ASSERT_FALSE(figure.figure.panels.empty());
-      for (const render::Panel& panel : figure.figure.panels) check(panel);
+      for (const render::figure::Panel& panel : figure.figure.panels) check(panel);
     }
   }
 
-  Dataset dataset_;
-  std::vector<ReportFigure> figures_;
+  joint::Dataset dataset_;
+  std::vector<figures::ReportFigure> figures_;
 };
 
 void expect_quantity_and_unit(const std::string& title) {
@@ -44,16 +45,16 @@ void expect_quantity_and_unit(const std::string& title) {
 }
 
 TEST_F(EveryPanel, HasUnitsOnBothAxes) {
-  for_each_panel([](const render::Panel& panel) {
+  for_each_panel([](const render::figure::Panel& panel) {
     expect_quantity_and_unit(panel.x.title);
     expect_quantity_and_unit(panel.y.title);
   });
 }
 
 TEST_F(EveryPanel, HasSeriesOfEqualLengthWithSomethingToDraw) {
-  for_each_panel([](const render::Panel& panel) {
+  for_each_panel([](const render::figure::Panel& panel) {
     EXPECT_FALSE(panel.series.empty());
-    for (const render::Series& series : panel.series) {
+    for (const render::figure::Series& series : panel.series) {
       ASSERT_EQ(series.x.size(), series.y.size()) << series.label;
       std::size_t drawable = 0;
       for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -64,7 +65,7 @@ TEST_F(EveryPanel, HasSeriesOfEqualLengthWithSomethingToDraw) {
       }
       EXPECT_GE(drawable, 1U) << series.label;
     }
-    for (const render::Band& band : panel.bands) {
+    for (const render::figure::Band& band : panel.bands) {
       EXPECT_EQ(band.x.size(), band.low.size());
       EXPECT_EQ(band.x.size(), band.high.size());
     }
@@ -72,9 +73,9 @@ TEST_F(EveryPanel, HasSeriesOfEqualLengthWithSomethingToDraw) {
 }
 
 TEST_F(EveryPanel, NamesEachSeriesOnce) {
-  for_each_panel([](const render::Panel& panel) {
+  for_each_panel([](const render::figure::Panel& panel) {
     std::vector<std::string> labels;
-    for (const render::Series& series : panel.series) {
+    for (const render::figure::Series& series : panel.series) {
       if (!series.label.empty()) labels.push_back(series.label);
     }
     std::sort(labels.begin(), labels.end());
@@ -83,26 +84,26 @@ TEST_F(EveryPanel, NamesEachSeriesOnce) {
 }
 
 TEST_F(EveryPanel, ErrorBarsAndPointsAreFinite) {
-  for_each_panel([](const render::Panel& panel) {
-    for (const render::ErrorBar& bar : panel.error_bars) {
+  for_each_panel([](const render::figure::Panel& panel) {
+    for (const render::figure::ErrorBar& bar : panel.error_bars) {
       EXPECT_TRUE(std::isfinite(bar.x));
       EXPECT_LE(bar.low, bar.high);
     }
-    for (const render::PointLabel& point : panel.point_labels) {
+    for (const render::figure::PointLabel& point : panel.point_labels) {
       EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y)) << point.text;
       EXPECT_FALSE(point.text.empty());
     }
-    for (const render::ReferenceLine& at : panel.reference_lines) {
+    for (const render::figure::ReferenceLine& at : panel.reference_lines) {
       EXPECT_TRUE(std::isfinite(at.at)) << at.text;
     }
   });
 }
 
 TEST_F(EveryPanel, LogarithmicAxesHoldPositiveNumbersOnly) {
-  for_each_panel([](const render::Panel& panel) {
+  for_each_panel([](const render::figure::Panel& panel) {
     if (!panel.x.logarithmic) return;
     EXPECT_GT(panel.x.minimum.value_or(1.0), 0.0);
-    for (const render::Series& series : panel.series) {
+    for (const render::figure::Series& series : panel.series) {
       for (const double x : series.x) EXPECT_GT(x, 0.0) << series.label;
     }
   });

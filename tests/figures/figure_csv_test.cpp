@@ -12,19 +12,20 @@ namespace {
 
 constexpr std::size_t all_rows = 1000;
 
-ReportFigure figure_of(std::vector<render::Panel> panels) {
-  ReportFigure figure;
+figures::ReportFigure figure_of(std::vector<render::figure::Panel> panels) {
+  figures::ReportFigure figure;
   figure.id = "fig-1";
   figure.title = "Loop";
   figure.figure.panels = std::move(panels);
   return figure;
 }
 
-render::Panel panel_of(std::vector<double> x, std::vector<double> y, const std::string& label) {
-  render::Panel panel;
+render::figure::Panel panel_of(std::vector<double> x, std::vector<double> y,
+                               const std::string& label) {
+  render::figure::Panel panel;
   panel.x.title = "joint angle q [mrad]";
   panel.y.title = "T_{f} [N·m]";
-  render::Series series;
+  render::figure::Series series;
   series.label = label;
   series.x = std::move(x);
   series.y = std::move(y);
@@ -33,15 +34,16 @@ render::Panel panel_of(std::vector<double> x, std::vector<double> y, const std::
 }
 
 TEST(FigureCsv, SaysEverythingThatIsDrawn) {
-  render::Panel panel = panel_of({1, 2, std::nan("")}, {0.1, -1e-7, 3}, "T_{ARM}, measured");
+  render::figure::Panel panel =
+      panel_of({1, 2, std::nan("")}, {0.1, -1e-7, 3}, "T_{ARM}, measured");
   panel.title = "first";
   panel.bands.push_back({"95 %", {1}, {0.5}, {1.5}, {}});
   panel.error_bars.push_back({4, 1, 2, {}});
   panel.point_labels.push_back({1, 0.1, "A", {}, {}});
   panel.y.names = {{1, "T_{s}"}};
   panel.reference_lines.push_back(
-      {render::ReferenceLine::Direction::horizontal, 7, "limit", {}, {}});
-  EXPECT_EQ(figure_csv(figure_of({panel, panel_of({5}, {6}, "")}), all_rows),
+      {render::figure::ReferenceLine::Direction::horizontal, 7, "limit", {}, {}});
+  EXPECT_EQ(figures::figure_csv(figure_of({panel, panel_of({5}, {6}, "")}), all_rows),
             "# fig-1: Loop\n"
             "# panel 1 (first): x = joint angle q [mrad]; y = T_f [N·m]\n"
             "# panel 1, T_ARM, measured: 1 of 3 samples are no numbers\n"
@@ -64,7 +66,7 @@ TEST(FigureCsv, ThinnedCurvesKeepTheirExtremes) {
     x.push_back(i);
     y.push_back(i == 12'345 ? 99 : i == 777 ? -99 : std::sin(1e-3 * i));
   }
-  const std::string text = figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
+  const std::string text = figures::figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
   EXPECT_NE(text.find("1,curve,log,12345,99,,\n"), std::string::npos);
   EXPECT_NE(text.find("1,curve,log,777,-99,,\n"), std::string::npos);
   EXPECT_NE(text.find("# panel 1, log: 1000 of 24000 samples, the lowest and highest of each "
@@ -85,13 +87,14 @@ TEST(FigureCsv, ThinnedCurvesKeepTheirExtremes) {
 
 TEST(FigureCsv, SaysWhereCurvesBreakAndWhatNoLineJoins) {
   const double gap = std::nan("");
-  render::Panel panel = panel_of({gap, 1, 2, 3, gap, 5, 6}, {0, 1, gap, gap, 4, 5, gap}, "loop");
-  render::Series marks = panel_of({7, 8}, {1, 2}, "points").series.front();
-  marks.style = render::LineStyle::none;
+  render::figure::Panel panel =
+      panel_of({gap, 1, 2, 3, gap, 5, 6}, {0, 1, gap, gap, 4, 5, gap}, "loop");
+  render::figure::Series marks = panel_of({7, 8}, {1, 2}, "points").series.front();
+  marks.style = render::figure::LineStyle::none;
   panel.series.push_back(marks);
   panel.y.logarithmic = true;
   panel.bands.push_back({"95 %", {1, 2, 3}, {1, gap, 1}, {2, 2, 2}, {}});
-  EXPECT_EQ(figure_csv(figure_of({panel}), all_rows),
+  EXPECT_EQ(figures::figure_csv(figure_of({panel}), all_rows),
             "# fig-1: Loop\n"
             "# panel 1: x = joint angle q [mrad]; y = T_f [N·m] (logarithmic)\n"
             "# panel 1, loop: 5 of 7 samples are no numbers\n"
@@ -114,33 +117,33 @@ TEST(FigureCsv, BreaksStayWhereCurvesAreThinned) {
     x.push_back(i);
     y.push_back(i == 5'000 ? std::nan("") : std::sin(1e-3 * i));
   }
-  const std::string text = figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
+  const std::string text = figures::figure_csv(figure_of({panel_of(x, y, "log")}), 1000);
   EXPECT_NE(text.find("\n1,curve,log,,,,\n"), std::string::npos);
   EXPECT_NE(text.find("# panel 1, log: 1 of 10000 samples are no numbers\n"), std::string::npos);
 }
 
 TEST(FigureCsv, DatesAreDates) {
-  render::Panel panel = panel_of({0, 20'779.25}, {1, 2}, "F_{c}");
+  render::figure::Panel panel = panel_of({0, 20'779.25}, {1, 2}, "F_{c}");
   panel.x.dates = true;
-  const std::string text = figure_csv(figure_of({panel}), all_rows);
+  const std::string text = figures::figure_csv(figure_of({panel}), all_rows);
   EXPECT_NE(text.find("1,curve,F_c,1970-01-01T00:00:00Z,1,,\n"), std::string::npos);
   EXPECT_NE(text.find("1,curve,F_c,2026-11-22T06:00:00Z,2,,\n"), std::string::npos);
 }
 
 TEST(FigureCsv, NoTextBreaksOutOfItsCell) {
-  ReportFigure figure = figure_of({panel_of({1}, {2}, "=HYPERLINK(\"x\")\n# evil,1")});
+  figures::ReportFigure figure = figure_of({panel_of({1}, {2}, "=HYPERLINK(\"x\")\n# evil,1")});
   figure.title = "two\nlines";
-  const std::string text = figure_csv(figure, all_rows);
+  const std::string text = figures::figure_csv(figure, all_rows);
   EXPECT_NE(text.find("# fig-1: two lines\n"), std::string::npos);
   EXPECT_NE(text.find("1,curve,\"'=HYPERLINK(\"\"x\"\") # evil,1\",1,2,,\n"), std::string::npos);
 }
 
 TEST(FigureCsv, DrawingsShowNoData) {
-  ReportFigure figure = figure_of({});
-  EXPECT_EQ(figure_csv(figure, all_rows), "");
+  figures::ReportFigure figure = figure_of({});
+  EXPECT_EQ(figures::figure_csv(figure, all_rows), "");
   figure = figure_of({panel_of({1}, {2}, "")});
   figure.figure.diagram.emplace();
-  EXPECT_EQ(figure_csv(figure, all_rows), "");
+  EXPECT_EQ(figures::figure_csv(figure, all_rows), "");
 }
 
 }  // namespace

@@ -12,54 +12,57 @@
 namespace tribolog {
 namespace {
 
-std::vector<int> numbers(const std::vector<ReportFigure>& figures) {
+std::vector<int> numbers(const std::vector<figures::ReportFigure>& figures) {
   std::vector<int> all;
-  for (const ReportFigure& figure : figures) all.push_back(figure.number);
+  for (const figures::ReportFigure& figure : figures) all.push_back(figure.number);
   return all;
 }
 
 TEST(FigureSet, CompleteCalibrationGivesThePapersFigures) {
-  const Dataset dataset = test::hand_made_dataset();
-  const auto figures = figure_set(dataset, test::hand_made_calibration(dataset));
+  const joint::Dataset dataset = test::hand_made_dataset();
+  const auto figures = figures::figure_set(dataset, test::hand_made_calibration(dataset));
   EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22}));
 }
 
 TEST(FigureSet, SweepAloneHasNoLoopFigures) {
-  const Dataset dataset = test::hand_made_dataset();
-  const auto figures = figure_set(dataset, test::sweep_only_calibration(dataset));
+  const joint::Dataset dataset = test::hand_made_dataset();
+  const auto figures = figures::figure_set(dataset, test::sweep_only_calibration(dataset));
   EXPECT_EQ(numbers(figures), (std::vector<int>{11, 13, 18, 19, 20, 21}));
 }
 
 TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
-  const Dataset dataset = test::hand_made_dataset();
-  Calibration calibration = test::hand_made_calibration(dataset);
+  const joint::Dataset dataset = test::hand_made_dataset();
+  calibration::Calibration calibration = test::hand_made_calibration(dataset);
   calibration.hysteresis.bristle_source.clear();
   calibration.hysteresis.points.clear();
   calibration.hysteresis.traces.front().z_rad.clear();
   calibration.hysteresis.traces.front().dz_rad_s.clear();
   calibration.selection.paper_rule.clear();
-  EXPECT_EQ(numbers(figure_set(dataset, calibration)),
+  EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
             (std::vector<int>{11, 13, 14, 15, 18, 19, 20, 21, 22}));
 }
 
 TEST(FigureSet, NoReferenceNoComparison) {
-  const Dataset dataset = test::hand_made_dataset();
-  Calibration calibration = test::hand_made_calibration(dataset);
+  const joint::Dataset dataset = test::hand_made_dataset();
+  calibration::Calibration calibration = test::hand_made_calibration(dataset);
   calibration.quality = {};
-  EXPECT_EQ(numbers(figure_set(dataset, calibration)),
+  EXPECT_EQ(numbers(figures::figure_set(dataset, calibration)),
             (std::vector<int>{11, 13, 14, 15, 16, 17, 18, 21, 22}));
 }
 
-TEST(FigureSet, NothingGivesNothing) { EXPECT_TRUE(figure_set(Dataset{}, Calibration{}).empty()); }
+TEST(FigureSet, NothingGivesNothing) {
+  EXPECT_TRUE(figures::figure_set(joint::Dataset{}, calibration::Calibration{}).empty());
+}
 
 TEST(FigureSet, EveryFigureIsCompleteInWords) {
   const std::set<std::string> stages{"cog_rough",        "cog_precise",        "hysteresis",
                                      "surrogate_masses", "viscous_curves",     "quality_errors",
                                      "selection",        "friction_parameters"};
   const std::string safe = "abcdefghijklmnopqrstuvwxyz0123456789-";
-  const Dataset dataset = test::hand_made_dataset();
+  const joint::Dataset dataset = test::hand_made_dataset();
   std::set<std::string> ids;
-  for (const ReportFigure& figure : figure_set(dataset, test::hand_made_calibration(dataset))) {
+  for (const figures::ReportFigure& figure :
+       figures::figure_set(dataset, test::hand_made_calibration(dataset))) {
     SCOPED_TRACE(figure.id);
     EXPECT_TRUE(ids.insert(figure.id).second);
     EXPECT_EQ(figure.id.find_first_not_of(safe), std::string::npos);
@@ -80,10 +83,10 @@ TEST(FigureSet, EveryFigureIsCompleteInWords) {
 }
 
 TEST(FigureSet, SameInputSameFigures) {
-  const Dataset dataset = test::hand_made_dataset();
-  const Calibration calibration = test::hand_made_calibration(dataset);
-  const auto first = figure_set(dataset, calibration);
-  const auto second = figure_set(dataset, calibration);
+  const joint::Dataset dataset = test::hand_made_dataset();
+  const calibration::Calibration calibration = test::hand_made_calibration(dataset);
+  const auto first = figures::figure_set(dataset, calibration);
+  const auto second = figures::figure_set(dataset, calibration);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].caption, second[i].caption);

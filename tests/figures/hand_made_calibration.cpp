@@ -14,10 +14,10 @@ constexpr double rate_Hz = 100.0;
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Rest, up, rest, down, rest, between two angles, at constant speed.
-Recording sweep(const std::string& name, Role role, double from_rad, double to_rad) {
+joint::Recording sweep(const std::string& name, joint::Role role, double from_rad, double to_rad) {
   constexpr int rest = 30;
   constexpr int way = 400;
-  Recording recording;
+  joint::Recording recording;
   recording.name = name;
   recording.role = role;
   const auto add = [&](double q, double direction) {
@@ -35,10 +35,10 @@ Recording sweep(const std::string& name, Role role, double from_rad, double to_r
 }
 
 /// Torque leads the angle by a quarter of a cycle: the loop is an ellipse, entered at its side.
-Recording oscillation() {
-  Recording recording;
+joint::Recording oscillation() {
+  joint::Recording recording;
   recording.name = "oscillation.csv";
-  recording.role = Role::oscillation;
+  recording.role = joint::Role::oscillation;
   for (int i = 0; i <= known::cycles * known::samples_per_cycle; ++i) {
     const double phase = two_pi * i / known::samples_per_cycle;
     recording.t_s.push_back(phase / two_pi / known::frequency_Hz);
@@ -50,18 +50,19 @@ Recording oscillation() {
   return recording;
 }
 
-CogSweepResult sweep_result(const std::string& name, const Recording* recording, double half_rad) {
-  CogSweepResult result;
-  result.stage = {name, StageState::done, ""};
+method::gravity::CogSweepResult sweep_result(const std::string& name,
+                                             const joint::Recording* recording, double half_rad) {
+  method::gravity::CogSweepResult result;
+  result.stage = {name, statistics::StageState::done, ""};
   result.found = true;
   result.method = "least squares";
   result.argmax_rad = known::q_peak_rad + 0.002;
   result.argmax_low_rad = known::q_peak_rad - 0.006;
   result.argmax_high_rad = known::q_peak_rad + 0.007;
   result.argmax_torque_Nm = known::gravity_Nm + known::friction_Nm;
-  result.q_peak_rad = symmetric_estimate(known::q_peak_rad, half_rad, "by hand");
-  result.gravity_Nm = symmetric_estimate(known::gravity_Nm, 0.012, "by hand");
-  result.coulomb_Nm = symmetric_estimate(known::friction_Nm, 0.003, "by hand");
+  result.q_peak_rad = statistics::symmetric_estimate(known::q_peak_rad, half_rad, "by hand");
+  result.gravity_Nm = statistics::symmetric_estimate(known::gravity_Nm, 0.012, "by hand");
+  result.coulomb_Nm = statistics::symmetric_estimate(known::friction_Nm, 0.003, "by hand");
   result.both_directions = true;
   result.constant_speed = true;
   result.lowest_rad = recording->q_rad.front();
@@ -84,7 +85,8 @@ CogSweepResult sweep_result(const std::string& name, const Recording* recording,
   return result;
 }
 
-LoopPoint reading(char name, const Recording& recording, std::size_t at) {
+method::hysteresis::LoopPoint reading(char name, const joint::Recording& recording,
+                                      std::size_t at) {
   return {name,
           recording.t_s[at],
           recording.q_rad[at],
@@ -95,14 +97,14 @@ LoopPoint reading(char name, const Recording& recording, std::size_t at) {
           recording.dz_rad_s[at]};
 }
 
-HysteresisResult loop_result(const Recording& recording) {
-  HysteresisResult loop;
-  loop.stage = {"hysteresis", StageState::done, ""};
+method::hysteresis::HysteresisResult loop_result(const joint::Recording& recording) {
+  method::hysteresis::HysteresisResult loop;
+  loop.stage = {"hysteresis", statistics::StageState::done, ""};
   loop.found = true;
   loop.bristle_source = "recorded";
   loop.oscillations.push_back({known::centre_rad, known::amplitude_rad, known::frequency_Hz,
                                known::cycles, known::cycles - 1.0, 0.0});
-  LoopTrace trace;
+  method::hysteresis::LoopTrace trace;
   trace.recording = recording.name;
   trace.t_s = recording.t_s;
   trace.q_rad = recording.q_rad;
@@ -115,27 +117,28 @@ HysteresisResult loop_result(const Recording& recording) {
   loop.points = {reading('A', recording, 0),   reading('C', recording, 50),
                  reading('F', recording, 80),  reading('B', recording, 105),
                  reading('D', recording, 150), reading('E', recording, 180)};
-  for (const LoopPoint& point : loop.points) {
+  for (const method::hysteresis::LoopPoint& point : loop.points) {
     loop.steady_points.push_back(point);
     loop.steady_points.back().torque_Nm += 0.2;
   }
-  loop.midline_Nm = symmetric_estimate(known::gravity_Nm, 0.008, "by hand");
+  loop.midline_Nm = statistics::symmetric_estimate(known::gravity_Nm, 0.008, "by hand");
   loop.midline_q_rad = known::centre_rad;
   loop.loop_height_Nm = 2 * known::loop_Nm;
   return loop;
 }
 
-SurrogateMass mass(const std::string& estimator, double torque_Nm) {
-  const Estimate torque = symmetric_estimate(torque_Nm, 0.01, "by hand");
-  return {estimator, torque, known::centre_rad, scaled(torque, known::kg_per_Nm), torque};
+method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
+  const statistics::Estimate torque = statistics::symmetric_estimate(torque_Nm, 0.01, "by hand");
+  return {estimator, torque, known::centre_rad, statistics::scaled(torque, known::kg_per_Nm),
+          torque};
 }
 
 /// Friction 0.5 N·m + 0.002 N·m·s/rad in both directions, seen with each candidate's gravity.
-void add_runs(Calibration& calibration, const std::vector<double>& speeds) {
-  ViscousCurvesResult& viscous = calibration.viscous;
-  viscous.stage = {"viscous_curves", StageState::done, ""};
+void add_runs(calibration::Calibration& calibration, const std::vector<double>& speeds) {
+  method::viscous::ViscousCurvesResult& viscous = calibration.viscous;
+  viscous.stage = {"viscous_curves", statistics::StageState::done, ""};
   for (const double speed : speeds) {
-    ConstantSpeedRun run;
+    method::viscous::ConstantSpeedRun run;
     run.recording = "runs.csv";
     run.speed_rad_s = speed;
     run.torque_Nm = known::gravity_Nm + std::copysign(known::friction_Nm, speed) + 0.002 * speed;
@@ -146,10 +149,10 @@ void add_runs(Calibration& calibration, const std::vector<double>& speeds) {
     viscous.runs.push_back(run);
     calibration.quality.reference_Nm.push_back(run.torque_Nm - known::gravity_Nm);
   }
-  for (const SurrogateMass& candidate : calibration.masses.masses) {
-    ViscousCurve curve{candidate.estimator, {}};
-    QualityError error{candidate.estimator, {}, 0.0};
-    for (const ConstantSpeedRun& run : viscous.runs) {
+  for (const method::hysteresis::SurrogateMass& candidate : calibration.masses.masses) {
+    method::viscous::ViscousCurve curve{candidate.estimator, {}};
+    method::selection::QualityError error{candidate.estimator, {}, 0.0};
+    for (const method::viscous::ConstantSpeedRun& run : viscous.runs) {
       curve.friction_Nm.push_back(run.torque_Nm - candidate.gravity_Nm.value);
       error.percent.push_back(100 * (known::gravity_Nm - candidate.gravity_Nm.value) /
                               run.torque_Nm);
@@ -158,21 +161,21 @@ void add_runs(Calibration& calibration, const std::vector<double>& speeds) {
     viscous.curves.push_back(std::move(curve));
     calibration.quality.errors.push_back(std::move(error));
   }
-  calibration.quality.stage = {"quality_errors", StageState::done, ""};
+  calibration.quality.stage = {"quality_errors", statistics::StageState::done, ""};
   calibration.quality.reference = "direction_difference";
 }
 
-void add_laws(Calibration& calibration) {
-  FrictionParametersResult& friction = calibration.friction;
-  friction.stage = {"friction_parameters", StageState::done, ""};
+void add_laws(calibration::Calibration& calibration) {
+  method::selection::FrictionParametersResult& friction = calibration.friction;
+  friction.stage = {"friction_parameters", statistics::StageState::done, ""};
   friction.curve = calibration.selection.recommended;
-  CoulombViscousFit law;
-  law.coulomb_Nm = symmetric_estimate(known::friction_Nm, 0.004, "by hand");
-  law.viscous_Nms_rad = symmetric_estimate(0.002, 0.0001, "by hand");
+  method::selection::CoulombViscousFit law;
+  law.coulomb_Nm = statistics::symmetric_estimate(known::friction_Nm, 0.004, "by hand");
+  law.viscous_Nms_rad = statistics::symmetric_estimate(0.002, 0.0001, "by hand");
   law.slowest_rad_s = 10.0;
   law.fastest_rad_s = 300.0;
   friction.coulomb_viscous = law;
-  friction.waiboer = WaiboerFit{};
+  friction.waiboer = method::viscous::WaiboerFit{};
   friction.waiboer->converged = true;
   friction.waiboer->residual_Nm = 0.0031;
   friction.fit_speed_rad_s = {0.0, 10.0, 100.0, 300.0};
@@ -181,24 +184,25 @@ void add_laws(Calibration& calibration) {
 
 }  // namespace
 
-Dataset hand_made_dataset() {
-  Dataset dataset;
-  dataset.manifest.drive = Drive(known::gear_ratio, EffortKind::motor_torque, Side::motor);
-  dataset.recordings.push_back(sweep("rough.csv", Role::rough_sweep, -1.4, 1.0));
-  dataset.recordings.push_back(sweep("precise.csv", Role::precise_sweep, -0.42, -0.38));
+joint::Dataset hand_made_dataset() {
+  joint::Dataset dataset;
+  dataset.manifest.drive =
+      joint::Drive(known::gear_ratio, joint::EffortKind::motor_torque, joint::Side::motor);
+  dataset.recordings.push_back(sweep("rough.csv", joint::Role::rough_sweep, -1.4, 1.0));
+  dataset.recordings.push_back(sweep("precise.csv", joint::Role::precise_sweep, -0.42, -0.38));
   dataset.recordings.push_back(oscillation());
   return dataset;
 }
 
-Calibration hand_made_calibration(const Dataset& dataset) {
-  Calibration calibration;
+calibration::Calibration hand_made_calibration(const joint::Dataset& dataset) {
+  calibration::Calibration calibration;
   calibration.manifest = dataset.manifest;
   calibration.rough = sweep_result("cog_rough", &dataset.recordings[0], 0.003);
   calibration.precise = sweep_result("cog_precise", &dataset.recordings[1], 0.0005);
   calibration.q_peak_rad = calibration.precise.q_peak_rad;
   calibration.q_peak_source = "cog_precise";
   calibration.hysteresis = loop_result(dataset.recordings[2]);
-  calibration.masses.stage = {"surrogate_masses", StageState::done, ""};
+  calibration.masses.stage = {"surrogate_masses", statistics::StageState::done, ""};
   calibration.masses.distance_m = 0.5;
   calibration.masses.gravity_m_s2 = 9.81;
   calibration.masses.masses = {mass("A", 4.8),         mass("B", 3.96),    mass("C", 4.9),
@@ -206,23 +210,25 @@ Calibration hand_made_calibration(const Dataset& dataset) {
                                mass("AB", 4.02),       mass("CD", 4.01),   mass("EF", 3.98),
                                mass("midline", 4.005), mass("sweep", 4.03)};
   add_runs(calibration, {-300.0, -100.0, -10.0, -1.0, 1.0, 10.0, 100.0, 300.0});
-  calibration.selection.stage = {"selection", StageState::done, ""};
+  calibration.selection.stage = {"selection", statistics::StageState::done, ""};
   calibration.selection.paper_rule = "B";
   calibration.selection.recommended = "midline";
-  calibration.selection.q_c_rad = symmetric_estimate(-known::q_peak_rad, 0.0005, "by hand");
+  calibration.selection.q_c_rad =
+      statistics::symmetric_estimate(-known::q_peak_rad, 0.0005, "by hand");
   add_laws(calibration);
   return calibration;
 }
 
-Calibration sweep_only_calibration(const Dataset& dataset) {
-  Calibration calibration;
+calibration::Calibration sweep_only_calibration(const joint::Dataset& dataset) {
+  calibration::Calibration calibration;
   calibration.manifest = dataset.manifest;
   calibration.rough = sweep_result("cog_rough", &dataset.recordings[0], 0.003);
   calibration.rough.constant_speed = false;
   calibration.q_peak_rad = calibration.rough.q_peak_rad;
   calibration.q_peak_source = "cog_rough";
-  calibration.precise.stage = {"cog_precise", StageState::skipped, "no recording"};
-  calibration.hysteresis.stage = {"hysteresis", StageState::not_identifiable, "encoder too coarse"};
+  calibration.precise.stage = {"cog_precise", statistics::StageState::skipped, "no recording"};
+  calibration.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
+                                  "encoder too coarse"};
   calibration.masses.masses = {mass("sweep", 4.03)};
   add_runs(calibration, {-60.0, -50.0, -40.0, 40.0, 50.0, 60.0});
   calibration.viscous.from_sweep = true;

@@ -25,13 +25,13 @@ inline constexpr double kg_per_Nm = 100.0 / (9.81 * 0.5);
 }  // namespace known
 
 /// Rough and precise sweeps (up and down), one oscillation.
-Dataset hand_made_dataset();
+joint::Dataset hand_made_dataset();
 
 /// Every stage done. Refers to the dataset's recordings.
-Calibration hand_made_calibration(const Dataset& dataset);
+calibration::Calibration hand_made_calibration(const joint::Dataset& dataset);
 
 /// Only a rough sweep of varying speed, as an industrial robot's log gives: no loop, no precise
 /// sweep, angle bins for runs, one candidate.
-Calibration sweep_only_calibration(const Dataset& dataset);
+calibration::Calibration sweep_only_calibration(const joint::Dataset& dataset);
 
 }  // namespace tribolog::test

@@ -17,14 +17,14 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double huge = 1e300;
 
-void expect_drawable(const std::vector<ReportFigure>& figures) {
-  for (const ReportFigure& figure : figures) {
+void expect_drawable(const std::vector<figures::ReportFigure>& figures) {
+  for (const figures::ReportFigure& figure : figures) {
     SCOPED_TRACE(figure.id);
     EXPECT_FALSE(figure.figure.panels.empty());
     EXPECT_FALSE(figure.caption.empty());
-    for (const render::Panel& panel : figure.figure.panels) {
+    for (const render::figure::Panel& panel : figure.figure.panels) {
       EXPECT_FALSE(panel.series.empty());
-      for (const render::Series& series : panel.series) {
+      for (const render::figure::Series& series : panel.series) {
         EXPECT_EQ(series.x.size(), series.y.size());
       }
     }
@@ -33,36 +33,38 @@ void expect_drawable(const std::vector<ReportFigure>& figures) {
 
 class HostileCalibration : public ::testing::Test {
  protected:
-  void expect_figures_survive() const { expect_drawable(figure_set(dataset_, calibration_)); }
+  void expect_figures_survive() const {
+    expect_drawable(figures::figure_set(dataset_, calibration_));
+  }
 
-  Dataset dataset_ = test::hand_made_dataset();
-  Calibration calibration_ = test::hand_made_calibration(dataset_);
+  joint::Dataset dataset_ = test::hand_made_dataset();
+  calibration::Calibration calibration_ = test::hand_made_calibration(dataset_);
 };
 
 TEST_F(HostileCalibration, FoundButEmpty) {
-  Calibration empty;
+  calibration::Calibration empty;
   empty.rough.found = empty.precise.found = empty.hysteresis.found = true;
   empty.selection.recommended = std::string("midline");
   empty.selection.paper_rule = std::string("B");
   empty.quality.reference = std::string("analytic");
-  expect_drawable(figure_set(Dataset{}, empty));
-  expect_drawable(figure_set(dataset_, empty));
+  expect_drawable(figures::figure_set(joint::Dataset{}, empty));
+  expect_drawable(figures::figure_set(dataset_, empty));
 }
 
 TEST_F(HostileCalibration, OneSampleEverywhere) {
-  for (Recording& recording : dataset_.recordings) {
+  for (joint::Recording& recording : dataset_.recordings) {
     recording.t_s.resize(1);
     recording.q_rad.resize(1);
     recording.torque_Nm.resize(1);
     recording.z_rad.clear();
   }
-  for (CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
+  for (method::gravity::CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
     sweep->used = {{true}};
     sweep->fit_q_rad.resize(1);
     sweep->fit_rising_Nm.resize(1);
     sweep->fit_falling_Nm.resize(1);
   }
-  LoopTrace& trace = calibration_.hysteresis.traces.front();
+  method::hysteresis::LoopTrace& trace = calibration_.hysteresis.traces.front();
   for (auto* signal : {&trace.t_s, &trace.q_rad, &trace.torque_Nm, &trace.z_rad, &trace.dz_rad_s,
                        &trace.midline_q_rad, &trace.midline_Nm}) {
     signal->resize(1);
@@ -72,10 +74,10 @@ TEST_F(HostileCalibration, OneSampleEverywhere) {
 }
 
 TEST_F(HostileCalibration, RecordingsWithoutASample) {
-  dataset_.recordings.assign(3, Recording{});
+  dataset_.recordings.assign(3, joint::Recording{});
   calibration_.rough.recordings = {&dataset_.recordings[0], nullptr};
   calibration_.rough.used.clear();
-  calibration_.hysteresis.traces.front() = LoopTrace{};
+  calibration_.hysteresis.traces.front() = method::hysteresis::LoopTrace{};
   expect_figures_survive();
 }
 
@@ -83,8 +85,8 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
   for (const double poison : {nan, infinity, -infinity, huge, -huge}) {
     SCOPED_TRACE(poison);
     calibration_ = test::hand_made_calibration(dataset_);
-    const Estimate bad{poison, poison, poison, ""};
-    for (CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
+    const statistics::Estimate bad{poison, poison, poison, ""};
+    for (method::gravity::CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
       sweep->q_peak_rad = sweep->gravity_Nm = bad;
       sweep->argmax_rad = sweep->argmax_torque_Nm = sweep->argmax_low_rad = poison;
       sweep->argmax_high_rad = poison;
@@ -93,24 +95,25 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
     calibration_.hysteresis.midline_Nm = bad;
     calibration_.hysteresis.loop_height_Nm = poison;
     calibration_.hysteresis.oscillations.front() = {poison, poison, poison, poison, poison, poison};
-    for (LoopPoint& point : calibration_.hysteresis.points) {
+    for (method::hysteresis::LoopPoint& point : calibration_.hysteresis.points) {
       point = {point.name, poison, poison, poison, poison, poison, poison, poison};
     }
     calibration_.hysteresis.traces.front().midline_Nm.front() = poison;
-    for (ConstantSpeedRun& run : calibration_.viscous.runs) run.torque_half_width_Nm = poison;
+    for (method::viscous::ConstantSpeedRun& run : calibration_.viscous.runs)
+      run.torque_half_width_Nm = poison;
     calibration_.viscous.runs.front().speed_rad_s = poison;
     calibration_.viscous.curves.front().friction_Nm.front() = poison;
     calibration_.quality.reference_Nm.front() = poison;
     calibration_.quality.errors.front().percent.front() = poison;
     calibration_.friction.coulomb_viscous->fastest_rad_s = poison;
     calibration_.friction.fit_Nm.front() = poison;
-    for (SurrogateMass& mass : calibration_.masses.masses) mass.mass_kg = bad;
+    for (method::hysteresis::SurrogateMass& mass : calibration_.masses.masses) mass.mass_kg = bad;
     expect_figures_survive();
   }
 }
 
 TEST_F(HostileCalibration, SamplesThatAreNotNumbersLeaveGaps) {
-  for (Recording& recording : dataset_.recordings) {
+  for (joint::Recording& recording : dataset_.recordings) {
     recording.torque_Nm[100] = nan;
     recording.q_rad[200] = nan;
   }
@@ -137,15 +140,15 @@ TEST_F(HostileCalibration, NamesThatNobodyKnows) {
   calibration_.selection.recommended = std::string("_{<b>");
   calibration_.selection.paper_rule.clear();
   calibration_.quality.reference = std::string("archived");
-  for (LoopPoint& point : calibration_.hysteresis.points) point.name = '_';
+  for (method::hysteresis::LoopPoint& point : calibration_.hysteresis.points) point.name = '_';
   calibration_.viscous.curves.front().estimator.clear();
   expect_figures_survive();
 }
 
 TEST_F(HostileCalibration, AllRunsAtStandstillOrOneDirection) {
-  for (ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 0.0;
+  for (method::viscous::ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 0.0;
   expect_figures_survive();
-  for (ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 5.0;
+  for (method::viscous::ConstantSpeedRun& run : calibration_.viscous.runs) run.speed_rad_s = 5.0;
   expect_figures_survive();
 }
 

@@ -18,8 +18,9 @@ constexpr double micro = 1e6;
 constexpr double milli = 1e3;
 constexpr double scaling_error = 1e-9;  // display scaling only
 
-const render::PointLabel* point(const render::Panel& panel, const std::string& text) {
-  for (const render::PointLabel& label : panel.point_labels) {
+const render::figure::PointLabel* point(const render::figure::Panel& panel,
+                                        const std::string& text) {
+  for (const render::figure::PointLabel& label : panel.point_labels) {
     if (label.text == text) return &label;
   }
   return nullptr;
@@ -27,8 +28,8 @@ const render::PointLabel* point(const render::Panel& panel, const std::string& t
 
 class LoopFigures : public ::testing::Test {
  protected:
-  Dataset dataset_ = test::hand_made_dataset();
-  Calibration calibration_ = test::hand_made_calibration(dataset_);
+  joint::Dataset dataset_ = test::hand_made_dataset();
+  calibration::Calibration calibration_ = test::hand_made_calibration(dataset_);
 };
 
 TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
@@ -36,8 +37,8 @@ TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
   const auto bristle = bristle_loop_figure(calibration_);
   const auto rate = bristle_rate_loop_figure(calibration_);
   ASSERT_TRUE(torque && bristle && rate);
-  ASSERT_EQ(calibration_.hysteresis.points.size(), loop_point_names.size());
-  for (const LoopPoint& expected : calibration_.hysteresis.points) {
+  ASSERT_EQ(calibration_.hysteresis.points.size(), method::hysteresis::loop_point_names.size());
+  for (const method::hysteresis::LoopPoint& expected : calibration_.hysteresis.points) {
     const std::string name(1, expected.name);
     SCOPED_TRACE(name);
     const struct {
@@ -48,8 +49,8 @@ TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
                  {*rate, expected.dz_rad_s * milli}};
     for (const auto& view : views) {
       ASSERT_EQ(view.figure.figure.panels.size(), 2U);
-      const render::PointLabel* over_angle = point(view.figure.figure.panels[0], name);
-      const render::PointLabel* over_time = point(view.figure.figure.panels[1], name);
+      const render::figure::PointLabel* over_angle = point(view.figure.figure.panels[0], name);
+      const render::figure::PointLabel* over_time = point(view.figure.figure.panels[1], name);
       ASSERT_TRUE(over_angle != nullptr && over_time != nullptr);
       EXPECT_NEAR(over_angle->x, (expected.q_rad - known::centre_rad) * micro, 1e-6);
       EXPECT_NEAR(over_angle->y, view.value, scaling_error);
@@ -62,9 +63,9 @@ TEST_F(LoopFigures, PointsAToFStandOnTheCalibrationsNumbers) {
 TEST_F(LoopFigures, FirstStrokesRunFromTheStartPastTheLastReading) {
   const auto figure = torque_loop_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& panel = figure->figure.panels.front();
+  const render::figure::Panel& panel = figure->figure.panels.front();
   ASSERT_EQ(panel.series.size(), 3U);  // all samples, first strokes, mid-line
-  const render::Series& strokes = panel.series[1];
+  const render::figure::Series& strokes = panel.series[1];
   EXPECT_EQ(strokes.x.size(), 251U);  // one and a quarter of 200 samples, both ends counted
   EXPECT_FALSE(strokes.direction_arrows_at.empty());
   EXPECT_EQ(panel.series[0].x.size(), calibration_.hysteresis.traces[0].t_s.size());
@@ -79,7 +80,7 @@ TEST_F(LoopFigures, AxesSayMicroradiansAndMilliradians) {
 
 TEST_F(LoopFigures, FittedBristleIsCalledAModel) {
   calibration_.hysteresis.bristle_source = "LuGre model fitted to the loop";
-  LuGreFit fit;
+  method::hysteresis::LuGreFit fit;
   fit.loops.emplace_back();
   fit.loops.front().torque_Nm = calibration_.hysteresis.traces[0].torque_Nm;
   calibration_.hysteresis.lugre = fit;
@@ -88,7 +89,7 @@ TEST_F(LoopFigures, FittedBristleIsCalledAModel) {
     ASSERT_TRUE(figure);
     EXPECT_NE(figure->caption.find("LuGre model fitted"), std::string::npos) << figure->caption;
     const auto& series = figure->figure.panels.front().series;
-    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [](const render::Series& one) {
+    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [](const render::figure::Series& one) {
       return one.label.find("LuGre") != std::string::npos;
     }));
   }
@@ -106,9 +107,10 @@ TEST_F(LoopFigures, ChoiceMarksThePapersPointAndItsShiftFromThePeak) {
   const auto figure = torque_choice_figure(calibration_);
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->figure.panels.size(), 2U);
-  const LoopPoint& chosen = calibration_.hysteresis.points[3];
+  const method::hysteresis::LoopPoint& chosen = calibration_.hysteresis.points[3];
   ASSERT_EQ(chosen.name, 'B');
-  const render::PointLabel* label = point(figure->figure.panels[0], "B, the paper's choice");
+  const render::figure::PointLabel* label =
+      point(figure->figure.panels[0], "B, the paper's choice");
   ASSERT_NE(label, nullptr);
   EXPECT_NEAR(label->x, (chosen.q_rad - known::q_peak_rad) * micro, 1e-6);
   EXPECT_NEAR(label->y, chosen.torque_Nm, scaling_error);
@@ -123,10 +125,10 @@ TEST_F(LoopFigures, ChoiceMarksThePapersPointAndItsShiftFromThePeak) {
 TEST_F(LoopFigures, CloseUpHoldsAllItsReadings) {
   const auto figure = torque_choice_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& panel = figure->figure.panels[1];
+  const render::figure::Panel& panel = figure->figure.panels[1];
   ASSERT_TRUE(panel.y.minimum && panel.y.maximum);
   EXPECT_EQ(panel.point_labels.size(), 4U);
-  for (const render::PointLabel& label : panel.point_labels) {
+  for (const render::figure::PointLabel& label : panel.point_labels) {
     EXPECT_GT(label.y, *panel.y.minimum) << label.text;
     EXPECT_LT(label.y, *panel.y.maximum) << label.text;
   }
@@ -147,7 +149,8 @@ TEST_F(LoopFigures, ReadingsThatCoincideAreLabelledOnce) {
 }
 
 TEST_F(LoopFigures, PeakFarFromTheLoopIsNotDrawnOnIt) {
-  calibration_.q_peak_rad = symmetric_estimate(known::q_peak_rad + 0.01, 0.02, "by hand");
+  calibration_.q_peak_rad =
+      statistics::symmetric_estimate(known::q_peak_rad + 0.01, 0.02, "by hand");
   for (const auto& figure :
        {torque_loop_figure(calibration_), torque_choice_figure(calibration_)}) {
     ASSERT_TRUE(figure);

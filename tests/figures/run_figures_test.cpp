@@ -14,32 +14,33 @@
 namespace tribolog::figures {
 namespace {
 
-bool has_label(const render::Panel& panel, const std::string& part) {
-  return std::any_of(panel.series.begin(), panel.series.end(), [&](const render::Series& series) {
-    return series.label.find(part) != std::string::npos;
-  });
+bool has_label(const render::figure::Panel& panel, const std::string& part) {
+  return std::any_of(panel.series.begin(), panel.series.end(),
+                     [&](const render::figure::Series& series) {
+                       return series.label.find(part) != std::string::npos;
+                     });
 }
 
-bool has_label_beginning(const render::Panel& panel, const std::string& beginning) {
-  return std::any_of(panel.series.begin(), panel.series.end(), [&](const render::Series& series) {
-    return series.label.rfind(beginning, 0) == 0;
-  });
+bool has_label_beginning(const render::figure::Panel& panel, const std::string& beginning) {
+  return std::any_of(
+      panel.series.begin(), panel.series.end(),
+      [&](const render::figure::Series& series) { return series.label.rfind(beginning, 0) == 0; });
 }
 
 class RunFigures : public ::testing::Test {
  protected:
-  Dataset dataset_ = test::hand_made_dataset();
-  Calibration calibration_ = test::hand_made_calibration(dataset_);
+  joint::Dataset dataset_ = test::hand_made_dataset();
+  calibration::Calibration calibration_ = test::hand_made_calibration(dataset_);
 };
 
 TEST_F(RunFigures, EveryCandidateHasACurveOnBothSidesOfZero) {
   const auto figure = friction_curves_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& panel = figure->figure.panels.front();
+  const render::figure::Panel& panel = figure->figure.panels.front();
   // AB, CD, EF and the sweep lie within a line's width of the mid-line and are named with it.
   EXPECT_EQ(panel.series.size(), 2U * (1 + 6));
   EXPECT_TRUE(has_label(panel, "= sweep fit, AB, CD and EF"));
-  for (const render::Series& series : panel.series) {
+  for (const render::figure::Series& series : panel.series) {
     // A line never crosses standstill, where friction jumps.
     EXPECT_TRUE(series.x.back() < 0.0 || series.x.front() > 0.0);
   }
@@ -54,7 +55,7 @@ TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
        {friction_against_reference_figure(calibration_), quality_error_figure(calibration_)}) {
     ASSERT_TRUE(figure);
     ASSERT_EQ(figure->figure.panels.size(), 2U);
-    const render::Panel& near = figure->figure.panels[1];
+    const render::figure::Panel& near = figure->figure.panels[1];
     EXPECT_NE(near.title.find("outside"), std::string::npos) << near.title;
     EXPECT_FALSE(has_label_beginning(near, "D ("));
     EXPECT_TRUE(has_label_beginning(near, "B ("));
@@ -67,7 +68,7 @@ TEST_F(RunFigures, CloseUpLeavesOutWhatIsFarAndSaysSo) {
 TEST_F(RunFigures, CloseUpDrawsNoSeriesOutsideItsAxes) {
   // A is far off forward only: its other side stays.
   const auto& runs = calibration_.viscous.runs;
-  for (QualityError& error : calibration_.quality.errors) {
+  for (method::selection::QualityError& error : calibration_.quality.errors) {
     if (error.estimator != "A") continue;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       error.percent[i] = runs[i].speed_rad_s > 0.0 ? 40.0 : 0.1;
@@ -75,8 +76,8 @@ TEST_F(RunFigures, CloseUpDrawsNoSeriesOutsideItsAxes) {
   }
   const auto figure = quality_error_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& near = figure->figure.panels.at(1);
-  for (const render::Series& series : near.series) {
+  const render::figure::Panel& near = figure->figure.panels.at(1);
+  for (const render::figure::Series& series : near.series) {
     EXPECT_TRUE(std::any_of(series.y.begin(), series.y.end(), [&](double y) {
       return y >= *near.y.minimum && y <= *near.y.maximum;
     })) << series.label;
@@ -87,13 +88,13 @@ TEST_F(RunFigures, CloseUpDrawsNoSeriesOutsideItsAxes) {
 
 TEST_F(RunFigures, ErrorsAreDrawnWithTheIntervalOfTheirReference) {
   EXPECT_TRUE(quality_error_figure(calibration_)->figure.panels.front().error_bars.empty());
-  QualityErrorsResult& quality = calibration_.quality;
+  method::selection::QualityErrorsResult& quality = calibration_.quality;
   const auto& runs = calibration_.viscous.runs;
   quality.reference_half_width_Nm.assign(runs.size(), 0.02);
   quality.reference_rms_percent = 0.5;
   quality.errors.front().percent.back() = NAN;  // a run without a reference
   const auto figure = quality_error_figure(calibration_);
-  for (const render::Panel& panel : figure->figure.panels) {
+  for (const render::figure::Panel& panel : figure->figure.panels) {
     ASSERT_EQ(panel.error_bars.size(), runs.size() - 1);
     for (std::size_t i = 0; i < panel.error_bars.size(); ++i) {
       EXPECT_EQ(panel.error_bars[i].x, runs[i].speed_rad_s);
@@ -109,9 +110,9 @@ TEST_F(RunFigures, ErrorsAreDrawnWithTheIntervalOfTheirReference) {
 TEST_F(RunFigures, DifferenceToTheReferenceIsTheErrorOfGravity) {
   const auto figure = friction_against_reference_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& near = figure->figure.panels[1];
+  const render::figure::Panel& near = figure->figure.panels[1];
   EXPECT_NE(near.y.title.find("[mN·m]"), std::string::npos) << near.y.title;
-  for (const render::Series& series : near.series) {
+  for (const render::figure::Series& series : near.series) {
     if (series.label.find("mid-line") == std::string::npos) continue;
     for (const double difference : series.y) EXPECT_NEAR(difference, -5.0, 1e-6);
   }
@@ -120,13 +121,13 @@ TEST_F(RunFigures, DifferenceToTheReferenceIsTheErrorOfGravity) {
 
 TEST_F(RunFigures, AxisDoesNotEnlargeTheRoundingOfAPerfectCandidate) {
   constexpr double rounding_Nm = 1e-15;
-  for (ViscousCurve& curve : calibration_.viscous.curves) {
+  for (method::viscous::ViscousCurve& curve : calibration_.viscous.curves) {
     curve.friction_Nm = calibration_.quality.reference_Nm;
     curve.friction_Nm.front() += rounding_Nm;
   }
   const auto figure = friction_against_reference_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& near = figure->figure.panels[1];
+  const render::figure::Panel& near = figure->figure.panels[1];
   ASSERT_TRUE(near.y.maximum);
   EXPECT_GT(*near.y.maximum, 0.5);
   EXPECT_NE(near.y.title.find("[µN·m]"), std::string::npos) << near.y.title;
@@ -143,8 +144,8 @@ TEST_F(RunFigures, ErrorCaptionNamesBothSelections) {
 
 TEST_F(RunFigures, AnalyticReferenceIsDrawnAsACurve) {
   calibration_.quality.reference = "analytic";
-  calibration_.manifest.reference =
-      std::make_shared<WaiboerFriction>(WaiboerFriction::Parameters{0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
+  calibration_.manifest.reference = std::make_shared<friction::WaiboerFriction>(
+      friction::WaiboerFriction::Parameters{0.5, 5.0, 0.7, 0.1, 0.5, 1e6});
   const auto figure = friction_against_reference_figure(calibration_);
   ASSERT_TRUE(figure);
   const auto& series = figure->figure.panels[0].series;
@@ -153,19 +154,19 @@ TEST_F(RunFigures, AnalyticReferenceIsDrawnAsACurve) {
   });
   ASSERT_NE(reference, series.end());
   EXPECT_GT(reference->x.size(), calibration_.viscous.runs.size());
-  EXPECT_EQ(reference->marker, render::Marker::none);
+  EXPECT_EQ(reference->marker, render::figure::Marker::none);
 }
 
 TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
   const auto figure = selected_curve_figure(calibration_);
   ASSERT_TRUE(figure);
-  const render::Panel& panel = figure->figure.panels.front();
+  const render::figure::Panel& panel = figure->figure.panels.front();
   EXPECT_TRUE(panel.x.logarithmic);
   EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), forward"));
   EXPECT_TRUE(has_label(panel, "mid-line (81.7 kg), backward"));
   EXPECT_TRUE(has_label(panel, "Coulomb + viscous"));
   EXPECT_TRUE(has_label(panel, "Waiboer"));
-  for (const render::Series& series : panel.series) {
+  for (const render::figure::Series& series : panel.series) {
     for (const double speed : series.x) EXPECT_GT(speed, 0.0) << series.label;
   }
   EXPECT_EQ(panel.error_bars.size(), calibration_.viscous.runs.size());
@@ -173,12 +174,12 @@ TEST_F(RunFigures, SelectedCurveFoldsTheDirectionsOntoEachOther) {
 }
 
 TEST_F(RunFigures, AngleBinsOfASweepStayMarkers) {
-  const Calibration sweep = test::sweep_only_calibration(dataset_);
+  const calibration::Calibration sweep = test::sweep_only_calibration(dataset_);
   const auto figure = friction_curves_figure(sweep);
   ASSERT_TRUE(figure);
-  for (const render::Series& series : figure->figure.panels.front().series) {
-    EXPECT_EQ(series.style, render::LineStyle::none);
-    EXPECT_NE(series.marker, render::Marker::none);
+  for (const render::figure::Series& series : figure->figure.panels.front().series) {
+    EXPECT_EQ(series.style, render::figure::LineStyle::none);
+    EXPECT_NE(series.marker, render::figure::Marker::none);
   }
 }
 

@@ -14,8 +14,9 @@
 namespace tribolog {
 namespace {
 
-StudiedReading reading(const std::string& name, ReadingKind quantity, double truth, double bias) {
-  ErrorStatistics e;
+study::StudiedReading reading(const std::string& name, truth::ReadingKind quantity, double truth,
+                              double bias) {
+  study::ErrorStatistics e;
   e.runs = e.found = 10;
   e.truth = truth;
   e.bias = bias;
@@ -25,27 +26,27 @@ StudiedReading reading(const std::string& name, ReadingKind quantity, double tru
 }
 
 /// Two levels; the second has no mid-line.
-StudyResult two_levels() {
-  StudyResult study;
+study::StudyResult two_levels() {
+  study::StudyResult study;
   study.options.runs = 10;
-  StudyFactor factor{"encoder", "Encoder resolution", "encoder [bits]", "", false, {}};
+  study::StudyFactor factor{"encoder", "Encoder resolution", "encoder [bits]", "", false, {}};
   factor.levels.push_back({13, "8192 counts", true, "one", {}});
   factor.levels.push_back({17, "131072 counts", false, "two", {}});
   study.factors.push_back(factor);
   study.cases = {{"one",
-                  {reading("B", ReadingKind::gravity, 4, -0.02),
-                   reading("midline", ReadingKind::gravity, 4, 0.004),
-                   reading("q_peak", ReadingKind::peak_angle, -0.4, 1e-5)}},
-                 {"two", {reading("B", ReadingKind::gravity, 4, -0.04)}}};
+                  {reading("B", truth::ReadingKind::gravity, 4, -0.02),
+                   reading("midline", truth::ReadingKind::gravity, 4, 0.004),
+                   reading("q_peak", truth::ReadingKind::peak_angle, -0.4, 1e-5)}},
+                 {"two", {reading("B", truth::ReadingKind::gravity, 4, -0.04)}}};
   return study;
 }
 
 TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
-  const std::vector<ReportFigure> figures = study_figures(two_levels());
+  const std::vector<figures::ReportFigure> figures = figures::study_figures(two_levels());
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].id, "study-gravity-encoder");
   EXPECT_EQ(figures[0].stage, "encoder");
-  const render::Panel& points = figures[0].figure.panels[0];
+  const render::figure::Panel& points = figures[0].figure.panels[0];
   ASSERT_EQ(points.series.size(), 2U);
   EXPECT_EQ(points.series[0].label, "point B");
   EXPECT_EQ(points.series[0].x, (std::vector<double>{13, 17}));
@@ -58,25 +59,25 @@ TEST(StudyFigures, ShowBiasInPercentOfTheTruth) {
 }
 
 TEST(StudyFigures, ShowTheAngleInThousandthsOfADegree) {
-  const std::vector<ReportFigure> figures = study_figures(two_levels());
-  const render::Panel& angle = figures[1].figure.panels[0];
+  const std::vector<figures::ReportFigure> figures = figures::study_figures(two_levels());
+  const render::figure::Panel& angle = figures[1].figure.panels[0];
   ASSERT_EQ(angle.series.size(), 1U);
   EXPECT_NEAR(angle.series[0].y[0], 0.573, 0.001);
 }
 
 TEST(StudyFigures, CoverageOfRunsThatAreAllAlikeIsNotShown) {
-  StudyResult study = two_levels();
-  for (StudiedCase& one : study.cases) {
-    for (StudiedReading& r : one.readings) r.errors.scatter = 0;
+  study::StudyResult study = two_levels();
+  for (study::StudiedCase& one : study.cases) {
+    for (study::StudiedReading& r : one.readings) r.errors.scatter = 0;
   }
-  const std::vector<ReportFigure> figures = study_figures(study);
-  for (const render::Panel& panel : figures[0].figure.panels) {
+  const std::vector<figures::ReportFigure> figures = figures::study_figures(study);
+  for (const render::figure::Panel& panel : figures[0].figure.panels) {
     EXPECT_EQ(panel.title.find("coverage"), std::string::npos);
   }
 }
 
 TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
-  Calibration c;
+  calibration::Calibration c;
   EXPECT_FALSE(figures::truth_check_figure(c));
   c.truth_check.runs = 3;
   c.truth_check.quantities = {
@@ -84,7 +85,7 @@ TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
       {"fit", "N·m", 4, 4, 0, 1, 2, 0, {-40, std::numeric_limits<double>::infinity()}, false}};
   const auto figure = figures::truth_check_figure(c);
   ASSERT_TRUE(figure);
-  const render::Panel& panel = figure->figure.panels[0];
+  const render::figure::Panel& panel = figure->figure.panels[0];
   ASSERT_EQ(panel.series.size(), 2U);
   EXPECT_EQ(panel.series[0].x, (std::vector<double>{-0.5, 0.5}));
   // The first row is the upper one; far points stand at the edge.
@@ -97,9 +98,9 @@ TEST(TruthCheckFigure, MarksWhatIsHeldAndWhatIsNot) {
 }
 
 TEST(ReadingLabel, MarksSubscriptsUp) {
-  EXPECT_EQ(figures::reading_label("static_torque"), "break-away torque T_{s}");
-  EXPECT_EQ(figures::reading_label("q_peak"), "gravity peak q_{peak}");
-  EXPECT_EQ(figures::reading_label("midline"), "mid-line");
+  EXPECT_EQ(wording::reading_label("static_torque"), "break-away torque T_{s}");
+  EXPECT_EQ(wording::reading_label("q_peak"), "gravity peak q_{peak}");
+  EXPECT_EQ(wording::reading_label("midline"), "mid-line");
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ constexpr double degree = 180.0 / 3.14159265358979323846;
 // Display scaling only: a few roundings of a double.
 constexpr double scaling_error = 1e-9;
 
-std::size_t drawable(const render::Series& series) {
+std::size_t drawable(const render::figure::Series& series) {
   return static_cast<std::size_t>(
       std::count_if(series.x.begin(), series.x.end(), [](double x) { return std::isfinite(x); }));
 }
 
 class SweepFigures : public ::testing::Test {
  protected:
-  Dataset dataset_ = test::hand_made_dataset();
-  Calibration calibration_ = test::hand_made_calibration(dataset_);
+  joint::Dataset dataset_ = test::hand_made_dataset();
+  calibration::Calibration calibration_ = test::hand_made_calibration(dataset_);
 };
 
 TEST_F(SweepFigures, MotionShowsAllSamplesAndColoursThoseUsed) {
@@ -34,7 +34,7 @@ TEST_F(SweepFigures, MotionShowsAllSamplesAndColoursThoseUsed) {
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->figure.panels.size(), 3U);
   EXPECT_TRUE(figure->figure.panels_share_x);
-  for (const render::Panel& panel : figure->figure.panels) {
+  for (const render::figure::Panel& panel : figure->figure.panels) {
     ASSERT_EQ(panel.series.size(), 3U);  // one stroke up, one down
     EXPECT_EQ(drawable(panel.series[0]), dataset_.recordings[0].size());
     EXPECT_EQ(drawable(panel.series[1]) + drawable(panel.series[2]), 780U);
@@ -55,7 +55,7 @@ TEST_F(SweepFigures, StrokesAreSeparateLinesUnlessTheMaskFlickers) {
 TEST_F(SweepFigures, MotorSpeedIsTheGearRatioTimesTheSlope) {
   const auto figure = sweep_motion_figure(dataset_, calibration_);
   ASSERT_TRUE(figure);
-  const render::Series& rising = figure->figure.panels[1].series[1];
+  const render::figure::Series& rising = figure->figure.panels[1].series[1];
   // 2.4 rad in 4 s at the joint.
   for (const double speed : rising.y) {
     if (std::isnan(speed)) continue;
@@ -80,7 +80,7 @@ TEST_F(SweepFigures, RoughTorqueMarksPeakAndArgmax) {
   const auto figure = rough_torque_figure(dataset_, calibration_);
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->figure.panels.size(), 1U);
-  const render::Panel& panel = figure->figure.panels.front();
+  const render::figure::Panel& panel = figure->figure.panels.front();
   ASSERT_EQ(panel.point_labels.size(), 1U);
   EXPECT_NEAR(panel.point_labels[0].x, calibration_.rough.argmax_rad * degree, scaling_error);
   EXPECT_NEAR(panel.point_labels[0].y, calibration_.rough.argmax_torque_Nm, scaling_error);
@@ -120,7 +120,7 @@ TEST_F(SweepFigures, ArgmaxAtTheEndIsSaid) {
 }
 
 TEST_F(SweepFigures, JointWithoutGearHasNoMotorSide) {
-  dataset_.manifest.drive = Drive(1.0, EffortKind::joint_torque, Side::joint);
+  dataset_.manifest.drive = joint::Drive(1.0, joint::EffortKind::joint_torque, joint::Side::joint);
   const auto motion = sweep_motion_figure(dataset_, calibration_);
   const auto torque = rough_torque_figure(dataset_, calibration_);
   ASSERT_TRUE(motion && torque);

@@ -14,23 +14,24 @@ namespace {
 
 using test::Specimen;
 
-const ContactParameters contact;
+const friction::ContactParameters contact;
 
 class EveryModel : public testing::TestWithParam<std::size_t> {
  protected:
-  const FrictionModelEntry& entry_ = dynamic_friction_models()[GetParam()];
+  const friction::FrictionModelEntry& entry_ = friction::dynamic_friction_models()[GetParam()];
 };
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
-  return dynamic_friction_models()[info.param].name;
+  return friction::dynamic_friction_models()[info.param].name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Friction, EveryModel,
-                         testing::Range(std::size_t{0}, dynamic_friction_models().size()), name_of);
+                         testing::Range(std::size_t{0}, friction::dynamic_friction_models().size()),
+                         name_of);
 
 /// An independent way through a motion: Runge-Kutta on rates(), with settle() after each step.
-std::vector<double> by_rates(const DynamicFriction& model, const Motion& motion, double dt,
-                             int substeps, std::size_t samples) {
+std::vector<double> by_rates(const friction::DynamicFriction& model, const simulate::Motion& motion,
+                             double dt, int substeps, std::size_t samples) {
   std::vector<double> y = model.unloaded();
   const std::size_t n = y.size();
   std::vector<double> k1(n), k2(n), k3(n), k4(n), at(n), torque(samples);
@@ -61,25 +62,25 @@ std::vector<double> by_rates(const DynamicFriction& model, const Motion& motion,
 TEST_P(EveryModel, IsMadeAgainFromItsNamedParameters) {
   const auto model = entry_.matched(contact);
   EXPECT_EQ(model->name(), entry_.name);
-  const NamedParameters values = model->named_parameters();
+  const friction::NamedParameters values = model->named_parameters();
   EXPECT_EQ(values, entry_.matched_parameters(contact));
   const auto again = entry_.make(values);
   EXPECT_EQ(again->named_parameters(), values);
   EXPECT_EQ(test::under_sine(*again, 1e-4, 1.0, 100, 2),
             test::under_sine(*model, 1e-4, 1.0, 100, 2));
-  for (const NamedParameter& one : values) EXPECT_FALSE(one.meaning.empty()) << one.key;
+  for (const friction::NamedParameter& one : values) EXPECT_FALSE(one.meaning.empty()) << one.key;
 }
 
 // Each parameter has a key of its own that reaches the model, and no other.
 TEST_P(EveryModel, EveryNamedParameterCounts) {
-  const NamedParameters values = entry_.matched_parameters(contact);
+  const friction::NamedParameters values = entry_.matched_parameters(contact);
   const auto model = entry_.make(values);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    NamedParameters changed = values;
+    friction::NamedParameters changed = values;
     if (auto* number = std::get_if<double>(&changed[i].value)) *number *= 0.99;
     if (auto* count = std::get_if<std::uint64_t>(&changed[i].value)) *count += 1;
-    if (auto* elements = std::get_if<std::vector<MaxwellElement>>(&changed[i].value)) {
-      for (MaxwellElement& one : *elements) one.stiffness_Nm_rad *= 0.99;
+    if (auto* elements = std::get_if<std::vector<friction::MaxwellElement>>(&changed[i].value)) {
+      for (friction::MaxwellElement& one : *elements) one.stiffness_Nm_rad *= 0.99;
     }
     if (values[i].key == "static_Nm" || values[i].key == "stiction_gain") {
       std::get<double>(changed[i].value) *= 1.02;  // not below the Coulomb torque
@@ -93,15 +94,15 @@ TEST_P(EveryModel, EveryNamedParameterCounts) {
 
 TEST_P(EveryModel, RefusesNamesAndKindsItDoesNotHave) {
   EXPECT_THROW((void)entry_.make({{"colour", "", false, 1.0}}), std::invalid_argument);
-  NamedParameters values = entry_.matched_parameters(contact);
-  values.back().value = std::vector<MaxwellElement>{{1.0, 1.0}};
+  friction::NamedParameters values = entry_.matched_parameters(contact);
+  values.back().value = std::vector<friction::MaxwellElement>{{1.0, 1.0}};
   EXPECT_THROW((void)entry_.make(values), std::invalid_argument);
 }
 
 TEST_P(EveryModel, SlidesAlikeAfterAnyRestUnlessItRemembersRest) {
   if (entry_.traits.is_random) return;
   const auto after = [&](double rest_s) {
-    Specimen one(entry_, contact);
+    test::Specimen one(entry_, contact);
     one.move(1e-3, 0.002);
     one.rest(rest_s);
     return one.move(1e-3, 0.002);
@@ -117,7 +118,7 @@ TEST_P(EveryModel, SlidesAlikeAfterAnyRestUnlessItRemembersRest) {
 
 TEST_P(EveryModel, SlidesSteadilyOnItsStaticCurve) {
   for (const double speed : {-0.01, -0.0005, 0.0002, 0.001, 0.003, 0.05}) {
-    Specimen s(entry_);
+    test::Specimen s(entry_);
     s.rest(1e7);  // static friction of some models rises with the time at rest
     double torque = 0;
     if (entry_.traits.is_random) {
@@ -132,7 +133,7 @@ TEST_P(EveryModel, SlidesSteadilyOnItsStaticCurve) {
       EXPECT_NEAR(torque, s.model().steady_torque_Nm(speed), 1e-6) << speed;
     }
   }
-  EXPECT_EQ(Specimen(entry_).model().steady_torque_Nm(0), 0);
+  EXPECT_EQ(test::Specimen(entry_).model().steady_torque_Nm(0), 0);
 }
 
 TEST_P(EveryModel, SteadyCurveHasTheMatchedCoulombTorqueAndIsOdd) {
@@ -152,12 +153,12 @@ TEST_P(EveryModel, SteadyCurveHasTheMatchedCoulombTorqueAndIsOdd) {
 TEST_P(EveryModel, AdvancesAsItsRatesSay) {
   const auto model = entry_.matched(contact);
   for (const double amplitude : {3e-6, 3e-5}) {
-    const HarmonicMotion motion = HarmonicMotion::sine(0, amplitude, 5.0);
+    const simulate::HarmonicMotion motion = simulate::HarmonicMotion::sine(0, amplitude, 5.0);
     constexpr std::size_t samples = 121;
     constexpr double dt = 1.0 / (5.0 * 80);
     std::vector<double> torque(samples);
     std::vector<double> state = model->unloaded();
-    friction_response(*model, motion, 0, dt, state, torque);
+    simulate::friction_response(*model, motion, 0, dt, state, torque);
     const std::vector<double> fine = by_rates(*model, motion, dt, 4000, samples);
     for (std::size_t i = 0; i < samples; ++i) {
       // At a reversal a discontinuous model may be read on either side.
@@ -171,8 +172,8 @@ TEST_P(EveryModel, AdvancesAsItsRatesSay) {
 
 TEST_P(EveryModel, DoesNotDependOnTheStepsItIsAdvancedIn) {
   if (entry_.traits.is_random) return;
-  Specimen fine(entry_);
-  Specimen coarse(entry_);
+  test::Specimen fine(entry_);
+  test::Specimen coarse(entry_);
   for (const double way : {2.3e-5, -7e-6, 3e-6, -4e-5}) {
     const double a = fine.move(way, 0.0007, 1e-8);
     const double b = coarse.move(way, 0.0007, 1e-6);
@@ -182,8 +183,8 @@ TEST_P(EveryModel, DoesNotDependOnTheStepsItIsAdvancedIn) {
 
 TEST_P(EveryModel, IsTheSameForwardAndBackward) {
   if (entry_.traits.is_random) return;
-  Specimen forward(entry_);
-  Specimen backward(entry_);
+  test::Specimen forward(entry_);
+  test::Specimen backward(entry_);
   for (const double way : {1e-5, -2e-6, 5e-5, -3e-5}) {
     EXPECT_DOUBLE_EQ(forward.move(way, 0.001), -backward.move(-way, 0.001));
   }
@@ -208,7 +209,7 @@ TEST_P(EveryModel, LosesEnergyInEveryClosedLoop) {
 }
 
 TEST_P(EveryModel, BreaksAwayAboveCoulombIfItSaysSo) {
-  Specimen s(entry_);
+  test::Specimen s(entry_);
   const double speed = entry_.traits.rate_independent ? 0.01 : 1e-5;
   double peak = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -223,7 +224,7 @@ TEST_P(EveryModel, BreaksAwayAboveCoulombIfItSaysSo) {
 
 TEST_P(EveryModel, IsElasticAtFirstIfItSaysSo) {
   if (!entry_.traits.presliding || entry_.traits.is_random) return;
-  Specimen s(entry_);
+  test::Specimen s(entry_);
   constexpr double small = 2e-8;                     // far below the sliding deflection of 1.5e-5
   const double torque = s.move(small, 1e-9, 1e-10);  // slowly: no torque of damping
   double stiffness = torque / small;
@@ -237,8 +238,8 @@ TEST_P(EveryModel, RemembersTheOuterCurveIfItSaysSo) {
   if (entry_.traits.is_random || !entry_.traits.presliding) return;
   constexpr double slow = 1e-7;  // no damping, no Stribeck effect
   constexpr double fine = 1e-9;
-  Specimen with_loop(entry_);
-  Specimen without(entry_);
+  test::Specimen with_loop(entry_);
+  test::Specimen without(entry_);
   const double at_turn = with_loop.move(4e-6, slow, fine);
   without.move(4e-6, slow, fine);
   with_loop.move(-1e-6, slow, fine);
@@ -258,7 +259,7 @@ TEST_P(EveryModel, LagsInSlidingIfItSaysSo) {
   constexpr double frequency = 20;
   constexpr int samples = 400;
   // 0.0003 to 0.0021 of speed, around the Stribeck velocity
-  class Pulsating final : public Motion {
+  class Pulsating final : public simulate::Motion {
    public:
     [[nodiscard]] double angle(double t) const override {
       return 0.0012 * t - 0.0009 / w * std::sin(w * t);
@@ -276,7 +277,7 @@ TEST_P(EveryModel, LagsInSlidingIfItSaysSo) {
   constexpr int periods = 40;
   std::vector<double> torque(periods * samples + 1);
   std::vector<double> state = model->unloaded();
-  friction_response(*model, motion, 0, 1 / (frequency * samples), state, torque);
+  simulate::friction_response(*model, motion, 0, 1 / (frequency * samples), state, torque);
   double rising = 0;
   double falling = 0;
   for (int i = 1; i < samples / 2; ++i) {
@@ -291,10 +292,10 @@ TEST_P(EveryModel, LagsInSlidingIfItSaysSo) {
 }
 
 TEST_P(EveryModel, DependsOnTheWayAloneIfItSaysSo) {
-  ContactParameters dry;
+  friction::ContactParameters dry;
   dry.viscous_Nms_rad = 0;
-  Specimen slow(entry_, dry);
-  Specimen fast(entry_, dry);
+  test::Specimen slow(entry_, dry);
+  test::Specimen fast(entry_, dry);
   double largest = 0;
   for (const double way : {4e-6, -9e-6, 3e-5, -2e-6, 1e-5}) {
     largest = std::max(largest, std::abs(slow.move(way, 1e-5) - fast.move(way, 0.01)));
@@ -307,10 +308,10 @@ TEST_P(EveryModel, DependsOnTheWayAloneIfItSaysSo) {
 }
 
 TEST(FrictionCatalogue, NamesAreUniqueAndFound) {
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
-    EXPECT_EQ(&dynamic_friction_model(one.name), &one);
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
+    EXPECT_EQ(&friction::dynamic_friction_model(one.name), &one);
   }
-  EXPECT_THROW(dynamic_friction_model("lugré"), std::invalid_argument);
+  EXPECT_THROW(friction::dynamic_friction_model("lugré"), std::invalid_argument);
 }
 
 }  // namespace

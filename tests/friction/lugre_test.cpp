@@ -9,7 +9,7 @@
 namespace tribolog {
 namespace {
 
-const LuGreFriction joint({465.42, 0.7708, 0.001, 0.60, 0.88437633, 5.0});
+const friction::LuGreFriction joint({465.42, 0.7708, 0.001, 0.60, 0.88437633, 5.0});
 
 TEST(LuGre, SlidesSteadilyWhereTheBristleRests) {
   for (const double w : {0.01, 1.0, 5.0, 300.0, -0.5, -80.0}) {
@@ -27,15 +27,15 @@ TEST(LuGre, SteadyTorqueFallsFromStaticToCoulomb) {
 
 TEST(LuGre, RefusesCoulombAboveStatic) {
   try {
-    LuGreFriction({1, 0, 0, 1.4, 1.1, 1});
+    friction::LuGreFriction({1, 0, 0, 1.4, 1.1, 1});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& e) {
     EXPECT_EQ(std::string(e.what()),
               "Coulomb torque 1.4 N·m exceeds static torque 1.1 N·m; it must not be larger");
   }
-  EXPECT_THROW(LuGreFriction({0, 0, 0, 1, 1, 1}), std::invalid_argument);
-  EXPECT_THROW(LuGreFriction({1, -1, 0, 1, 1, 1}), std::invalid_argument);
-  EXPECT_THROW(LuGreFriction({1, 0, 0, 1, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(friction::LuGreFriction({0, 0, 0, 1, 1, 1}), std::invalid_argument);
+  EXPECT_THROW(friction::LuGreFriction({1, -1, 0, 1, 1, 1}), std::invalid_argument);
+  EXPECT_THROW(friction::LuGreFriction({1, 0, 0, 1, 1, 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -15,9 +15,10 @@ namespace tribolog::test {
 /// A model and its state, moved by hand.
 class Specimen {
  public:
-  explicit Specimen(const FrictionModelEntry& entry, const ContactParameters& contact = {})
+  explicit Specimen(const friction::FrictionModelEntry& entry,
+                    const friction::ContactParameters& contact = {})
       : model_(entry.matched(contact)), state_(model_->unloaded()) {}
-  explicit Specimen(std::unique_ptr<DynamicFriction> model)
+  explicit Specimen(std::unique_ptr<friction::DynamicFriction> model)
       : model_(std::move(model)), state_(model_->unloaded()) {}
 
   /// Moves by a way at constant speed, in steps of at most `longest`; returns the torque at the
@@ -32,22 +33,23 @@ class Specimen {
     return model_->torque_Nm(state_, signed_speed);
   }
   void rest(double duration_s) { model_->advance(state_, {0, 0, 0, duration_s}); }
-  [[nodiscard]] const DynamicFriction& model() const { return *model_; }
+  [[nodiscard]] const friction::DynamicFriction& model() const { return *model_; }
   [[nodiscard]] std::vector<double>& state() { return state_; }
 
  private:
-  std::unique_ptr<DynamicFriction> model_;
+  std::unique_ptr<friction::DynamicFriction> model_;
   std::vector<double> state_;
 };
 
 /// Torque over some periods of a sine.
-inline std::vector<double> under_sine(const DynamicFriction& model, double amplitude,
+inline std::vector<double> under_sine(const friction::DynamicFriction& model, double amplitude,
                                       double frequency_Hz, int samples_per_period, int periods) {
   std::vector<double> state = model.unloaded();
   const auto count = static_cast<std::size_t>(samples_per_period * periods + 1);
   std::vector<double> torque(count);
   const double dt = 1 / (frequency_Hz * samples_per_period);
-  friction_response(model, HarmonicMotion::sine(0, amplitude, frequency_Hz), 0, dt, state, torque);
+  simulate::friction_response(model, simulate::HarmonicMotion::sine(0, amplitude, frequency_Hz), 0,
+                              dt, state, torque);
   return torque;
 }
 

@@ -18,7 +18,7 @@ int expect_found(const Function& f, double low, double high, double truth) {
     ++calls;
     return f(x);
   };
-  const double found = sign_change(counted, low, high, resolution);
+  const double found = friction::sign_change(counted, low, high, resolution);
   EXPECT_NEAR(found, truth, resolution);
   EXPECT_TRUE(f(found) == 0 || (f(found) < 0) == (f(high) < 0));
   return calls;

@@ -14,8 +14,8 @@
 namespace tribolog {
 namespace {
 
-const StribeckFriction stribeck({{1.0, 1.5, 0.1, 2.0}, 0.4});
-const ThresholdSpeedFriction threshold({1.0, 1.5, 20.0, 0.4, 1e-3});
+const friction::StribeckFriction stribeck({{1.0, 1.5, 0.1, 2.0}, 0.4});
+const friction::ThresholdSpeedFriction threshold({1.0, 1.5, 20.0, 0.4, 1e-3});
 
 TEST(StaticLaws, FallFromStaticToCoulombTorqueAndRiseViscously) {
   EXPECT_NEAR(stribeck.torque_Nm(1e-9), 1.5, 1e-6);
@@ -47,12 +47,12 @@ TEST(StaticLaws, ThresholdBranchesMeet) {
 }
 
 TEST(StaticLaws, AreMadeByNameFromNamedParameters) {
-  const WaiboerFriction waiboer({0.8844, 5.0, 0.7, 0.12, 0.6, 1e5});
-  const std::vector<const StaticFriction*> originals{&stribeck, &threshold, &waiboer};
-  ASSERT_EQ(static_friction_laws().size(), originals.size());
+  const friction::WaiboerFriction waiboer({0.8844, 5.0, 0.7, 0.12, 0.6, 1e5});
+  const std::vector<const friction::StaticFriction*> originals{&stribeck, &threshold, &waiboer};
+  ASSERT_EQ(friction::static_friction_laws().size(), originals.size());
   for (std::size_t i = 0; i < originals.size(); ++i) {
-    EXPECT_EQ(static_friction_laws()[i].name, originals[i]->name());
-    const auto made = static_friction_laws()[i].make(originals[i]->named_parameters());
+    EXPECT_EQ(friction::static_friction_laws()[i].name, originals[i]->name());
+    const auto made = friction::static_friction_laws()[i].make(originals[i]->named_parameters());
     EXPECT_EQ(made->named_parameters(), originals[i]->named_parameters());
     for (const double speed : {-2.0, 0.0, 5e-4, 0.3}) {
       EXPECT_EQ(made->torque_Nm(speed), originals[i]->torque_Nm(speed));
@@ -61,22 +61,23 @@ TEST(StaticLaws, AreMadeByNameFromNamedParameters) {
 }
 
 TEST(StaticLaws, SteadyFrictionIsTheDynamicModelsOwn) {
-  const auto lugre =
-      std::make_shared<LuGreFriction>(LuGreFriction::Parameters{500, 0.5, 0.4, 1.0, 1.5, 0.1});
-  const SteadyFriction steady(lugre);
+  const auto lugre = std::make_shared<friction::LuGreFriction>(
+      friction::LuGreFriction::Parameters{500, 0.5, 0.4, 1.0, 1.5, 0.1});
+  const friction::SteadyFriction steady(lugre);
   EXPECT_EQ(steady.name(), "lugre");
   EXPECT_EQ(steady.named_parameters(), lugre->named_parameters());
   for (const double speed : {-3.0, -0.05, 1e-6, 0.1, 4.0}) {  // eq. (5) is the curve of eq. (1)
     EXPECT_NEAR(steady.torque_Nm(speed), stribeck.torque_Nm(speed), 1e-12);
   }
-  EXPECT_THROW(SteadyFriction(nullptr), std::invalid_argument);
+  EXPECT_THROW(friction::SteadyFriction(nullptr), std::invalid_argument);
 }
 
 TEST(StaticLaws, RefuseWhatCannotBe) {
-  EXPECT_THROW(StribeckFriction({{1.6, 1.5, 0.1, 2.0}, 0.4}), std::invalid_argument);
-  EXPECT_THROW(StribeckFriction({{1.0, 1.5, 0.1, 2.0}, -0.4}), std::invalid_argument);
-  EXPECT_THROW(ThresholdSpeedFriction({1.0, 1.5, 20.0, 0.4, 0.0}), std::invalid_argument);
-  EXPECT_THROW(ThresholdSpeedFriction({1.6, 1.5, 20.0, 0.4, 1e-3}), std::invalid_argument);
+  EXPECT_THROW(friction::StribeckFriction({{1.6, 1.5, 0.1, 2.0}, 0.4}), std::invalid_argument);
+  EXPECT_THROW(friction::StribeckFriction({{1.0, 1.5, 0.1, 2.0}, -0.4}), std::invalid_argument);
+  EXPECT_THROW(friction::ThresholdSpeedFriction({1.0, 1.5, 20.0, 0.4, 0.0}), std::invalid_argument);
+  EXPECT_THROW(friction::ThresholdSpeedFriction({1.6, 1.5, 20.0, 0.4, 1e-3}),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace tribolog {
 namespace {
 
 TEST(Waiboer, PaperJointHasItsStatedStribeckCurve) {
-  const WaiboerFriction f = test::paper_curve();
+  const friction::WaiboerFriction f = test::paper_curve();
   // Stated: 0.88 N·m at rest, 0.45 at the dip near 15 to 25 rad/s, 1.17 at 300 rad/s.
   EXPECT_NEAR(f.magnitude_Nm(0), 0.88, 0.005);
   EXPECT_NEAR(f.magnitude_Nm(300), 1.17, 0.01);
@@ -29,7 +29,7 @@ TEST(Waiboer, PaperJointHasItsStatedStribeckCurve) {
 }
 
 TEST(Waiboer, IsOddDissipativeAndStillAtRest) {
-  const WaiboerFriction f = test::paper_curve();
+  const friction::WaiboerFriction f = test::paper_curve();
   EXPECT_EQ(f.torque_Nm(0), 0);
   for (double w = 1e-9; w < 1e3; w *= 3) {
     EXPECT_DOUBLE_EQ(f.torque_Nm(w), -f.torque_Nm(-w));
@@ -39,11 +39,11 @@ TEST(Waiboer, IsOddDissipativeAndStillAtRest) {
 }
 
 TEST(Waiboer, RefusesWhatCannotBe) {
-  using P = WaiboerFriction::Parameters;
-  EXPECT_THROW(WaiboerFriction(P{-1, 1, 1, 1, 0, 1e6}), std::invalid_argument);
-  EXPECT_THROW(WaiboerFriction(P{1, 0, 1, 1, 0, 1e6}), std::invalid_argument);
-  EXPECT_THROW(WaiboerFriction(P{1, 1, 1, 1, 1.0, 1e6}), std::invalid_argument);
-  EXPECT_THROW(WaiboerFriction(P{1, 1, std::nan(""), 1, 0, 1e6}), std::invalid_argument);
+  using P = friction::WaiboerFriction::Parameters;
+  EXPECT_THROW(friction::WaiboerFriction(P{-1, 1, 1, 1, 0, 1e6}), std::invalid_argument);
+  EXPECT_THROW(friction::WaiboerFriction(P{1, 0, 1, 1, 0, 1e6}), std::invalid_argument);
+  EXPECT_THROW(friction::WaiboerFriction(P{1, 1, 1, 1, 1.0, 1e6}), std::invalid_argument);
+  EXPECT_THROW(friction::WaiboerFriction(P{1, 1, std::nan(""), 1, 0, 1e6}), std::invalid_argument);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ inline void require(bool holds) {
 }
 
 /// Rows and gaps that agree; nothing infinite.
-inline void check_columns(const LogTable& table) {
+inline void check_columns(const ingest::log::LogTable& table) {
   require((table.rows > 0 || !table.refusal.empty()) &&
           table.columns.size() <= table.header.size());
-  for (const LogColumn& column : table.columns) {
+  for (const ingest::log::LogColumn& column : table.columns) {
     require(column.values.size() == table.rows);
     std::size_t gaps = 0;
     for (const double value : column.values) {
@@ -32,12 +32,12 @@ inline void check_columns(const LogTable& table) {
 }
 
 /// And names that differ.
-inline void check_tables(const std::vector<LogTable>& tables) {
+inline void check_tables(const std::vector<ingest::log::LogTable>& tables) {
   require(!tables.empty());
-  for (const LogTable& table : tables) {
+  for (const ingest::log::LogTable& table : tables) {
     check_columns(table);
     std::set<std::string> names;
-    for (const LogColumn& column : table.columns) {
+    for (const ingest::log::LogColumn& column : table.columns) {
       require(names.insert(column.header.full).second);
     }
   }

@@ -38,21 +38,21 @@ class PieceSource final : public ByteSource {
 };
 
 struct Outcome {
-  std::optional<CsvTable> table;
+  std::optional<ingest::text::CsvTable> table;
   std::string refusal;
 };
 
-Outcome read(ByteSource& source, const TextLogRules& rules) {
+Outcome read(ByteSource& source, const ingest::text::TextLogRules& rules) {
   Outcome outcome;
   try {
-    outcome.table = read_csv(source, "fuzz.csv", {}, rules);
+    outcome.table = ingest::text::read_csv(source, "fuzz.csv", {}, rules);
   } catch (const InputError& refused) {
     outcome.refusal = refused.what();
   }
   return outcome;
 }
 
-bool same(const LogColumn& a, const LogColumn& b) {
+bool same(const ingest::log::LogColumn& a, const ingest::log::LogColumn& b) {
   return a.gaps == b.gaps && a.origin == b.origin && a.values.size() == b.values.size() &&
          std::equal(a.values.begin(), a.values.end(), b.values.begin(),
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
@@ -62,9 +62,9 @@ bool same(const LogColumn& a, const LogColumn& b) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  TextLogRules rules;
-  if ((data[0] & 1U) != 0) rules.decimal_mark = DecimalMark::comma;
-  if ((data[0] & 2U) != 0) rules.delimiter = Delimiter::semicolon;
+  ingest::text::TextLogRules rules;
+  if ((data[0] & 1U) != 0) rules.decimal_mark = ingest::text::DecimalMark::comma;
+  if ((data[0] & 2U) != 0) rules.delimiter = ingest::text::Delimiter::semicolon;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   MemorySource whole(bytes);
   PieceSource pieces(bytes);

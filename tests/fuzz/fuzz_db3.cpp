@@ -9,7 +9,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static tribolog::fuzz::FileInMemory file;
-  tribolog::fuzz::read_or_refuse(
-      [&] { tribolog::fuzz::check_tables(tribolog::read_rosbag_db3(file.holding(data, size))); });
+  tribolog::fuzz::read_or_refuse([&] {
+    tribolog::fuzz::check_tables(tribolog::ingest::bags::read_rosbag_db3(file.holding(data, size)));
+  });
   return 0;
 }

@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static tribolog::fuzz::FileInMemory file;
-  tribolog::fuzz::read_or_refuse(
-      [&] { tribolog::fuzz::check_tables(tribolog::read_hdf5(file.holding(data, size))); });
+  tribolog::fuzz::read_or_refuse([&] {
+    tribolog::fuzz::check_tables(tribolog::ingest::arrays::read_hdf5(file.holding(data, size)));
+  });
   return 0;
 }

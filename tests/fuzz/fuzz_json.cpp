@@ -7,7 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  tribolog::fuzz::read_or_refuse(
-      [&] { tribolog::fuzz::check_tables(tribolog::parse_json_log(bytes, "a.json")); });
+  tribolog::fuzz::read_or_refuse([&] {
+    tribolog::fuzz::check_tables(tribolog::ingest::arrays::parse_json_log(bytes, "a.json"));
+  });
   return 0;
 }

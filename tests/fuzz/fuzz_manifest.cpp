@@ -8,7 +8,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tribolog::fuzz::read_or_refuse([&] {
-    (void)tribolog::parse_manifest({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+    (void)tribolog::ingest::manifest::parse_manifest({reinterpret_cast<const char*>(data), size},
+                                                     "fuzz.toml");
   });
   return 0;
 }

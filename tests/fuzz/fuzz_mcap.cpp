@@ -11,7 +11,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::uint64_t largest_record_bytes = std::uint64_t{1} << 16;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  tribolog::fuzz::read_or_refuse(
-      [&] { (void)tribolog::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes); });
+  tribolog::fuzz::read_or_refuse([&] {
+    (void)tribolog::ingest::bags::read_mcap_bytes(bytes, "fuzz.mcap", largest_record_bytes);
+  });
   return 0;
 }

@@ -8,6 +8,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   tribolog::fuzz::read_or_refuse(
-      [&] { tribolog::fuzz::check_tables(tribolog::parse_npz(bytes, "a.npy")); });
+      [&] { tribolog::fuzz::check_tables(tribolog::ingest::arrays::parse_npz(bytes, "a.npy")); });
   return 0;
 }

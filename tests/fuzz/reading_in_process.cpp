@@ -9,7 +9,7 @@
 #include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/isolated_reading.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 FileArrays read_isolated(const std::string& path, const std::function<FileArrays()>& read) {
   try {
@@ -27,4 +27,4 @@ ArrayLibraries array_libraries(const std::string&) {
   return libraries;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

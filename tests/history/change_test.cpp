@@ -10,8 +10,8 @@ namespace tribolog::history {
 namespace {
 
 TEST(Change, AddsSidesThatMoveItTheSameWay) {
-  const Estimate first{10, 10 - 3, 10 + 0.4, ""};
-  const Estimate second{12, 12 - 0.3, 12 + 4, ""};
+  const statistics::Estimate first{10, 10 - 3, 10 + 0.4, ""};
+  const statistics::Estimate second{12, 12 - 0.3, 12 + 4, ""};
   const Change change = change_between(first, second, false);
   EXPECT_DOUBLE_EQ(change.absolute.value, 2);
   EXPECT_DOUBLE_EQ(change.absolute.low, 2 - 0.5) << "0.3 and 0.4";
@@ -22,8 +22,8 @@ TEST(Change, AddsSidesThatMoveItTheSameWay) {
 }
 
 TEST(Change, BackwardsIsItsMirrorImage) {
-  const Estimate a{10, 9, 10.5, ""};
-  const Estimate b{11, 10.8, 13, ""};
+  const statistics::Estimate a{10, 9, 10.5, ""};
+  const statistics::Estimate b{11, 10.8, 13, ""};
   const Change there = change_between(a, b, false);
   const Change back = change_between(b, a, false);
   EXPECT_DOUBLE_EQ(there.absolute.low, -back.absolute.high);
@@ -38,7 +38,7 @@ TEST(Change, HasTheIntervalThatItsChanceSpeaksOf) {
 }
 
 TEST(Change, OfEqualEstimatesIsNone) {
-  const Estimate e{0.45, 0.44, 0.46, ""};
+  const statistics::Estimate e{0.45, 0.44, 0.46, ""};
   EXPECT_EQ(change_between(e, e, false).chance, 1);
   EXPECT_EQ(change_between({1, 1, 1, ""}, {1, 1, 1, ""}, false).chance, 1);
   EXPECT_EQ(change_between({1, 1, 1, ""}, {2, 2, 2, ""}, false).chance, 0) << "no interval at all";
@@ -61,13 +61,15 @@ TEST(Change, OfAnglesGoesTheShortWayRound) {
 }
 
 TEST(Change, IntervalHoldsTheTruthAsOftenAsItSays) {
-  RandomStream random(5, 1);
+  statistics::RandomStream random(5, 1);
   constexpr int runs = 20000;
   int held = 0;
   for (int k = 0; k < runs; ++k) {
-    const Estimate a = symmetric_estimate(3 + 0.2 * random.normal(), 1.96 * 0.2, "");
-    const Estimate b = symmetric_estimate(4 + 0.5 * random.normal(), 1.96 * 0.5, "");
-    const Estimate change = change_between(a, b, false).absolute;
+    const statistics::Estimate a =
+        statistics::symmetric_estimate(3 + 0.2 * random.normal(), 1.96 * 0.2, "");
+    const statistics::Estimate b =
+        statistics::symmetric_estimate(4 + 0.5 * random.normal(), 1.96 * 0.5, "");
+    const statistics::Estimate change = change_between(a, b, false).absolute;
     if (change.low <= 1 && 1 <= change.high) ++held;
   }
   EXPECT_NEAR(held / static_cast<double>(runs), 0.95, 0.006) << "4 standard errors";

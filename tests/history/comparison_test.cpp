@@ -16,13 +16,13 @@ using test::simulated_history;
 using test::unchanged;
 
 /// Two calibrations of one joint at 25 °C; the second's truth differs as stated.
-std::pair<archive::Measured, archive::Measured> pair_of(std::uint64_t seed,
-                                                        const test::Truth& share = unchanged) {
+std::pair<calibration::Measured, calibration::Measured> pair_of(
+    std::uint64_t seed, const test::Truth& share = test::unchanged) {
   test::HistoryShape shape;
   shape.calibrations = 2;
   shape.temperature_C = {25, 25};
   shape.noise = {0, 0.0022};  // what the intervals say, and nothing beside
-  auto both = simulated_history(seed, share, shape);
+  auto both = test::simulated_history(seed, share, shape);
   return {both[0], both[1]};
 }
 
@@ -33,7 +33,7 @@ const ComparedQuantity& quantity(const Comparison& c, std::string_view name) {
   throw std::logic_error(std::string(name));
 }
 
-Comparison compared(const std::pair<archive::Measured, archive::Measured>& both) {
+Comparison compared(const std::pair<calibration::Measured, calibration::Measured>& both) {
   return compare(both.first, both.second, {}, false);
 }
 
@@ -56,7 +56,7 @@ TEST(Comparison, FindsTheChangeThatIsThereAndNoOther) {
       return name == "coulomb_torque" && k == 1 ? 1.02 : 1.0;
     }));
     const ComparedQuantity& q = quantity(c, "coulomb_torque");
-    const Estimate& percent = *q.change->percent;
+    const statistics::Estimate& percent = *q.change->percent;
     if (q.word == ChangeWord::changed) ++found;
     if (percent.low <= 2 && 2 <= percent.high) ++held;
     if (c.count(ChangeWord::changed) > (q.word == ChangeWord::changed ? 1U : 0U)) ++others;
@@ -123,9 +123,9 @@ TEST(Comparison, PayloadGearAndRateMatterWhereTheyDo) {
 
 TEST(Comparison, WhatIsNotUsableIsNotCompared) {
   auto both = pair_of(1);
-  both.second.quantities[0].verdict = Verdict::doubtful;
+  both.second.quantities[0].verdict = calibration::Verdict::doubtful;
   both.second.quantities[1].estimate.reset();
-  both.second.quantities[1].verdict = Verdict::not_identifiable;
+  both.second.quantities[1].verdict = calibration::Verdict::not_identifiable;
   const Comparison c = compared(both);
   EXPECT_EQ(c.quantities[0].word, ChangeWord::not_comparable);
   EXPECT_TRUE(c.quantities[0].change) << "shown all the same";

@@ -17,7 +17,7 @@ constexpr double sigma = 0.01;
 std::vector<SeriesPoint> series(std::uint64_t seed, std::size_t n,
                                 const std::function<double(std::size_t)>& shift) {
   std::vector<SeriesPoint> points;
-  RandomStream random(seed, 3);
+  statistics::RandomStream random(seed, 3);
   const double part = sigma / std::sqrt(2.0);
   for (std::size_t k = 0; k < n; ++k) {
     points.push_back({1 + shift(k) + part * random.normal() + part * random.normal(), part, 0});
@@ -27,12 +27,12 @@ std::vector<SeriesPoint> series(std::uint64_t seed, std::size_t n,
 
 TEST(NormalScore, IsTheNormalNumberOfTheSameRank) {
   // Tables of Student's t: 2.571 is the 97.5 % quantile of 5 degrees, 636.6 the 99.95 % one of 1.
-  EXPECT_NEAR(normal_score(2.5706, 5), 1.95996, 1e-4);
-  EXPECT_NEAR(normal_score(636.619, 1), 3.29053, 1e-4);
-  EXPECT_NEAR(normal_score(-2.5706, 5), -1.95996, 1e-4);
-  EXPECT_EQ(normal_score(0, 3), 0);
-  EXPECT_NEAR(normal_score(1.7, 1e7), 1.7, 1e-5);
-  EXPECT_GT(normal_score(1e300, 3), 30);
+  EXPECT_NEAR(statistics::normal_score(2.5706, 5), 1.95996, 1e-4);
+  EXPECT_NEAR(statistics::normal_score(636.619, 1), 3.29053, 1e-4);
+  EXPECT_NEAR(statistics::normal_score(-2.5706, 5), -1.95996, 1e-4);
+  EXPECT_EQ(statistics::normal_score(0, 3), 0);
+  EXPECT_NEAR(statistics::normal_score(1.7, 1e7), 1.7, 1e-5);
+  EXPECT_GT(statistics::normal_score(1e300, 3), 30);
 }
 
 TEST(ReferenceLine, FindsLevelAndScatterBeyondTheIntervals) {

@@ -18,7 +18,7 @@ using test::unchanged;
 
 constexpr std::size_t runs = 200;
 
-JointTrend trend_of(const std::vector<archive::Measured>& calibrations) {
+JointTrend trend_of(const std::vector<calibration::Measured>& calibrations) {
   return joint_trends(calibrations, {}).front();
 }
 
@@ -30,10 +30,11 @@ const QuantityTrend& quantity(const JointTrend& trend, std::string_view name) {
 }
 
 /// Joints with any excursion at all, standing or not.
-std::size_t false_alarms(std::uint64_t first_seed, std::size_t joints, const HistoryShape& shape) {
+std::size_t false_alarms(std::uint64_t first_seed, std::size_t joints,
+                         const test::HistoryShape& shape) {
   std::size_t alarms = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + joints; ++seed) {
-    const JointTrend t = trend_of(simulated_history(seed, unchanged, shape));
+    const JointTrend t = trend_of(test::simulated_history(seed, test::unchanged, shape));
     if (t.state() > TrendState::steady) ++alarms;
   }
   return alarms;
@@ -45,10 +46,10 @@ double three_percent_drift(const std::string& name, std::size_t k, std::size_t c
 }
 
 /// Share of the joints on which the drift of Coulomb torque stands as a warning.
-double power(const HistoryShape& shape) {
+double power(const test::HistoryShape& shape) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const auto calibrations = simulated_history(
+    const auto calibrations = test::simulated_history(
         seed,
         [&](const std::string& name, std::size_t k) {
           return three_percent_drift(name, k, shape.calibrations);
@@ -69,7 +70,7 @@ TEST(DriftPower, ThreePercentInTwentyCalibrationsAreFound) {
 }
 
 TEST(DriftPower, NoisierJointsNeedMoreCalibrations) {
-  HistoryShape shape;
+  test::HistoryShape shape;
   for (const double percent : {0.6, 0.7, 0.8, 1.0}) {
     shape.noise = {0.009 * percent, 0.0044 * percent};
     const double share = power(shape);
@@ -102,7 +103,7 @@ TEST(DriftPower, FalseAlarmsAreAsRareAsPromised) {
 }
 
 TEST(DriftPower, LongHistoriesStayQuiet) {
-  HistoryShape shape;
+  test::HistoryShape shape;
   shape.calibrations = 100;
   const std::size_t alarms = false_alarms(7000, 400, shape);
   std::printf("400 joints of 100 calibrations: %zu alarms\n", alarms);
@@ -113,10 +114,10 @@ TEST(DriftPower, LongHistoriesStayQuiet) {
 TEST(DriftPower, WildValuesRaiseFewAlarms) {
   std::size_t alarms = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
-    auto calibrations = simulated_history(seed, unchanged);
-    RandomStream random(seed, 77);
-    for (archive::Measured& m : calibrations) {
-      for (archive::Quantity& q : m.quantities) {
+    auto calibrations = test::simulated_history(seed, test::unchanged);
+    statistics::RandomStream random(seed, 77);
+    for (calibration::Measured& m : calibrations) {
+      for (calibration::Quantity& q : m.quantities) {
         if (random.uniform() > 0.03) continue;
         const double by = 5 * 0.005 * q.estimate->value * random.normal();
         q.estimate = {q.estimate->value + by, q.estimate->low + by, q.estimate->high + by, ""};
@@ -131,7 +132,7 @@ TEST(DriftPower, WildValuesRaiseFewAlarms) {
 /// A year of 24 calibrations, 15 to 35 °C.
 std::vector<double> seasons(std::size_t calibrations, std::uint64_t seed) {
   std::vector<double> all;
-  RandomStream random(seed, 9);
+  statistics::RandomStream random(seed, 9);
   for (std::size_t k = 0; k < calibrations; ++k) {
     all.push_back(25 + 10 * std::sin(0.26 * static_cast<double>(k)) + 0.5 * random.normal());
   }
@@ -141,11 +142,11 @@ std::vector<double> seasons(std::size_t calibrations, std::uint64_t seed) {
 TEST(DriftPower, SeasonsAloneRaiseNoAlarmWhereTheyAreRecorded) {
   std::size_t recorded = 0, unrecorded = 0, slopes = 0;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    HistoryShape shape;
+    test::HistoryShape shape;
     shape.calibrations = 30;
     shape.temperature_C = seasons(shape.calibrations, seed);
     shape.viscous_per_K = -0.01;
-    const JointTrend t = trend_of(simulated_history(seed, unchanged, shape));
+    const JointTrend t = trend_of(test::simulated_history(seed, test::unchanged, shape));
     if (t.state() > TrendState::steady) ++recorded;
     const QuantityTrend& viscous = quantity(t, "viscous_coefficient");
     EXPECT_EQ(viscous.temperature, TemperatureUse::corrected);
@@ -153,7 +154,7 @@ TEST(DriftPower, SeasonsAloneRaiseNoAlarmWhereTheyAreRecorded) {
     const ReferenceLine& line = *viscous.reference;
     if (std::abs(line.slope_per_K / line.level + 0.01) < 0.001) ++slopes;
     shape.is_stated = false;
-    const JointTrend blind = trend_of(simulated_history(seed, unchanged, shape));
+    const JointTrend blind = trend_of(test::simulated_history(seed, test::unchanged, shape));
     if (quantity(blind, "viscous_coefficient").state > TrendState::steady) ++unrecorded;
   }
   std::printf("seasons of 20 K: %zu alarms of %zu recorded, %zu where not\n", recorded, runs,
@@ -166,11 +167,11 @@ TEST(DriftPower, SeasonsAloneRaiseNoAlarmWhereTheyAreRecorded) {
 TEST(DriftPower, ADriftIsFoundBeneathTheSeasons) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    HistoryShape shape;
+    test::HistoryShape shape;
     shape.calibrations = 40;
     shape.temperature_C = seasons(shape.calibrations, seed);
     shape.viscous_per_K = -0.01;
-    const auto calibrations = simulated_history(
+    const auto calibrations = test::simulated_history(
         seed,
         [](const std::string& name, std::size_t k) {
           return name == "viscous_coefficient" ? 1 + 0.003 * static_cast<double>(k) : 1;

@@ -14,23 +14,25 @@ namespace {
 
 using test::measured_fleet;
 
-std::size_t outliers_of(const Fleet& fleet) {
+std::size_t outliers_of(const history::Fleet& fleet) {
   std::size_t count = 0;
-  for (const FleetRobot& robot : fleet.robots) {
-    for (const FleetJoint& joint : robot.joints) count += joint.furthest > fleet.limit ? 1 : 0;
+  for (const history::FleetRobot& robot : fleet.robots) {
+    for (const history::FleetJoint& joint : robot.joints)
+      count += joint.furthest > fleet.limit ? 1 : 0;
   }
   return count;
 }
 
-Estimate& estimate_of(Measured& measured, const std::string& name) {
-  for (Quantity& q : measured.quantities) {
+statistics::Estimate& estimate_of(calibration::Measured& measured, const std::string& name) {
+  for (calibration::Quantity& q : measured.quantities) {
     if (q.name == name) return *q.estimate;
   }
   throw std::logic_error("no " + std::string(name));
 }
 
-const FleetCell& cell_of(const Fleet& fleet, const FleetJoint& joint, std::string_view name) {
-  for (const FleetCell& cell : joint.cells) {
+const history::FleetCell& cell_of(const history::Fleet& fleet, const history::FleetJoint& joint,
+                                  std::string_view name) {
+  for (const history::FleetCell& cell : joint.cells) {
     if (fleet.columns[cell.column].name == name) return cell;
   }
   throw std::logic_error("no " + std::string(name));
@@ -41,9 +43,9 @@ TEST(Fleet, CallsNothingAnOutlierThatIsNone) {
   // one, come by chance less than once in a hundred times.
   std::size_t small = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    small += outliers_of(fleet_of(measured_fleet({8, 6, 6}, seed)));
+    small += outliers_of(history::fleet_of(test::measured_fleet({8, 6, 6}, seed)));
   }
-  const std::size_t large = outliers_of(fleet_of(measured_fleet({500, 6, 10}, 2)));
+  const std::size_t large = outliers_of(history::fleet_of(test::measured_fleet({500, 6, 10}, 2)));
   RecordProperty("outliers_of_40_small_fleets", static_cast<int>(small));
   RecordProperty("outliers_of_a_large_fleet", static_cast<int>(large));
   EXPECT_LE(small, 35U);
@@ -52,18 +54,19 @@ TEST(Fleet, CallsNothingAnOutlierThatIsNone) {
 
 TEST(Fleet, FindsTheWornJointFirst) {
   for (const test::FleetSize size : {test::FleetSize{12, 3, 6}, test::FleetSize{60, 6, 10}}) {
-    std::vector<Measured> all = measured_fleet(size, 5);
+    std::vector<calibration::Measured> all = test::measured_fleet(size, 5);
     // The last calibration of robot 4's joint 2: 8 % more, eight times what calibrations scatter.
     const int at = (4 * size.joints + 1) * size.calibrations + size.calibrations - 1;
-    Measured& worn = all[static_cast<std::size_t>(at)];
-    estimate_of(worn, "coulomb_torque") = scaled(estimate_of(worn, "coulomb_torque"), 1.08);
-    const Fleet fleet = fleet_of(all);
+    calibration::Measured& worn = all[static_cast<std::size_t>(at)];
+    estimate_of(worn, "coulomb_torque") =
+        statistics::scaled(estimate_of(worn, "coulomb_torque"), 1.08);
+    const history::Fleet fleet = history::fleet_of(all);
     EXPECT_EQ(fleet.robots.front().robot, "R1004");
-    const FleetJoint& joint = fleet.robots.front().joints[1];
+    const history::FleetJoint& joint = fleet.robots.front().joints[1];
     EXPECT_EQ(joint.latest.facts.of.joint, "J2");
     EXPECT_EQ(joint.furthest, fleet.robots.front().furthest);
     EXPECT_GT(joint.furthest, fleet.limit);
-    const FleetCell& cell = cell_of(fleet, joint, "coulomb_torque");
+    const history::FleetCell& cell = cell_of(fleet, joint, "coulomb_torque");
     EXPECT_NEAR(cell.to_history->z, 8 / std::sqrt(1 + 1.571 / (size.calibrations - 1)), 2.5);
     EXPECT_EQ(cell.to_history->count, static_cast<std::size_t>(size.calibrations - 1));
     EXPECT_EQ(cell.to_others->count, static_cast<std::size_t>(size.robots - 1));
@@ -71,29 +74,30 @@ TEST(Fleet, FindsTheWornJointFirst) {
 }
 
 TEST(Fleet, AJointOfAnotherKindIsFarFromTheOthersAndNotFromItsPast) {
-  std::vector<Measured> all = measured_fleet({30, 2, 6}, 6);
-  for (Measured& m : all) {
-    if (m.entry.facts.of == JointName{"R1007", "S1000", "J1"} ||
+  std::vector<calibration::Measured> all = test::measured_fleet({30, 2, 6}, 6);
+  for (calibration::Measured& m : all) {
+    if (m.entry.facts.of == calibration::JointName{"R1007", "S1000", "J1"} ||
         (m.entry.facts.of.robot == "R1007" && m.entry.facts.of.joint == "J1")) {
-      estimate_of(m, "inertia") = scaled(estimate_of(m, "inertia"), 2);
+      estimate_of(m, "inertia") = statistics::scaled(estimate_of(m, "inertia"), 2);
     }
   }
-  const Fleet fleet = fleet_of(all);
+  const history::Fleet fleet = history::fleet_of(all);
   EXPECT_EQ(fleet.robots.front().robot, "R1007");
-  const FleetCell& cell = cell_of(fleet, fleet.robots.front().joints[0], "inertia");
+  const history::FleetCell& cell = cell_of(fleet, fleet.robots.front().joints[0], "inertia");
   EXPECT_GT(cell.to_others->z, fleet.limit);
   EXPECT_LT(std::abs(cell.to_history->z), fleet.limit);
 }
 
 TEST(Fleet, ComparesWhatIsComparable) {
   // Half of the robots have another gear, which moves torques; by themselves all are alike.
-  std::vector<Measured> all = measured_fleet({20, 1, 5}, 7);
+  std::vector<calibration::Measured> all = test::measured_fleet({20, 1, 5}, 7);
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k / 5 % 2 == 0) continue;
     all[k].entry.facts.gear_ratio = 160;
-    for (Quantity& q : all[k].quantities) q.estimate = scaled(*q.estimate, 0.6);
+    for (calibration::Quantity& q : all[k].quantities)
+      q.estimate = statistics::scaled(*q.estimate, 0.6);
   }
-  const Fleet fleet = fleet_of(all);
+  const history::Fleet fleet = history::fleet_of(all);
   EXPECT_EQ(outliers_of(fleet), 0U);
   EXPECT_EQ(cell_of(fleet, fleet.robots[0].joints[0], "inertia").to_others->count, 9U);
   // Robots of one name are held against each other where there are enough.
@@ -101,8 +105,8 @@ TEST(Fleet, ComparesWhatIsComparable) {
     const std::string serial = all[k].entry.facts.of.robot;
     all[k].entry.facts.of = {k / 5 < 16 ? "A" : "B", serial, "J1"};
   }
-  const Fleet named = fleet_of(all);
-  for (const FleetRobot& robot : named.robots) {
+  const history::Fleet named = history::fleet_of(all);
+  for (const history::FleetRobot& robot : named.robots) {
     const auto& to_others = cell_of(named, robot.joints[0], "inertia").to_others;
     if (robot.robot == "A") {
       EXPECT_EQ(to_others->count, 7U);
@@ -113,25 +117,25 @@ TEST(Fleet, ComparesWhatIsComparable) {
 }
 
 TEST(Fleet, SaysNothingOfTooFew) {
-  const Fleet fleet = fleet_of(measured_fleet({5, 2, 4}, 8));
+  const history::Fleet fleet = history::fleet_of(test::measured_fleet({5, 2, 4}, 8));
   EXPECT_EQ(fleet.distances, 0U);
   EXPECT_EQ(outliers_of(fleet), 0U);
-  const Fleet enough = fleet_of(measured_fleet({6, 2, 5}, 8));
+  const history::Fleet enough = history::fleet_of(test::measured_fleet({6, 2, 5}, 8));
   EXPECT_EQ(enough.distances, 6U * 2U * 10U * 2U);
-  EXPECT_EQ(fleet_of({}).joints, 0U);
+  EXPECT_EQ(history::fleet_of({}).joints, 0U);
 }
 
 TEST(Fleet, EqualNumbersWithoutIntervalsAreNoOutliers) {
-  std::vector<Measured> all = measured_fleet({7, 1, 5}, 9);
-  for (Measured& m : all) {
-    for (Quantity& q : m.quantities) q.estimate = Estimate{1, 1, 1, ""};
+  std::vector<calibration::Measured> all = test::measured_fleet({7, 1, 5}, 9);
+  for (calibration::Measured& m : all) {
+    for (calibration::Quantity& q : m.quantities) q.estimate = statistics::Estimate{1, 1, 1, ""};
   }
-  EXPECT_EQ(fleet_of(all).distances, 0U);
+  EXPECT_EQ(history::fleet_of(all).distances, 0U);
 }
 
 TEST(Fleet, JsonHasTheDistances) {
-  const Fleet fleet = fleet_of(measured_fleet({6, 2, 5}, 10));
-  const auto json = nlohmann::json::parse(fleet_json(fleet));
+  const history::Fleet fleet = history::fleet_of(test::measured_fleet({6, 2, 5}, 10));
+  const auto json = nlohmann::json::parse(history::fleet_json(fleet));
   EXPECT_EQ(json["schema"], "tribolog-fleet-1");
   ASSERT_EQ(json["robots"].size(), 6U);
   const auto& joint = json["robots"][0]["joints"][1];

@@ -37,7 +37,8 @@ test::HistoryShape of_length(std::size_t calibrations) {
 }
 
 TEST(JointTrend, TellsTheDateAndTheSizeOfAStep) {
-  const JointTrend t = joint_trends(simulated_history(3, step_at(14), of_length(24)), {}).front();
+  const JointTrend t =
+      joint_trends(test::simulated_history(3, step_at(14), of_length(24)), {}).front();
   EXPECT_EQ(t.state(), TrendState::warning);
   const QuantityTrend& q = quantity(t, "coulomb_torque");
   ASSERT_EQ(q.changes.size(), 1U);
@@ -49,14 +50,14 @@ TEST(JointTrend, TellsTheDateAndTheSizeOfAStep) {
 }
 
 TEST(JointTrend, GoesByTimeAndNotByTheOrderOfArrival) {
-  auto calibrations = simulated_history(3, step_at(14), of_length(24));
+  auto calibrations = test::simulated_history(3, step_at(14), of_length(24));
   const std::string in_time = trend_json(joint_trends(calibrations, {}));
   std::reverse(calibrations.begin(), calibrations.end());
   EXPECT_EQ(trend_json(joint_trends(calibrations, {})), in_time);
 }
 
 TEST(JointTrend, UnequalSpacingChangesDatesAlone) {
-  auto calibrations = simulated_history(3, step_at(14), of_length(24));
+  auto calibrations = test::simulated_history(3, step_at(14), of_length(24));
   std::size_t day = 0;
   for (std::size_t k = 0; k < calibrations.size(); ++k) {
     day += 1 + 7 * (k % 5) * (k % 3);
@@ -67,9 +68,9 @@ TEST(JointTrend, UnequalSpacingChangesDatesAlone) {
 }
 
 TEST(JointTrend, KeepsJointsApart) {
-  auto calibrations = simulated_history(3, step_at(14), of_length(24));
-  auto other = simulated_history(4, unchanged, of_length(8));
-  for (archive::Measured& m : other) m.entry.facts.of.joint = "J3";
+  auto calibrations = test::simulated_history(3, step_at(14), of_length(24));
+  auto other = test::simulated_history(4, test::unchanged, of_length(8));
+  for (calibration::Measured& m : other) m.entry.facts.of.joint = "J3";
   calibrations.insert(calibrations.end(), other.begin(), other.end());
   const auto trends = joint_trends(calibrations, {});
   ASSERT_EQ(trends.size(), 2U);
@@ -79,11 +80,11 @@ TEST(JointTrend, KeepsJointsApart) {
 }
 
 TEST(JointTrend, LeavesOutAndCountsWhatDoesNotBelong) {
-  auto calibrations = simulated_history(3, unchanged, of_length(20));
-  calibrations[2].quantities[0].verdict = Verdict::doubtful;
+  auto calibrations = test::simulated_history(3, test::unchanged, of_length(20));
+  calibrations[2].quantities[0].verdict = calibration::Verdict::doubtful;
   calibrations[2].quantities[0].estimate->value *= 3;
   calibrations[2].quantities[0].estimate->high *= 3;
-  calibrations[5].quantities[0].verdict = Verdict::not_identifiable;
+  calibrations[5].quantities[0].verdict = calibration::Verdict::not_identifiable;
   calibrations[5].quantities[0].estimate.reset();
   calibrations[7].entry.facts.gear_ratio = 50;
   calibrations[9].entry.facts.payload_kg = 5;
@@ -100,14 +101,15 @@ TEST(JointTrend, LeavesOutAndCountsWhatDoesNotBelong) {
 }
 
 TEST(JointTrend, FewCalibrationsSaySo) {
-  const JointTrend t = joint_trends(simulated_history(3, step_at(3), of_length(6)), {}).front();
+  const JointTrend t =
+      joint_trends(test::simulated_history(3, step_at(3), of_length(6)), {}).front();
   EXPECT_EQ(t.state(), TrendState::too_few);
   EXPECT_EQ(t.watched, 0U);
   EXPECT_FALSE(quantity(t, "coulomb_torque").points.front().chart.is_judged);
 }
 
 TEST(JointTrend, BaselineByCountAndByDate) {
-  const auto calibrations = simulated_history(3, step_at(14), of_length(30));
+  const auto calibrations = test::simulated_history(3, step_at(14), of_length(30));
   Baseline ten;
   ten.count = 10;
   EXPECT_EQ(quantity(joint_trends(calibrations, ten).front(), "coulomb_torque").learned, 10U);
@@ -132,10 +134,11 @@ TEST(JointTrend, TemperatureThatHardlyVariedIsNotCorrectedFor) {
   for (std::size_t k = 0; k < 20; ++k) {
     shape.temperature_C.push_back(25 + 0.05 * static_cast<double>(k % 4));
   }
-  const JointTrend t = joint_trends(simulated_history(3, unchanged, shape), {}).front();
+  const JointTrend t = joint_trends(test::simulated_history(3, test::unchanged, shape), {}).front();
   EXPECT_EQ(quantity(t, "coulomb_torque").temperature, TemperatureUse::too_even);
   EXPECT_EQ(quantity(t, "coulomb_torque").reference->slope_per_K, 0);
-  const JointTrend blind = joint_trends(simulated_history(3, unchanged, of_length(20)), {}).front();
+  const JointTrend blind =
+      joint_trends(test::simulated_history(3, test::unchanged, of_length(20)), {}).front();
   EXPECT_EQ(quantity(blind, "coulomb_torque").temperature, TemperatureUse::not_recorded);
 }
 
@@ -144,7 +147,7 @@ TEST(JointTrend, WarmingAlongWithTimeIsACaution) {
   for (std::size_t k = 0; k < 20; ++k) {
     shape.temperature_C.push_back(20 + static_cast<double>(k));
   }
-  const JointTrend t = joint_trends(simulated_history(3, unchanged, shape), {}).front();
+  const JointTrend t = joint_trends(test::simulated_history(3, test::unchanged, shape), {}).front();
   ASSERT_EQ(t.cautions.size(), 1U);
   EXPECT_NE(t.cautions.front().find("went together"), std::string::npos);
 }
@@ -155,7 +158,7 @@ TEST(JointTrend, ASlowDriftIsToldAsOne) {
   const auto drift = [](const std::string& name, std::size_t k) {
     return name == "coulomb_torque" ? 1 - 0.02 * static_cast<double>(k) / 23 : 1;
   };
-  const auto trends = joint_trends(simulated_history(5, drift, shape), {});
+  const auto trends = joint_trends(test::simulated_history(5, drift, shape), {});
   const QuantityTrend& coulomb = quantity(trends.front(), "coulomb_torque");
   ASSERT_EQ(coulomb.state, TrendState::warning);
   ASSERT_EQ(coulomb.changes.size(), 1U);
@@ -177,7 +180,7 @@ TEST(JointTrend, ASlowDriftIsToldAsOne) {
 
 TEST(JointTrend, JsonHoldsItAll) {
   const auto json = nlohmann::json::parse(
-      trend_json(joint_trends(simulated_history(3, step_at(14), of_length(24)), {})));
+      trend_json(joint_trends(test::simulated_history(3, step_at(14), of_length(24)), {})));
   EXPECT_EQ(json["schema"], "tribolog-archive-trend-1");
   EXPECT_EQ(json["joints"][0]["state"], "warning");
   const auto& coulomb = json["joints"][0]["quantities"][0];

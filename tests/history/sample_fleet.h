@@ -43,7 +43,7 @@ template <class Take>
 void sample_fleet(const FleetSize& size, std::uint64_t seed, const Take& take) {
   constexpr double between_robots = 0.03;
   constexpr double between_calibrations = 0.01;
-  RandomStream random(seed, 0);
+  statistics::RandomStream random(seed, 0);
   for (int robot = 0; robot < size.robots; ++robot) {
     for (int joint = 1; joint <= size.joints; ++joint) {
       std::vector<double> own;
@@ -51,7 +51,7 @@ void sample_fleet(const FleetSize& size, std::uint64_t seed, const Take& take) {
         own.push_back(q.value * (1 + 0.1 * (joint - 1)) * (1 + between_robots * random.normal()));
       }
       for (int k = 0; k < size.calibrations; ++k) {
-        archive::NewCalibration c = sample_calibration(1000 + robot, joint, 30 * k, 0.45);
+        calibration::NewCalibration c = sample_calibration(1000 + robot, joint, 30 * k, 0.45);
         c.facts.measured_at =
             fmt::format("{}-{:02}-{:02}T10:00:00Z", 2024 + k / 4, 1 + 3 * (k % 4), 1 + robot % 28);
         c.inputs[0].sha256 = sha256_hex(fmt::format("{} {} {} {}", seed, robot, joint, k));
@@ -60,8 +60,8 @@ void sample_fleet(const FleetSize& size, std::uint64_t seed, const Take& take) {
           const SampleQuantity& q = fleet_quantities[i];
           const double value = own[i] * (1 + between_calibrations * random.normal());
           const double half = 1.96 * between_calibrations * std::abs(own[i]);
-          c.quantities.push_back({q.name, q.words, q.unit, Verdict::usable,
-                                  Estimate{value, value - half, value + half, ""}});
+          c.quantities.push_back({q.name, q.words, q.unit, calibration::Verdict::usable,
+                                  statistics::Estimate{value, value - half, value + half, ""}});
         }
         take(c);
       }
@@ -70,19 +70,20 @@ void sample_fleet(const FleetSize& size, std::uint64_t seed, const Take& take) {
 }
 
 /// As the archive would give it back.
-inline archive::Measured measured_of(const archive::NewCalibration& c) {
-  archive::Measured measured;
-  measured.entry.identity = archive::identity_of(c.inputs);
+inline calibration::Measured measured_of(const calibration::NewCalibration& c) {
+  calibration::Measured measured;
+  measured.entry.identity = archive::store::identity_of(c.inputs);
   measured.entry.id = measured.entry.identity;
   measured.entry.facts = c.facts;
   measured.quantities = c.quantities;
   return measured;
 }
 
-inline std::vector<archive::Measured> measured_fleet(const FleetSize& size, std::uint64_t seed) {
-  std::vector<archive::Measured> all;
+inline std::vector<calibration::Measured> measured_fleet(const FleetSize& size,
+                                                         std::uint64_t seed) {
+  std::vector<calibration::Measured> all;
   sample_fleet(size, seed,
-               [&](const archive::NewCalibration& c) { all.push_back(measured_of(c)); });
+               [&](const calibration::NewCalibration& c) { all.push_back(measured_of(c)); });
   return all;
 }
 

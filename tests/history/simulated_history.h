@@ -40,8 +40,8 @@ inline std::string utc_of_day(std::size_t day) {
 }
 
 /// Six friction quantities and three others, each with its own noise.
-inline std::vector<archive::Measured> simulated_history(std::uint64_t seed, const Truth& share,
-                                                        const HistoryShape& shape = {}) {
+inline std::vector<calibration::Measured> simulated_history(std::uint64_t seed, const Truth& share,
+                                                            const HistoryShape& shape = {}) {
   struct Kind {
     const char* name;
     const char* unit;
@@ -57,13 +57,13 @@ inline std::vector<archive::Measured> simulated_history(std::uint64_t seed, cons
                                {"gravity_torque", "N·m", 3.9, 0.3},
                                {"surrogate_mass", "kg", 77, 0.3},
                                {"inertia", "kg·m²", 2e-3, 3}};
-  std::vector<archive::Measured> all;
-  RandomStream random(seed, 7);
+  std::vector<calibration::Measured> all;
+  statistics::RandomStream random(seed, 7);
   for (std::size_t k = 0; k < shape.calibrations; ++k) {
-    archive::Measured m;
+    calibration::Measured m;
     m.entry.number = static_cast<std::int64_t>(k + 1);
     m.entry.id = fmt::format("{:064x}", seed * 1000 + k + 1);
-    archive::Facts& f = m.entry.facts;
+    calibration::Facts& f = m.entry.facts;
     f.of = {"R1", "S1", "J2"};
     f.measured_at = utc_of_day(14 * k);
     f.time_is_stated = true;
@@ -79,8 +79,9 @@ inline std::vector<archive::Measured> simulated_history(std::uint64_t seed, cons
       if (is_warm && kind.name == std::string("viscous_coefficient")) {
         value *= std::exp(shape.viscous_per_K * (shape.temperature_C[k] - 25));
       }
-      m.quantities.push_back({kind.name, kind.name, kind.unit, Verdict::usable,
-                              symmetric_estimate(value, 1.96 * stated * kind.value, "made up")});
+      m.quantities.push_back(
+          {kind.name, kind.name, kind.unit, calibration::Verdict::usable,
+           statistics::symmetric_estimate(value, 1.96 * stated * kind.value, "made up")});
     }
     all.push_back(std::move(m));
   }

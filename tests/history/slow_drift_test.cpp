@@ -17,7 +17,7 @@ struct Series {
 /// One calibration every 30 days: level 2, noise of 0.01, a change per day, and per kelvin.
 Series series(std::uint64_t seed, std::size_t count, double per_day, double noise = 0.01,
               double per_K = 0) {
-  RandomStream random(seed, 3);
+  statistics::RandomStream random(seed, 3);
   Series s;
   for (std::size_t k = 0; k < count; ++k) {
     const double day = 20000 + 30.0 * static_cast<double>(k);
@@ -60,7 +60,7 @@ TEST(SlowDrift, TheSlopesIntervalHoldsTheTruth) {
     const auto drift = find_slow_drift(s.points, s.days, false, 1);
     if (!drift) continue;
     ++found;
-    const double half_width = student_t_975(drift->freedom) * drift->standard_error;
+    const double half_width = statistics::student_t_975(drift->freedom) * drift->standard_error;
     inside += std::abs(drift->per_day - 1e-4) <= half_width ? 1 : 0;
     EXPECT_GE(drift->visible + 1, fewest_for_drift);
     EXPECT_LT(drift->visible, s.points.size());

@@ -22,31 +22,32 @@ namespace {
 using std::numbers::pi;
 
 /// The joint that is broken below: noise of a real drive, eight positions, so that it is usable.
-Scenario good_joint() {
-  Scenario s = test::noisy_paper_joint(1);
-  auto places = spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
+simulate::Scenario good_joint() {
+  simulate::Scenario s = test::noisy_paper_joint(1);
+  auto places = simulate::spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
   s.oscillation = places.front();
   s.further_oscillations.assign(places.begin() + 1, places.end());
   return s;
 }
 
-Dataset good_dataset() { return simulated_dataset(good_joint()); }
+joint::Dataset good_dataset() { return simulate::simulated_dataset(good_joint()); }
 
-void each(Dataset& d, const std::function<void(Recording&)>& change) {
-  for (Recording& r : d.recordings) change(r);
+void each(joint::Dataset& d, const std::function<void(joint::Recording&)>& change) {
+  for (joint::Recording& r : d.recordings) change(r);
 }
 
 void scale(std::vector<double>& values, double factor) {
   for (double& value : values) value *= factor;
 }
 
-void keep_role(Dataset& d, Role role, std::size_t most) {
+void keep_role(joint::Dataset& d, joint::Role role, std::size_t most) {
   std::size_t kept = 0;
-  std::erase_if(d.recordings, [&](const Recording& r) { return r.role == role && ++kept > most; });
+  std::erase_if(d.recordings,
+                [&](const joint::Recording& r) { return r.role == role && ++kept > most; });
 }
 
 /// Keeps the samples for which `wanted(i)` holds.
-void keep_samples(Recording& r, const std::function<bool(std::size_t)>& wanted) {
+void keep_samples(joint::Recording& r, const std::function<bool(std::size_t)>& wanted) {
   for (std::vector<double>* v : {&r.t_s, &r.q_rad, &r.dq_rad_s, &r.torque_Nm}) {
     std::size_t to = 0;
     for (std::size_t i = 0; i < v->size(); ++i) {
@@ -57,14 +58,14 @@ void keep_samples(Recording& r, const std::function<bool(std::size_t)>& wanted) 
 }
 
 /// The first half: there, but not back.
-void only_there(Recording& r) {
+void only_there(joint::Recording& r) {
   const std::size_t half = r.size() / 2;
   keep_samples(r, [&](std::size_t i) { return i < half; });
 }
 
 /// `times` the recording in a row, with a torque that `change` alters over the whole of it.
-void repeat(Recording& r, int times, const std::function<void(Recording&)>& change) {
-  const Recording once = r;
+void repeat(joint::Recording& r, int times, const std::function<void(joint::Recording&)>& change) {
+  const joint::Recording once = r;
   const double duration = once.t_s.back() + (once.t_s[1] - once.t_s[0]);
   for (int k = 1; k < times; ++k) {
     for (const double t : once.t_s) r.t_s.push_back(t + k * duration);
@@ -79,13 +80,13 @@ void repeat(Recording& r, int times, const std::function<void(Recording&)>& chan
 }
 
 /// Friction of the sweep alone: what is not gravity.
-double friction_of(const Recording& r, std::size_t i) {
+double friction_of(const joint::Recording& r, std::size_t i) {
   return r.torque_Nm[i] - test::true_gravity_Nm * std::cos(r.q_rad[i] - test::true_q_peak_rad());
 }
 
 /// As if its logs came from a logger that is known, with this effort column.
-void written_by(Dataset& d, const LoggedEffort& effort) {
-  InputFile input;
+void written_by(joint::Dataset& d, const joint::LoggedEffort& effort) {
+  joint::InputFile input;
   input.name = "log.csv";
   input.logged_effort = effort;
   d.inputs.push_back(input);
@@ -94,7 +95,7 @@ void written_by(Dataset& d, const LoggedEffort& effort) {
 struct Breach {
   std::string name;
   std::string check;  ///< The data check that fails.
-  std::function<void(Dataset&)> make;
+  std::function<void(joint::Dataset&)> make;
   std::string word;  ///< In what it found; may be empty.
 };
 
@@ -103,138 +104,156 @@ std::ostream& operator<<(std::ostream& out, const Breach& breach) { return out <
 class BrokenDataset : public testing::TestWithParam<Breach> {};
 
 TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
-  Dataset d = good_dataset();
+  joint::Dataset d = good_dataset();
   GetParam().make(d);
-  const Calibration c = identify(d);
-  const DataCheck* check = c.data_checks.find(GetParam().check);
+  const calibration::Calibration c = identify::identify(d);
+  const method::checks::DataCheck* check = c.data_checks.find(GetParam().check);
   ASSERT_NE(check, nullptr);
-  EXPECT_EQ(check->state, CheckState::fails) << check->found;
+  EXPECT_EQ(check->state, method::checks::CheckState::fails) << check->found;
   EXPECT_NE(check->found.find(GetParam().word), std::string::npos) << check->found;
   EXPECT_FALSE(check->consequence.empty());
   EXPECT_FALSE(check->experiment.empty());
-  EXPECT_NE(c.judgement.verdict, Verdict::usable) << c.judgement.sentence;
+  EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
   const auto& findings = c.judgement.findings;
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const std::string& finding) {
     return finding.find(check->found) != std::string::npos;
   }));
-  for (const QuantityVerdict& q : c.judgement.quantities) {
-    EXPECT_EQ(q.verdict == Verdict::usable, q.reasons.empty()) << q.key;
-    EXPECT_EQ(q.verdict == Verdict::usable, q.experiment.empty()) << q.key;
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.reasons.empty()) << q.key;
+    EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.experiment.empty()) << q.key;
   }
 }
 
 const std::vector<Breach>& breaches() {
   static const std::vector<Breach> all{
       {"constant_joint", "joint_moves",
-       [](Dataset& d) {
-         each(d, [](Recording& r) { std::fill(r.q_rad.begin(), r.q_rad.end(), r.q_rad.front()); });
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           std::fill(r.q_rad.begin(), r.q_rad.end(), r.q_rad.front());
+         });
        },
        "stands still"},
       {"one_recording_without_motion", "joint_moves",
-       [](Dataset& d) {
+       [](joint::Dataset& d) {
          auto& q = d.recordings.back().q_rad;
          std::fill(q.begin(), q.end(), q.front());
        },
        "1 of"},
       {"target_torque", "effort_provenance",
-       [](Dataset& d) { d.manifest.drive = Drive(100, EffortKind::target_torque, Side::motor); },
+       [](joint::Dataset& d) {
+         d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
+       },
        "no measurement"},
       {"target_column_as_measurement", "effort_column",
-       [](Dataset& d) {
-         written_by(d, {"UR RTDE", "target_moment_2", EffortKind::target_torque, Side::joint, true,
-                        false});
+       [](joint::Dataset& d) {
+         written_by(d, {"UR RTDE", "target_moment_2", joint::EffortKind::target_torque,
+                        joint::Side::joint, true, false});
        },
        "a target of its controller"},
       {"current_column_as_torque", "effort_column",
-       [](Dataset& d) {
-         written_by(d, {"UR RTDE", "actual_current_2", EffortKind::motor_current, Side::motor,
-                        false, false});
+       [](joint::Dataset& d) {
+         written_by(d, {"UR RTDE", "actual_current_2", joint::EffortKind::motor_current,
+                        joint::Side::motor, false, false});
        },
        "a motor_current"},
       {"motor_torque_as_joint_torque", "static_torque",
-       [](Dataset& d) {
+       [](joint::Dataset& d) {
          d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
-         each(d, [](Recording& r) { scale(r.torque_Nm, 0.01); });
+         each(d, [](joint::Recording& r) { scale(r.torque_Nm, 0.01); });
        },
        "one over the gear ratio"},
       {"torque_sign_against_the_weight", "static_torque",
-       [](Dataset& d) {
+       [](joint::Dataset& d) {
          d.manifest.known_gravity.emplace(100 * test::true_gravity_Nm, test::true_q_peak_rad());
-         each(d, [](Recording& r) { scale(r.torque_Nm, -1); });
+         each(d, [](joint::Recording& r) { scale(r.torque_Nm, -1); });
        },
        "sign of the effort"},
       {"dead_torque", "torque_alive",
-       [](Dataset& d) {
-         each(d, [](Recording& r) { std::fill(r.torque_Nm.begin(), r.torque_Nm.end(), 1.25); });
+       [](joint::Dataset& d) {
+         each(d,
+              [](joint::Recording& r) { std::fill(r.torque_Nm.begin(), r.torque_Nm.end(), 1.25); });
        },
        "dead"},
       {"degrees_as_radians", "angle_unit",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.q_rad, 180 / pi); }); }, "degrees"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 180 / pi); }); },
+       "degrees"},
       {"radians_as_degrees", "gravity_within_torque",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.q_rad, pi / 180); }); }, "offset"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, pi / 180); }); },
+       "offset"},
       {"motor_angle_as_joint_angle", "angle_unit",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.q_rad, 100); }); }, "motor's angle"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.q_rad, 100); }); },
+       "motor's angle"},
       {"millinewtonmetre_as_newtonmetre", "power",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.torque_Nm, 1000); }); }, "mN"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, 1000); }); },
+       "mN"},
       {"joint_torque_as_motor_torque", "power",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.torque_Nm, 100); }); }, "joint"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, 100); }); },
+       "joint"},
       {"speed_off_by_2", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, 2); }); }, "two samples"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 2); }); },
+       "two samples"},
       {"speed_off_by_5_3", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, 5.0 / 3); }); }, "10 ms"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 5.0 / 3); }); },
+       "10 ms"},
       {"speed_in_degrees", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, 180 / pi); }); }, "degrees"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 180 / pi); }); },
+       "degrees"},
       {"speed_of_the_motor", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, 100); }); }, "gear ratio"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 100); }); },
+       "gear ratio"},
       {"speed_in_rpm", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, 60 / (2 * pi)); }); },
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 60 / (2 * pi)); });
+       },
        "revolutions"},
       {"speed_sign", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.dq_rad_s, -1); }); }, "sign"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.dq_rad_s, -1); }); },
+       "sign"},
       {"wrong_gear_ratio_with_motor_speed", "speed_scale",
        // The motor's speed was divided by the stated 80, the joint's angle needs no ratio.
-       [](Dataset& d) {
-         d.manifest.drive = Drive(80, EffortKind::motor_torque, Side::motor);
-         each(d, [](Recording& r) { scale(r.dq_rad_s, 100.0 / 80); });
+       [](joint::Dataset& d) {
+         d.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
+         each(d, [](joint::Recording& r) { scale(r.dq_rad_s, 100.0 / 80); });
        },
        "1.25"},
       {"torque_sign", "friction_dissipates",
-       [](Dataset& d) { each(d, [](Recording& r) { scale(r.torque_Nm, -1); }); }, "sign"},
+       [](joint::Dataset& d) { each(d, [](joint::Recording& r) { scale(r.torque_Nm, -1); }); },
+       "sign"},
       {"angle_sign", "friction_dissipates",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
            scale(r.q_rad, -1);
            scale(r.dq_rad_s, -1);
          });
        },
        "sign"},
       {"clipped_torque", "torque_saturation",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
            for (double& t : r.torque_Nm) t = std::min(t, 4.0);
          });
        },
        "flat at 4 "},
       {"coarse_torque", "torque_step",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
            for (double& t : r.torque_Nm) t = 0.5 * std::round(t / 0.5);
          });
        },
        "0.5 N"},
       {"coarse_encoder", "encoder_step",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
            for (double& q : r.q_rad) q = 2e-5 * std::round(q / 2e-5);
          });
        },
        "10 steps"},
       {"jittering_clock", "clock_jitter",
        // Rows are written when the network delivers them, at any time.
-       [](Dataset& d) {
+       [](joint::Dataset& d) {
          std::uint64_t stream = 0;
-         each(d, [&](Recording& r) {
-           RandomStream random(1, ++stream);
+         each(d, [&](joint::Recording& r) {
+           statistics::RandomStream random(1, ++stream);
            double t = 0;
            for (double& stamp : r.t_s) stamp = t += 1e-3 * std::abs(random.normal()) + 1e-9;
          });
@@ -242,66 +261,68 @@ const std::vector<Breach>& breaches() {
        "scatters"},
       {"gaps", "clock_gaps",
        // A fifth of the time is missing, 50 ms at a time.
-       [](Dataset& d) {
-         each(d,
-              [](Recording& r) { keep_samples(r, [](std::size_t i) { return i % 250 >= 50; }); });
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           keep_samples(r, [](std::size_t i) { return i % 250 >= 50; });
+         });
        },
        "gaps"},
       {"sweep_in_one_direction", "sweep_directions",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role != Role::oscillation) only_there(r);
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role != joint::Role::oscillation) only_there(r);
          });
        },
        "only ever rises"},
       {"runs_in_one_direction", "run_directions",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role == Role::constant_speed) only_there(r);
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role == joint::Role::constant_speed) only_there(r);
          });
        },
        "only ever rises"},
       {"directions_without_common_angles", "run_common_angles",
        // The way back was driven somewhere else.
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role != Role::constant_speed) return;
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role != joint::Role::constant_speed) return;
            for (std::size_t i = r.size() / 2; i < r.size(); ++i) r.q_rad[i] -= 1.2;
          });
        },
        "share no angle"},
-      {"one_speed_only", "run_speeds", [](Dataset& d) { keep_role(d, Role::constant_speed, 1); },
+      {"one_speed_only", "run_speeds",
+       [](joint::Dataset& d) { keep_role(d, joint::Role::constant_speed, 1); },
        "1 different speed"},
       {"oscillation_30_deg_off_the_peak", "oscillation_at_peak",
-       [](Dataset& d) {
-         Scenario s = good_joint();
+       [](joint::Dataset& d) {
+         simulate::Scenario s = good_joint();
          s.oscillation->centre_rad += pi / 6;
          for (auto& o : s.further_oscillations) o.centre_rad += pi / 6;
-         d = simulated_dataset(s);
+         d = simulate::simulated_dataset(s);
        },
        "peak at"},
       {"oscillation_stays_elastic", "oscillation_slides",
-       [](Dataset& d) {
-         Scenario s = good_joint();
+       [](joint::Dataset& d) {
+         simulate::Scenario s = good_joint();
          s.oscillation->amplitude_rad /= 25;
          for (auto& o : s.further_oscillations) o.amplitude_rad /= 25;
          s.noise.encoder_counts_per_turn *= 64;  // or the encoder would be the finding
-         d = simulated_dataset(s);
+         d = simulate::simulated_dataset(s);
        },
        "stiffness is left"},
       {"too_few_cycles", "oscillation_cycles",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role != Role::oscillation) return;
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role != joint::Role::oscillation) return;
            keep_samples(r, [](std::size_t i) { return i <= 1500; });
          });
        },
        "1.5 cycles"},
       {"stick_slip", "stick_slip",
        // Half a second of rest, then the way of a second in the half that is left.
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role != Role::rough_sweep) return;
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role != joint::Role::rough_sweep) return;
            const std::vector<double> q = r.q_rad;
            for (std::size_t i = 0; i < q.size(); ++i) {
              const std::size_t second = i / 1000 * 1000;
@@ -312,10 +333,10 @@ const std::vector<Breach>& breaches() {
        },
        "springs on"},
       {"friction_falls_while_warming_up", "friction_drift",
-       [](Dataset& d) {
-         each(d, [](Recording& r) {
-           if (r.role != Role::rough_sweep) return;
-           repeat(r, 5, [](Recording& warming) {
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) {
+           if (r.role != joint::Role::rough_sweep) return;
+           repeat(r, 5, [](joint::Recording& warming) {
              for (std::size_t i = 0; i < warming.size(); ++i) {
                const double warm = warming.t_s[i] / warming.t_s.back();
                warming.torque_Nm[i] -= 0.4 * warm * friction_of(warming, i);
@@ -325,30 +346,37 @@ const std::vector<Breach>& breaches() {
        },
        "pairs of strokes"},
       {"temperature_rises", "temperature",
-       [](Dataset& d) {
+       [](joint::Dataset& d) {
          double temperature_C = 24;
-         each(d, [&](Recording& r) { r.temperature_C.assign(r.size(), temperature_C += 0.6); });
+         each(d,
+              [&](joint::Recording& r) { r.temperature_C.assign(r.size(), temperature_C += 0.6); });
        },
        "°C"},
       {"ripple_at_one_position", "torque_ripple",
-       [](Dataset& d) {
-         Scenario s = test::noisy_paper_joint(1);
+       [](joint::Dataset& d) {
+         simulate::Scenario s = test::noisy_paper_joint(1);
          s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
-         d = simulated_dataset(s);
+         d = simulate::simulated_dataset(s);
        },
        "6.00 periods"},
       {"torque_is_noise", "torque_noise",
-       [](Dataset& d) {
-         RandomStream random(7, 1);
-         each(d, [&](Recording& r) {
+       [](joint::Dataset& d) {
+         statistics::RandomStream random(7, 1);
+         each(d, [&](joint::Recording& r) {
            for (double& t : r.torque_Nm) t = random.normal();
          });
        },
        "white noise"},
       {"speed_and_torque_exchanged", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { std::swap(r.dq_rad_s, r.torque_Nm); }); }, ""},
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) { std::swap(r.dq_rad_s, r.torque_Nm); });
+       },
+       ""},
       {"angle_and_torque_exchanged", "speed_scale",
-       [](Dataset& d) { each(d, [](Recording& r) { std::swap(r.q_rad, r.torque_Nm); }); }, ""},
+       [](joint::Dataset& d) {
+         each(d, [](joint::Recording& r) { std::swap(r.q_rad, r.torque_Nm); });
+       },
+       ""},
   };
   return all;
 }
@@ -359,29 +387,30 @@ INSTANTIATE_TEST_SUITE_P(AllBreaches, BrokenDataset, testing::ValuesIn(breaches(
 TEST(BrokenDatasets, AreTwentyAndMore) { EXPECT_GE(breaches().size(), 20U); }
 
 TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
-  const Dataset d = good_dataset();
-  const Calibration c = identify(d);
-  EXPECT_EQ(c.judgement.verdict, Verdict::usable) << c.judgement.sentence;
-  for (const DataCheck& check : c.data_checks.checks) {
-    EXPECT_TRUE(check.state == CheckState::passed || check.state == CheckState::not_applicable)
+  const joint::Dataset d = good_dataset();
+  const calibration::Calibration c = identify::identify(d);
+  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
+  for (const method::checks::DataCheck& check : c.data_checks.checks) {
+    EXPECT_TRUE(check.state == method::checks::CheckState::passed ||
+                check.state == method::checks::CheckState::not_applicable)
         << check.name << ": " << check.found;
   }
 }
 
 TEST(BrokenDatasets, NothingOfATargetTorqueIsUsable) {
-  Dataset d = good_dataset();
-  d.manifest.drive = Drive(100, EffortKind::target_torque, Side::motor);
-  for (const QuantityVerdict& q : identify(d).judgement.quantities) {
-    EXPECT_NE(q.verdict, Verdict::usable) << q.key;
+  joint::Dataset d = good_dataset();
+  d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::motor);
+  for (const calibration::QuantityVerdict& q : identify::identify(d).judgement.quantities) {
+    EXPECT_NE(q.verdict, calibration::Verdict::usable) << q.key;
   }
 }
 
 TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
-  Dataset d = good_dataset();
+  joint::Dataset d = good_dataset();
   d.manifest.effort_is_confirmed = false;
-  const Calibration c = identify(d);
-  EXPECT_EQ(c.data_checks.find("effort_provenance")->state, CheckState::warns);
-  EXPECT_EQ(c.judgement.verdict, Verdict::usable) << c.judgement.sentence;
+  const calibration::Calibration c = identify::identify(d);
+  EXPECT_EQ(c.data_checks.find("effort_provenance")->state, method::checks::CheckState::warns);
+  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
   const auto& findings = c.judgement.findings;
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const std::string& finding) {
     return finding.find("nobody confirmed it") != std::string::npos;
@@ -390,48 +419,49 @@ TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
 
 TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
   // What a sensor at the joint feels: the load, and a hundredth of the drive's friction.
-  Dataset d = good_dataset();
-  d.manifest.drive = Drive(100, EffortKind::joint_torque, Side::joint);
-  each(d, [](Recording& r) {
+  joint::Dataset d = good_dataset();
+  d.manifest.drive = joint::Drive(100, joint::EffortKind::joint_torque, joint::Side::joint);
+  each(d, [](joint::Recording& r) {
     for (std::size_t i = 0; i < r.size(); ++i) r.torque_Nm[i] -= 0.99 * friction_of(r, i);
   });
-  const Calibration c = identify(d);
-  const DataCheck* check = c.data_checks.find("link_side_torque");
-  EXPECT_EQ(check->state, CheckState::warns) << check->found;
+  const calibration::Calibration c = identify::identify(d);
+  const method::checks::DataCheck* check = c.data_checks.find("link_side_torque");
+  EXPECT_EQ(check->state, method::checks::CheckState::warns) << check->found;
   EXPECT_NE(check->found.find("little gear friction"), std::string::npos) << check->found;
   EXPECT_NEAR(c.rough.gravity_Nm.value / test::true_gravity_Nm, 1, 0.01);
 }
 
 TEST(BrokenDatasets, RippleAtEightPositionsIsToldButFailsNothing) {
-  Scenario s = good_joint();
+  simulate::Scenario s = good_joint();
   s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
-  const Dataset d = simulated_dataset(s);
-  const Calibration c = identify(d);
-  const DataCheck* check = c.data_checks.find("torque_ripple");
-  EXPECT_EQ(check->state, CheckState::passed) << check->found;
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  const calibration::Calibration c = identify::identify(d);
+  const method::checks::DataCheck* check = c.data_checks.find("torque_ripple");
+  EXPECT_EQ(check->state, method::checks::CheckState::passed) << check->found;
   EXPECT_NE(check->found.find("6.00 periods"), std::string::npos) << check->found;
-  EXPECT_EQ(c.data_checks.find("ripple_period")->state, CheckState::passed);
+  EXPECT_EQ(c.data_checks.find("ripple_period")->state, method::checks::CheckState::passed);
 }
 
 // Torque stated on the motor's side and angle on the joint's: the gear ratio then scales masses and
 // joint torques, and nothing in such logs contradicts it. All that can show it is the motor's
 // ripple, whose periods a turn are whole numbers, or a speed logged on the motor's side (above).
 TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
-  Scenario s = test::noisy_paper_joint(1);
+  simulate::Scenario s = test::noisy_paper_joint(1);
   s.noise.ripple = {{0.02, 1, 0.6}, {0.02, 6, -1.2}};
-  Dataset rippled = simulated_dataset(s);
-  rippled.manifest.drive = Drive(80, EffortKind::motor_torque, Side::motor);
-  const DataChecksResult seen = identify(rippled).data_checks;
-  const DataCheck* period = seen.find("ripple_period");
-  EXPECT_EQ(period->state, CheckState::warns);
+  joint::Dataset rippled = simulate::simulated_dataset(s);
+  rippled.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
+  const method::checks::DataChecksResult seen = identify::identify(rippled).data_checks;
+  const method::checks::DataCheck* period = seen.find("ripple_period");
+  EXPECT_EQ(period->state, method::checks::CheckState::warns);
   // 6 periods in 1/100 of a joint's turn are 7.5 in 1/80.
   EXPECT_NE(period->found.find("7.50 periods"), std::string::npos) << period->found;
 
-  Dataset smooth = good_dataset();
-  const Calibration right = identify(smooth);
-  smooth.manifest.drive = Drive(80, EffortKind::motor_torque, Side::motor);
-  const Calibration wrong = identify(smooth);
-  EXPECT_EQ(wrong.data_checks.find("ripple_period")->state, CheckState::not_applicable);
+  joint::Dataset smooth = good_dataset();
+  const calibration::Calibration right = identify::identify(smooth);
+  smooth.manifest.drive = joint::Drive(80, joint::EffortKind::motor_torque, joint::Side::motor);
+  const calibration::Calibration wrong = identify::identify(smooth);
+  EXPECT_EQ(wrong.data_checks.find("ripple_period")->state,
+            method::checks::CheckState::not_applicable);
   EXPECT_NE(wrong.data_checks.find("ripple_period")->found.find("nothing in these logs checks"),
             std::string::npos);
   const double mass = right.masses.find("midline")->mass_kg.value;

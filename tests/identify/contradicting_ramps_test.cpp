@@ -18,46 +18,46 @@ namespace tribolog {
 namespace {
 
 /// The ramps of a joint that sticks twice as hard as the one that made the loops.
-Dataset loops_and_contradicting_ramps(double largest_torque_Nm) {
-  Scenario loops = test::noisy_paper_joint(3);
+joint::Dataset loops_and_contradicting_ramps(double largest_torque_Nm) {
+  simulate::Scenario loops = test::noisy_paper_joint(3);
   loops.rough_sweep.reset();
   loops.precise_sweep.reset();
   loops.constant_speed.reset();
-  Scenario ramps = loops;
+  simulate::Scenario ramps = loops;
   ramps.oscillation.reset();
-  LuGreFriction::Parameters contact = test::paper_contact().parameters();
+  friction::LuGreFriction::Parameters contact = test::paper_contact().parameters();
   contact.coulomb_Nm *= 2;
   contact.static_Nm *= 2;
-  ramps.presliding = std::make_shared<LuGreFriction>(contact);
-  BreakAwayExperiment slow;
+  ramps.presliding = std::make_shared<friction::LuGreFriction>(contact);
+  simulate::BreakAwayExperiment slow;
   slow.centre_rad = test::true_q_peak_rad() + std::numbers::pi / 2;  // gravity is nothing there
   slow.rate_Nm_s = 0.2;
   slow.largest_torque_Nm = largest_torque_Nm;
   slow.repeats = 3;
   ramps.break_away = slow;
-  Dataset dataset = test::simulated_dataset(loops);
-  for (Recording& ramp : test::simulated_dataset(ramps).recordings) {
+  joint::Dataset dataset = simulate::simulated_dataset(loops);
+  for (joint::Recording& ramp : simulate::simulated_dataset(ramps).recordings) {
     dataset.recordings.push_back(std::move(ramp));
   }
   return dataset;
 }
 
-Calibration identified(const Dataset& dataset) {
-  IdentifyOptions options;
+calibration::Calibration identified(const joint::Dataset& dataset) {
+  identify::IdentifyOptions options;
   options.resamples = 100;
   options.truth_runs = 2;
-  return identify(dataset, options);
+  return identify::identify(dataset, options);
 }
 
-const QuantityVerdict& break_away_verdict(const Calibration& c) {
-  for (const QuantityVerdict& q : c.judgement.quantities) {
+const calibration::QuantityVerdict& break_away_verdict(const calibration::Calibration& c) {
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
     if (q.key == "break_away_torque") return q;
   }
   throw std::logic_error("no verdict on the break-away torque");
 }
 
 TEST(ContradictingRamps, TheLevelHasNoNumberNoIntervalAndAReason) {
-  const Calibration c = identified(loops_and_contradicting_ramps(2.5));
+  const calibration::Calibration c = identified(loops_and_contradicting_ramps(2.5));
   ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
   EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
@@ -66,19 +66,20 @@ TEST(ContradictingRamps, TheLevelHasNoNumberNoIntervalAndAReason) {
   ASSERT_TRUE(stiffness);
   EXPECT_LE(stiffness->low, 465.42);
   EXPECT_GE(stiffness->high, 465.42);
-  const TwoIntervals* both = c.intervals.find("lugre.bristle_stiffness_Nm_rad");
+  const method::intervals::TwoIntervals* both = c.intervals.find("lugre.bristle_stiffness_Nm_rad");
   ASSERT_NE(both, nullptr);
   ASSERT_TRUE(both->closed_form && both->bootstrap);
   EXPECT_EQ(both->closed_form->value, stiffness->value);
   EXPECT_NEAR(both->bootstrap->half_width() / stiffness->half_width(), 1, 0.5);
   // The break-away torque is that of the ramps, which end 0.7 % below it.
-  const QuantityVerdict& q = break_away_verdict(c);
+  const calibration::QuantityVerdict& q = break_away_verdict(c);
   ASSERT_TRUE(q.estimate);
   EXPECT_NEAR(q.estimate->value, 2 * 0.88437633, 0.03);
 }
 
 TEST(ContradictingRamps, TheJsonSaysWhy) {
-  const std::string text = calibration_json(identified(loops_and_contradicting_ramps(2.5)), {});
+  const std::string text =
+      calibration::calibration_json(identified(loops_and_contradicting_ramps(2.5)), {});
   EXPECT_EQ(text.find('\0'), std::string::npos);
   const nlohmann::json lugre = nlohmann::json::parse(text)["friction"]["lugre"];
   EXPECT_TRUE(lugre["static_Nm"]["motor"].is_null());
@@ -91,12 +92,12 @@ TEST(ContradictingRamps, TheJsonSaysWhy) {
 }
 
 TEST(ContradictingRamps, RampsThatNeverSlideLeaveNoNumberAtAll) {
-  const Calibration c = identified(loops_and_contradicting_ramps(1.6));
+  const calibration::Calibration c = identified(loops_and_contradicting_ramps(1.6));
   ASSERT_EQ(c.break_away.censored, c.break_away.ramps.size());
   EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
-  const QuantityVerdict& q = break_away_verdict(c);
+  const calibration::QuantityVerdict& q = break_away_verdict(c);
   EXPECT_FALSE(q.estimate);
-  EXPECT_EQ(q.verdict, Verdict::not_identifiable);
+  EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);
   ASSERT_FALSE(q.reasons.empty());
   EXPECT_NE(q.reasons.front().find("without sliding"), std::string::npos) << q.reasons.front();
 }

@@ -25,16 +25,16 @@ constexpr std::size_t seeds = 200;
 constexpr double least_coverage = 0.91;
 constexpr double largest_coverage = 0.99;
 
-Scenario with_ripple(Scenario s, std::uint64_t seed) {
-  RandomStream random(seed, 777);
+simulate::Scenario with_ripple(simulate::Scenario s, std::uint64_t seed) {
+  statistics::RandomStream random(seed, 777);
   for (const double periods : {1.0, 6.0}) {
     s.noise.ripple.push_back({0.02, periods, 2 * std::numbers::pi * random.uniform()});
   }
   return s;
 }
 
-Scenario from_eight_positions(Scenario s) {
-  const auto all = spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
+simulate::Scenario from_eight_positions(simulate::Scenario s) {
+  const auto all = simulate::spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
   s.oscillation = all.front();
   s.further_oscillations.assign(all.begin() + 1, all.end());
   return s;
@@ -42,22 +42,22 @@ Scenario from_eight_positions(Scenario s) {
 
 std::map<std::string, double> known_truths() {
   // Points A to F: what a log without noise shows, with its bristle.
-  const Dataset clean = test::simulated_dataset(test::paper_joint());
-  IdentifyOptions closed_forms;
+  const joint::Dataset clean = simulate::simulated_dataset(test::paper_joint());
+  identify::IdentifyOptions closed_forms;
   closed_forms.resamples = 0;
-  const Calibration c = identify(clean, closed_forms);
+  const calibration::Calibration c = identify::identify(clean, closed_forms);
   std::map<std::string, double> truth;
-  for (const SurrogateMass& m : c.masses.masses) {
+  for (const method::hysteresis::SurrogateMass& m : c.masses.masses) {
     truth["mass_kg." + m.estimator] =
         m.estimator.size() == 1 ? m.mass_kg.value : test::true_surrogate_mass_kg;
   }
   truth["q_peak_rad"] = truth["q_peak_rough_rad"] = test::true_q_peak_rad();
   truth["coulomb_of_sweep_Nm"] = c.rough.coulomb_Nm->value;
-  const LuGreFriction::Parameters contact = test::paper_contact().parameters();
+  const friction::LuGreFriction::Parameters contact = test::paper_contact().parameters();
   truth["lugre.bristle_stiffness_Nm_rad"] = contact.bristle_stiffness_Nm_rad;
   truth["lugre.bristle_damping_Nms_rad"] = contact.bristle_damping_Nms_rad;
   truth["lugre.static_Nm"] = contact.static_Nm;
-  const WaiboerFriction::Parameters curve = test::paper_curve().parameters();
+  const friction::WaiboerFriction::Parameters curve = test::paper_curve().parameters();
   truth["waiboer.asperity_torque_Nm"] = curve.asperity_torque_Nm;
   truth["waiboer.stribeck_speed_rad_s"] = curve.stribeck_speed_rad_s;
   truth["waiboer.stribeck_power"] = curve.stribeck_power;
@@ -73,27 +73,27 @@ struct Coverage {
   double largest_mass_error{};                // of the mid-line, share
 };
 
-Coverage coverage_of(const std::function<Scenario(std::uint64_t)>& scenario) {
+Coverage coverage_of(const std::function<simulate::Scenario(std::uint64_t)>& scenario) {
   const std::map<std::string, double> truth = known_truths();
-  const WaiboerFriction curve = test::paper_curve();
+  const friction::WaiboerFriction curve = test::paper_curve();
   Coverage out;
   std::mutex guard;
   parallel_for(seeds, [&](std::size_t k) {
-    const Dataset dataset = test::simulated_dataset(scenario(k + 1));
-    IdentifyOptions options;
+    const joint::Dataset dataset = simulate::simulated_dataset(scenario(k + 1));
+    identify::IdentifyOptions options;
     options.resamples = 200;
     options.seed = k + 1;
     options.threads = 1;
-    const Calibration c = identify(dataset, options);
+    const calibration::Calibration c = identify::identify(dataset, options);
     const std::lock_guard lock(guard);
-    for (const TwoIntervals& q : c.intervals.quantities) {
+    for (const method::intervals::TwoIntervals& q : c.intervals.quantities) {
       const auto at = truth.find(q.name);
       if (at == truth.end()) continue;
-      const Estimate& e = *q.stated();
+      const statistics::Estimate& e = *q.stated();
       out.share[q.name] += e.low <= at->second && at->second <= e.high ? 1.0 : 0.0;
       out.width_ratio[q.name] += q.ratio() / seeds;
     }
-    const CurveBand& band = *c.intervals.band("midline");
+    const method::intervals::CurveBand& band = *c.intervals.band("midline");
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       const double torque = curve.torque_Nm(c.viscous.runs[i].speed_rad_s);
       const bool covered = band.low_Nm[i] <= torque && torque <= band.high_Nm[i];
@@ -149,11 +149,11 @@ TEST(IntervalCoverage, WithRippleFromEightPositions) {
 }
 
 TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
-  const Scenario s = with_ripple(test::noisy_paper_joint(3), 3);
-  IdentifyOptions closed_forms;
+  const simulate::Scenario s = with_ripple(test::noisy_paper_joint(3), 3);
+  identify::IdentifyOptions closed_forms;
   closed_forms.resamples = 0;
-  const Dataset one = test::simulated_dataset(s);
-  const Calibration c = identify(one, closed_forms);
+  const joint::Dataset one = simulate::simulated_dataset(s);
+  const calibration::Calibration c = identify::identify(one, closed_forms);
   ASSERT_EQ(c.rough.ripple.lines.size(), 2U);
   ASSERT_TRUE(c.position_plan);
   EXPECT_EQ(c.position_plan->further_rad.size(), 7U);
@@ -166,12 +166,12 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
     EXPECT_NE(why.find(piece), std::string::npos) << piece << " in\n" << why;
   }
   // The positions planned are those that the scenario would take, and they bring what was promised.
-  const Scenario eight = from_eight_positions(s);
+  const simulate::Scenario eight = from_eight_positions(s);
   for (std::size_t k = 0; k < 7; ++k) {
     EXPECT_NEAR(c.position_plan->further_rad[k], eight.further_oscillations[k].centre_rad, 1e-5);
   }
-  const Dataset all = test::simulated_dataset(eight);
-  const Calibration after = identify(all, closed_forms);
+  const joint::Dataset all = simulate::simulated_dataset(eight);
+  const calibration::Calibration after = identify::identify(all, closed_forms);
   EXPECT_FALSE(after.position_plan);
   const double promised = c.position_plan->expected_half_width_Nm;
   const double brought = after.masses.find("midline")->gravity_Nm.half_width();

@@ -21,20 +21,20 @@ struct Tally {
   int shown{};
   int covered{};
   double worst{};  ///< Largest relative error.
-  void add(const Estimate& e, double truth) {
+  void add(const statistics::Estimate& e, double truth) {
     ++shown;
     covered += e.low <= truth && truth <= e.high ? 1 : 0;
     worst = std::max(worst, std::abs(e.value / truth - 1));
   }
 };
 
-std::map<std::string, Tally> tally(std::size_t seeds,
-                                   const std::function<Scenario(std::size_t seed)>& scenario) {
+std::map<std::string, Tally> tally(
+    std::size_t seeds, const std::function<simulate::Scenario(std::size_t seed)>& scenario) {
   std::map<std::string, Tally> all;
   std::mutex guard;
   parallel_for(seeds, [&](std::size_t k) {
-    const Scenario s = scenario(k + 1);
-    const LuGreFit f = test::fit_loops(s);
+    const simulate::Scenario s = scenario(k + 1);
+    const method::hysteresis::LuGreFit f = test::fit_loops(s);
     const std::lock_guard lock(guard);
     for (const auto& [name, truth] : test::true_parameters(s)) {
       if (const auto e = f.shown(name)) all[name].add(*e, truth);
@@ -72,7 +72,7 @@ TEST(LuGreCoverage, InRealisticNoise) {
 TEST(LuGreCoverage, OfTheWholeModelFromALargeLoop) {
   constexpr int seeds = 50;  // few, for the time of the test
   auto all = tally(seeds, [](std::size_t seed) {
-    Scenario s = test::noisy_paper_joint(seed);
+    simulate::Scenario s = test::noisy_paper_joint(seed);
     s.oscillation->amplitude_rad = 0.05;
     s.oscillation->sample_rate_Hz = 400;
     return s;
@@ -87,7 +87,7 @@ TEST(LuGreCoverage, OfTheWholeModelFromALargeLoop) {
 
 TEST(LuGreCoverage, WithRippleFromEightPositions) {
   auto all = tally(200, [](std::size_t seed) {
-    Scenario s = test::noisy_paper_joint(seed);
+    simulate::Scenario s = test::noisy_paper_joint(seed);
     s.oscillation->cycles = 4;  // for the time of the test
     const auto k = static_cast<double>(seed);
     return test::at_eight_positions(s, 2.399963 * k, 5.0 + 3.883222 * k);

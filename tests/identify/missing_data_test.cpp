@@ -8,22 +8,22 @@
 namespace tribolog {
 namespace {
 
-void expect_every_gap_has_words(const Calibration& c) {
-  for (const StageReport& stage : c.stages()) {
+void expect_every_gap_has_words(const calibration::Calibration& c) {
+  for (const statistics::StageReport& stage : c.stages()) {
     EXPECT_FALSE(stage.name.empty());
-    EXPECT_TRUE(stage.state == StageState::done || !stage.reason.empty()) << stage.name;
+    EXPECT_TRUE(stage.state == statistics::StageState::done || !stage.reason.empty()) << stage.name;
   }
 }
 
 TEST(MissingData, EverySubsetOfRolesRuns) {
   for (int subset = 0; subset < 16; ++subset) {
-    Scenario s = test::paper_joint();
+    simulate::Scenario s = test::paper_joint();
     if ((subset & 1) == 0) s.rough_sweep.reset();
     if ((subset & 2) == 0) s.precise_sweep.reset();
     if ((subset & 4) == 0) s.oscillation.reset();
     if ((subset & 8) == 0) s.constant_speed.reset();
-    const Dataset d = test::simulated_dataset(s);
-    const Calibration c = identify(d);
+    const joint::Dataset d = simulate::simulated_dataset(s);
+    const calibration::Calibration c = identify::identify(d);
     expect_every_gap_has_words(c);
     const bool has_runs = (subset & 8) != 0;  // their angle travels: gravity shows in them too
     const bool has_sweep = (subset & 3) != 0 || has_runs;
@@ -31,19 +31,19 @@ TEST(MissingData, EverySubsetOfRolesRuns) {
     const bool has_mass = (subset & 4) != 0 || (subset & 1) != 0 || has_runs;
     EXPECT_EQ(!c.selection.recommended.empty(), has_mass) << subset;
     // The precise sweep adds nothing that the rough one cannot give; the others are needed.
-    EXPECT_EQ(c.judgement.verdict == Verdict::usable, (subset & 13) == 13) << subset;
+    EXPECT_EQ(c.judgement.verdict == calibration::Verdict::usable, (subset & 13) == 13) << subset;
     if (!has_sweep || !has_mass) {
-      EXPECT_EQ(c.judgement.verdict, Verdict::not_identifiable) << subset;
+      EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable) << subset;
     }
   }
 }
 
 TEST(MissingData, RecordingsOfARoleMayBeMany) {
-  Scenario s = test::paper_joint();
-  Dataset d = test::simulated_dataset(s);
+  simulate::Scenario s = test::paper_joint();
+  joint::Dataset d = simulate::simulated_dataset(s);
   const std::size_t once = d.recordings.size();
   for (std::size_t i = 0; i < once; ++i) d.recordings.push_back(d.recordings[i]);
-  const Calibration c = identify(d);
+  const calibration::Calibration c = identify::identify(d);
   EXPECT_NEAR(c.masses.find("midline")->mass_kg.value, test::true_surrogate_mass_kg, 0.01);
   EXPECT_NEAR(c.q_peak_rad->value, test::true_q_peak_rad(), 1e-7);
   EXPECT_EQ(c.viscous.runs.size(), 80U);

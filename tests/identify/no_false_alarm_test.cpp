@@ -18,9 +18,9 @@ namespace {
 using test::findings_of;
 
 std::vector<std::string> findings_in_example(const std::string& name) {
-  const Dataset dataset = simulated_dataset(
-      read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name));
-  return findings_of(identify(dataset).data_checks);
+  const joint::Dataset dataset = simulate::simulated_dataset(ingest::manifest::read_scenario(
+      std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name));
+  return test::findings_of(identify::identify(dataset).data_checks);
 }
 
 TEST(NoFalseAlarm, InThePapersJointCleanAndNoisy) {
@@ -34,8 +34,10 @@ TEST(NoFalseAlarm, RippleAtOnePositionIsAllThatIsWrongWithTheRipplingOne) {
 
 TEST(NoFalseAlarm, OverTwentySeedsOfNoise) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Dataset dataset = simulated_dataset(test::noisy_paper_joint(seed));
-    EXPECT_EQ(findings_of(check_recordings(dataset)), std::vector<std::string>{}) << seed;
+    const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(seed));
+    EXPECT_EQ(test::findings_of(method::checks::check_recordings(dataset)),
+              std::vector<std::string>{})
+        << seed;
   }
 }
 

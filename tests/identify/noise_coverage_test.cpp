@@ -16,9 +16,9 @@ TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
   int covered = 0;
   int b_is_possible = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(seed));
-    const Calibration c = identify(dataset);
-    const SurrogateMass* m = c.masses.find("midline");
+    const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(seed));
+    const calibration::Calibration c = identify::identify(dataset);
+    const method::hysteresis::SurrogateMass* m = c.masses.find("midline");
     ASSERT_NE(m, nullptr) << seed;
     EXPECT_NEAR(m->mass_kg.value / test::true_surrogate_mass_kg, 1, 1e-3) << "seed " << seed;
     covered += m->mass_kg.low <= test::true_surrogate_mass_kg &&

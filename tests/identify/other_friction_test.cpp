@@ -14,8 +14,8 @@ namespace tribolog {
 namespace {
 
 /// The paper's contact, as every model is matched to it.
-ContactParameters contact() {
-  const LuGreFriction::Parameters p = test::paper_contact().parameters();
+friction::ContactParameters contact() {
+  const friction::LuGreFriction::Parameters p = test::paper_contact().parameters();
   return {p.bristle_stiffness_Nm_rad,
           p.bristle_damping_Nms_rad,
           p.viscous_Nms_rad,
@@ -35,7 +35,7 @@ class OtherFriction : public testing::TestWithParam<std::string> {
 /// All that are elastic before they slide; the others have no loop to speak of.
 std::vector<std::string> presliding_models() {
   std::vector<std::string> names;
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     if (one.traits.presliding) names.push_back(one.name);
   }
   return names;
@@ -46,10 +46,10 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, OtherFriction, testing::ValuesIn(presliding_m
 
 TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
   for (const bool noisy : {false, true}) {
-    Scenario scenario = noisy ? test::noisy_paper_joint(7) : test::paper_joint();
-    scenario.presliding = dynamic_friction_model(GetParam()).matched(contact());
-    const Calibration c = identify(test::simulated_dataset(scenario));
-    const SurrogateMass* midline = c.masses.find("midline");
+    simulate::Scenario scenario = noisy ? test::noisy_paper_joint(7) : test::paper_joint();
+    scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
+    const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
+    const method::hysteresis::SurrogateMass* midline = c.masses.find("midline");
     ASSERT_NE(midline, nullptr);
     EXPECT_EQ(c.selection.recommended, "midline");
     EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error()) << noisy;
@@ -58,36 +58,39 @@ TEST_P(OtherFriction, MidlineGivesTheMassWhateverTheModel) {
 }
 
 /// The verdict on the bristle stiffness; LuGre's is fitted, whatever the joint's friction.
-const QuantityVerdict& stiffness_of(const Calibration& c) {
+const calibration::QuantityVerdict& stiffness_of(const calibration::Calibration& c) {
   const auto& all = c.judgement.quantities;
-  return *std::find_if(all.begin(), all.end(),
-                       [](const QuantityVerdict& q) { return q.key == "bristle_stiffness"; });
+  return *std::find_if(all.begin(), all.end(), [](const calibration::QuantityVerdict& q) {
+    return q.key == "bristle_stiffness";
+  });
 }
 
 TEST_P(OtherFriction, StiffnessIsUsableOnlyWhereLuGreDescribesTheLoop) {
-  Scenario scenario = test::noisy_paper_joint(7);
-  scenario.presliding = dynamic_friction_model(GetParam()).matched(contact());
-  const Calibration c = identify(test::simulated_dataset(scenario));
+  simulate::Scenario scenario = test::noisy_paper_joint(7);
+  scenario.presliding = friction::dynamic_friction_model(GetParam()).matched(contact());
+  const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
   const auto stiffness = c.hysteresis.lugre->shown("bristle_stiffness_Nm_rad");
   ASSERT_TRUE(stiffness);
   const double error = stiffness->value / contact().stiffness_Nm_rad - 1;
   constexpr double small = 0.05;
-  EXPECT_EQ(stiffness_of(c).verdict == Verdict::usable, std::abs(error) < small) << error;
+  EXPECT_EQ(stiffness_of(c).verdict == calibration::Verdict::usable, std::abs(error) < small)
+      << error;
 }
 
 /// The matched model with one parameter changed.
-std::shared_ptr<const DynamicFriction> with(const std::string& model, const NamedParameter& own) {
-  const FrictionModelEntry& entry = dynamic_friction_model(model);
-  NamedParameters values = entry.matched_parameters(contact());
-  for (NamedParameter& one : values) {
+std::shared_ptr<const friction::DynamicFriction> with(const std::string& model,
+                                                      const friction::NamedParameter& own) {
+  const friction::FrictionModelEntry& entry = friction::dynamic_friction_model(model);
+  friction::NamedParameters values = entry.matched_parameters(contact());
+  for (friction::NamedParameter& one : values) {
     if (one.key == own.key) one.value = own.value;
   }
   return entry.make(values);
 }
 
 /// For each model one parameter that no other has, far from the matched one.
-NamedParameter own_parameter(const std::string& model) {
-  static const std::map<std::string, NamedParameter> own{
+friction::NamedParameter own_parameter(const std::string& model) {
+  static const std::map<std::string, friction::NamedParameter> own{
       {"dahl", {"exponent", "", false, 0.5}},
       {"haessig_bristles", {"bristles", "", false, std::uint64_t{2000}}},
       {"reset_integrator", {"stiction_gain", "", false, 0.1}},
@@ -97,17 +100,18 @@ NamedParameter own_parameter(const std::string& model) {
       {"leuven", {"transition_power", "", false, 1.5}},
       {"elasto_plastic", {"break_away_deflection_rad", "", false, 2e-4}},
       {"gms",
-       {"elements", "", false, std::vector<MaxwellElement>{{300, 0.2}, {120, 0.3}, {60, 0.5}}}}};
+       {"elements", "", false,
+        std::vector<friction::MaxwellElement>{{300, 0.2}, {120, 0.3}, {60, 0.5}}}}};
   return own.at(model);
 }
 
 TEST_P(OtherFriction, MidlineGivesTheMassWithOwnParameters) {
-  Scenario scenario = test::paper_joint();
+  simulate::Scenario scenario = test::paper_joint();
   scenario.presliding = with(GetParam(), own_parameter(GetParam()));
   ASSERT_NE(scenario.presliding->named_parameters(),
-            dynamic_friction_model(GetParam()).matched_parameters(contact()));
-  const Calibration c = identify(test::simulated_dataset(scenario));
-  const SurrogateMass* midline = c.masses.find("midline");
+            friction::dynamic_friction_model(GetParam()).matched_parameters(contact()));
+  const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
+  const method::hysteresis::SurrogateMass* midline = c.masses.find("midline");
   ASSERT_NE(midline, nullptr);
   EXPECT_NEAR(midline->mass_kg.value / test::true_surrogate_mass_kg, 1, mass_error());
 }
@@ -116,7 +120,8 @@ class WholeJoint : public testing::TestWithParam<std::string> {};
 
 std::vector<std::string> all_models() {
   std::vector<std::string> names;
-  for (const FrictionModelEntry& one : dynamic_friction_models()) names.push_back(one.name);
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models())
+    names.push_back(one.name);
   return names;
 }
 
@@ -126,17 +131,17 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, WholeJoint, testing::ValuesIn(all_models()),
 // One dynamic model drives sweeps, oscillation and runs. At constant speed it has forgotten its
 // start, so that the sweep's mass leaves the model's steady curve, and nothing else.
 TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
-  Scenario scenario = test::paper_joint();
-  const FrictionModelEntry& model = dynamic_friction_model(GetParam());
+  simulate::Scenario scenario = test::paper_joint();
+  const friction::FrictionModelEntry& model = friction::dynamic_friction_model(GetParam());
   scenario.presliding = model.matched(contact());
   if (model.traits.remembers_rest) {  // any rest is then a long one
     scenario.presliding = with(GetParam(), {"rise_time_s", "", false, 1e-6});
   }
   scenario.sliding = nullptr;
-  const Calibration c = identify(test::simulated_dataset(scenario));
+  const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));
   // 500 random bonds scatter by 1/sqrt(500) of 3/sqrt(5) Coulomb torques, less after averaging.
   const double friction_error_Nm = GetParam() == "haessig_bristles" ? 0.01 : 1e-4;
-  const ViscousCurve* curve = c.viscous.find("sweep");
+  const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
   ASSERT_TRUE(curve != nullptr && c.viscous.runs.size() == 40);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     const double speed = c.viscous.runs[i].speed_rad_s;
@@ -144,7 +149,7 @@ TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
                 friction_error_Nm)
         << speed;
   }
-  const QualityError* error = c.quality.find("sweep");
+  const method::selection::QualityError* error = c.quality.find("sweep");
   ASSERT_NE(error, nullptr);
   EXPECT_EQ(c.quality.reference, model.traits.remembers_rest ? "direction_difference" : "analytic");
   // Half the difference of the directions is good to 2e-3 N·m (viscous_curves_test).

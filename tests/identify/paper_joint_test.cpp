@@ -16,28 +16,28 @@ namespace {
 class PaperJoint : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    dataset_ = new Dataset(test::simulated_dataset(test::paper_joint()));
-    calibration_ = new Calibration(identify(*dataset_));
+    dataset_ = new joint::Dataset(simulate::simulated_dataset(test::paper_joint()));
+    calibration_ = new calibration::Calibration(identify::identify(*dataset_));
   }
   static void TearDownTestSuite() {
     delete calibration_;
     delete dataset_;
   }
-  static const Calibration& c() { return *calibration_; }
+  static const calibration::Calibration& c() { return *calibration_; }
 
  private:
-  static Dataset* dataset_;
-  static Calibration* calibration_;
+  static joint::Dataset* dataset_;
+  static calibration::Calibration* calibration_;
 };
 
-Dataset* PaperJoint::dataset_ = nullptr;
-Calibration* PaperJoint::calibration_ = nullptr;
+joint::Dataset* PaperJoint::dataset_ = nullptr;
+calibration::Calibration* PaperJoint::calibration_ = nullptr;
 
 TEST_F(PaperJoint, SixMassesWithinHalfAPercentOfTable2) {
   const std::pair<const char*, double> table_2[] = {{"A", 79.999}, {"B", 78.811}, {"C", 97.023},
                                                     {"D", 61.009}, {"E", 75.494}, {"F", 82.785}};
   for (const auto& [estimator, mass] : table_2) {
-    const SurrogateMass* ours = c().masses.find(estimator);
+    const method::hysteresis::SurrogateMass* ours = c().masses.find(estimator);
     ASSERT_NE(ours, nullptr) << estimator;
     EXPECT_NEAR(ours->mass_kg.value / mass, 1, 0.005) << estimator;
   }
@@ -62,7 +62,7 @@ TEST_F(PaperJoint, AnglesOfTheCentreOfGravity) {
 
 TEST_F(PaperJoint, CorrectedAngleIsTheAngleAtThePointChosen) {
   // Eq. (14): q_c less the micro-angle at which B was read.
-  const LoopPoint& b = c().hysteresis.points[1];
+  const method::hysteresis::LoopPoint& b = c().hysteresis.points[1];
   ASSERT_TRUE(c().selection.q_c_corrected_rad);
   EXPECT_NEAR(*c().selection.q_c_corrected_rad, -b.q_rad, 1e-12);
   EXPECT_GT(c().selection.q_c_rad->value - *c().selection.q_c_corrected_rad, 0);
@@ -77,14 +77,14 @@ TEST_F(PaperJoint, ViscousParametersComeBack) {
 }
 
 TEST_F(PaperJoint, EveryStageIsDoneAndTheVerdictIsUsable) {
-  for (const StageReport& stage : c().stages()) {
-    EXPECT_EQ(stage.state, StageState::done) << stage.name << ": " << stage.reason;
+  for (const statistics::StageReport& stage : c().stages()) {
+    EXPECT_EQ(stage.state, statistics::StageState::done) << stage.name << ": " << stage.reason;
   }
-  EXPECT_EQ(c().judgement.verdict, Verdict::usable);
+  EXPECT_EQ(c().judgement.verdict, calibration::Verdict::usable);
 }
 
 TEST_F(PaperJoint, EveryIntervalHoldsItsEstimate) {
-  for (const SurrogateMass& m : c().masses.masses) {
+  for (const method::hysteresis::SurrogateMass& m : c().masses.masses) {
     EXPECT_LE(m.mass_kg.low, m.mass_kg.value);
     EXPECT_GE(m.mass_kg.high, m.mass_kg.value);
   }

@@ -12,21 +12,22 @@ namespace tribolog {
 namespace {
 
 /// Calibration of the same data without the true curve.
-Calibration identify_blind(Dataset dataset) {
+calibration::Calibration identify_blind(joint::Dataset dataset) {
   dataset.manifest.reference.reset();
-  return identify(dataset);
+  return identify::identify(dataset);
 }
 
 TEST(QualityWithoutTruth, ReferenceAgreesWithTheTrueCurveWithinItsInterval) {
   constexpr std::uint64_t seeds = 20;
-  const WaiboerFriction truth = test::paper_curve();
+  const friction::WaiboerFriction truth = test::paper_curve();
   int covered = 0;
   int all = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Calibration c = identify_blind(test::simulated_dataset(test::noisy_paper_joint(seed)));
+    const calibration::Calibration c =
+        identify_blind(simulate::simulated_dataset(test::noisy_paper_joint(seed)));
     ASSERT_EQ(c.quality.reference, "direction_difference");
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
-      const ConstantSpeedRun& run = c.viscous.runs[i];
+      const method::viscous::ConstantSpeedRun& run = c.viscous.runs[i];
       if (run.speed_rad_s < 0) continue;  // partners share one reference
       const double error = std::abs(c.quality.reference_Nm[i] - truth.torque_Nm(run.speed_rad_s));
       covered += error <= c.quality.reference_half_width_Nm[i];
@@ -43,9 +44,9 @@ TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
   constexpr std::uint64_t seeds = 20;
   int same = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(seed));
-    const Calibration sighted = identify(dataset);
-    const Calibration blind = identify_blind(dataset);
+    const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(seed));
+    const calibration::Calibration sighted = identify::identify(dataset);
+    const calibration::Calibration blind = identify_blind(dataset);
     EXPECT_EQ(sighted.quality.reference, "analytic");
     EXPECT_EQ(sighted.quality.reference_rms_percent, 0);
     EXPECT_EQ(sighted.selection.recommended, blind.selection.recommended);
@@ -53,7 +54,7 @@ TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
     EXPECT_GT(blind.quality.reference_rms_percent, 0);
     EXPECT_NE(blind.quality.evidence.find("no evidence"), std::string::npos)
         << blind.quality.evidence;
-    for (const QualityError& e : sighted.quality.errors) {
+    for (const method::selection::QualityError& e : sighted.quality.errors) {
       const double other = blind.quality.find(e.estimator)->rms_percent;
       EXPECT_NEAR(other, e.rms_percent, std::max(0.05, 2 * blind.quality.reference_rms_percent));
     }
@@ -65,14 +66,14 @@ TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
 // shifts every candidate by the same amount, and the asymmetry says so.
 TEST(QualityWithoutTruth, AsymmetricFrictionIsSeenBesideIt) {
   constexpr double offset_Nm = 0.15;
-  Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(5));
-  const Calibration even = identify_blind(dataset);
+  joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(5));
+  const calibration::Calibration even = identify_blind(dataset);
   EXPECT_FALSE(even.direction_asymmetry.found) << even.direction_asymmetry.sentence;
-  for (Recording& r : dataset.recordings) {
-    if (r.role != Role::constant_speed) continue;
+  for (joint::Recording& r : dataset.recordings) {
+    if (r.role != joint::Role::constant_speed) continue;
     for (double& torque : r.torque_Nm) torque += offset_Nm;
   }
-  const Calibration odd = identify_blind(dataset);
+  const calibration::Calibration odd = identify_blind(dataset);
   ASSERT_TRUE(odd.direction_asymmetry.examined);
   EXPECT_TRUE(odd.direction_asymmetry.found) << odd.direction_asymmetry.sentence;
   EXPECT_NEAR(odd.direction_asymmetry.mean_Nm.value, offset_Nm, 0.01);
@@ -83,11 +84,11 @@ TEST(QualityWithoutTruth, AsymmetricFrictionIsSeenBesideIt) {
 
 // Runs whose directions share no angle have no such reference.
 TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
-  Dataset dataset = test::simulated_dataset(test::paper_joint());
+  joint::Dataset dataset = simulate::simulated_dataset(test::paper_joint());
   dataset.manifest.reference.reset();
-  std::vector<Recording> cut;
-  for (const Recording& r : dataset.recordings) {
-    if (r.role != Role::constant_speed) {
+  std::vector<joint::Recording> cut;
+  for (const joint::Recording& r : dataset.recordings) {
+    if (r.role != joint::Role::constant_speed) {
       cut.push_back(r);
       continue;
     }
@@ -95,7 +96,7 @@ TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
     const auto top = static_cast<std::size_t>(std::max_element(r.q_rad.begin(), r.q_rad.end()) -
                                               r.q_rad.begin());
     for (const bool back : {false, true}) {
-      Recording part;
+      joint::Recording part;
       part.name = r.name;
       part.role = r.role;
       for (std::size_t i = back ? top : 0; i < (back ? r.size() : top); ++i) {
@@ -107,7 +108,7 @@ TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
     }
   }
   dataset.recordings = std::move(cut);
-  const Calibration c = identify(dataset);
+  const calibration::Calibration c = identify::identify(dataset);
   EXPECT_TRUE(c.quality.reference.empty());
   EXPECT_NE(c.quality.stage.reason.find("the directions share no angle"), std::string::npos)
       << c.quality.stage.reason;

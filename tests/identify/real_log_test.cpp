@@ -18,14 +18,14 @@ namespace {
 
 using test::findings_of;
 
-Calibration identify_manifest(const std::string& name, Dataset& dataset) {
-  dataset = read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
-  return identify(dataset);
+calibration::Calibration identify_manifest(const std::string& name, joint::Dataset& dataset) {
+  dataset = ingest::dataset::read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + name);
+  return identify::identify(dataset);
 }
 
 /// Some 6 % of the gravity torque: the joint's friction at angles held out is described more than
 /// twice as well with it, and no curve of the speed alone does that.
-void expect_load_dependence(const Calibration& c) {
+void expect_load_dependence(const calibration::Calibration& c) {
   ASSERT_TRUE(c.load_dependence.found) << c.load_dependence.sentence;
   EXPECT_NEAR(c.load_dependence.per_load.value, 0.062, 0.015);
   EXPECT_GT(c.load_dependence.per_load.low, 0.04);
@@ -42,8 +42,8 @@ void expect_load_dependence(const Calibration& c) {
 
 TEST(RealLog, Ur10eJoint2) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("ur10e_joint_2.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("ur10e_joint_2.toml", dataset);
   ASSERT_TRUE(c.rough.found);
   // 10.2 A at 10.696 N·m/A.
   EXPECT_NEAR(c.rough.gravity_Nm.value / (10.2 * 10.696), 1, 0.03);
@@ -51,36 +51,36 @@ TEST(RealLog, Ur10eJoint2) {
   EXPECT_GT(c.friction.coulomb_viscous->coulomb_Nm.value, 12);
   EXPECT_LT(c.friction.coulomb_viscous->coulomb_Nm.value, 16);
   EXPECT_EQ(c.quality.reference, "direction_difference");
-  EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
+  EXPECT_EQ(c.hysteresis.stage.state, statistics::StageState::not_identifiable);
   ASSERT_TRUE(c.hysteresis.encoder_step_rad && c.hysteresis.presliding_travel_rad);
   EXPECT_NEAR(*c.hysteresis.encoder_step_rad, 1e-4, 1e-8);
   EXPECT_TRUE(c.hysteresis.step_is_of_print);
   // "Six steps of the encoder."
   EXPECT_NEAR(*c.hysteresis.presliding_travel_rad / *c.hysteresis.encoder_step_rad, 6, 4);
-  EXPECT_NE(c.judgement.verdict, Verdict::usable);
+  EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable);
   expect_load_dependence(c);
   // Published for the joint, from a fit of the whole arm: a single joint agrees within 10 to 20 %.
   ASSERT_TRUE(c.rough.coulomb_Nm && c.rough.viscous_Nms_rad);
   EXPECT_NEAR(c.rough.coulomb_Nm->value / 13.27, 1, 0.2);
   EXPECT_NEAR(c.rough.viscous_Nms_rad->value / 20.22, 1, 0.2);
   // The load is nothing where the arm stands upright: the peak lies level.
-  EXPECT_NEAR(c.q_peak_rad->value * degrees_per_rad, -180, 1.5);
+  EXPECT_NEAR(c.q_peak_rad->value * joint::degrees_per_rad, -180, 1.5);
 }
 
 TEST(RealLog, Ur10eJoint3) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_3.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("ur10e_joint_3.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("ur10e_joint_3.toml", dataset);
   ASSERT_TRUE(c.rough.found);
   EXPECT_NEAR(c.rough.gravity_Nm.value / (4.37 * 8.457), 1, 0.03);
-  EXPECT_EQ(c.hysteresis.stage.state, StageState::not_identifiable);
+  EXPECT_EQ(c.hysteresis.stage.state, statistics::StageState::not_identifiable);
   expect_load_dependence(c);
   ASSERT_TRUE(c.rough.unloaded_coulomb_Nm);
   EXPECT_NEAR(c.rough.unloaded_coulomb_Nm->value / 4.99, 1, 0.2);
-  EXPECT_NEAR(c.q_peak_rad->value * degrees_per_rad, -90, 1.0);
+  EXPECT_NEAR(c.q_peak_rad->value * joint::degrees_per_rad, -90, 1.0);
 }
 
-bool has_finding(const Calibration& c, const std::string& words) {
+bool has_finding(const calibration::Calibration& c, const std::string& words) {
   return std::any_of(
       c.judgement.findings.begin(), c.judgement.findings.end(),
       [&](const std::string& finding) { return finding.find(words) != std::string::npos; });
@@ -88,9 +88,9 @@ bool has_finding(const Calibration& c, const std::string& words) {
 
 TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
-  const CurveDirectionLines* lines = c.direction_lines.find("stated");
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  const method::viscous::CurveDirectionLines* lines = c.direction_lines.find("stated");
   ASSERT_NE(lines, nullptr);
   ASSERT_TRUE(lines->rising && lines->falling);
   constexpr double three_percent = 0.03;  // as the issue of the log's authors' numbers demands
@@ -99,20 +99,20 @@ TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
   EXPECT_NEAR(lines->rising->viscous_Nms_rad.value / 3.4419, 1, three_percent);
   EXPECT_NEAR(lines->falling->viscous_Nms_rad.value / 2.8016, 1, three_percent);
   // Theirs are the runs of 10 to 90 °/s, of which the slowest travels 45°.
-  EXPECT_NEAR(lines->rising->slowest_rad_s * degrees_per_rad, 10, 0.1);
-  EXPECT_NEAR(lines->falling->fastest_rad_s * degrees_per_rad, 90, 0.3);
+  EXPECT_NEAR(lines->rising->slowest_rad_s * joint::degrees_per_rad, 10, 0.1);
+  EXPECT_NEAR(lines->falling->fastest_rad_s * joint::degrees_per_rad, 90, 0.3);
   EXPECT_FALSE(c.curve_model.carries_five);
 }
 
 TEST(RealLog, CiceseGravityComesFromTheRuns) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
   ASSERT_TRUE(c.run_gravity.found) << c.run_gravity.reason;
   EXPECT_NEAR(c.run_gravity.gravity_Nm.value / 38.465, 1, 0.03);
   EXPECT_LE(c.run_gravity.gravity_Nm.low, 38.465);
   EXPECT_GE(c.run_gravity.gravity_Nm.high, 38.465);
-  EXPECT_NEAR(c.run_gravity.q_peak_rad.value * degrees_per_rad, 90, 2);
+  EXPECT_NEAR(c.run_gravity.q_peak_rad.value * joint::degrees_per_rad, 90, 2);
   EXPECT_EQ(c.q_peak_source, "runs");
   EXPECT_EQ(c.selection.recommended, "runs");
   // The oscillations hang 90° below the peak: a mass from them would be friction over nothing.
@@ -128,10 +128,10 @@ TEST(RealLog, CiceseGravityComesFromTheRuns) {
 
 TEST(RealLog, CiceseSpeedComesFromTheAngle) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
-  for (Recording& r : dataset.recordings) r.dq_rad_s.clear();
-  const Calibration without = identify(dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  for (joint::Recording& r : dataset.recordings) r.dq_rad_s.clear();
+  const calibration::Calibration without = identify::identify(dataset);
   ASSERT_EQ(c.viscous.runs.size(), without.viscous.runs.size());
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     EXPECT_EQ(c.viscous.runs[i].speed_rad_s, without.viscous.runs[i].speed_rad_s);
@@ -140,8 +140,8 @@ TEST(RealLog, CiceseSpeedComesFromTheAngle) {
 
 TEST(RealLog, CiceseBreakAwayAndLoops) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/breakaway/breakaway_j1_05_exp.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   ASSERT_EQ(c.break_away.ramps.size(), 10U);
   // The first ramp stops at 10.07 N·m without a slip.
   EXPECT_EQ(c.break_away.censored, 1U);
@@ -153,7 +153,7 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   EXPECT_LT(c.break_away.rising_Nm->low, c.break_away.falling_Nm->value);
   // Closed loops of 2.8e-4 rad.
   ASSERT_EQ(c.loop_shapes.size(), 3U);
-  for (const LoopShape& shape : c.loop_shapes) {
+  for (const method::hysteresis::LoopShape& shape : c.loop_shapes) {
     EXPECT_TRUE(shape.closes) << shape.recording;
     EXPECT_NEAR(shape.width_rad / 2.8e-4, 1, 0.1) << shape.recording;
     ASSERT_TRUE(shape.stiffness_Nm_rad) << shape.recording;
@@ -162,31 +162,33 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   }
 }
 
-bool overlap(const Estimate& a, const Estimate& b) { return a.low <= b.high && b.low <= a.high; }
+bool overlap(const statistics::Estimate& a, const statistics::Estimate& b) {
+  return a.low <= b.high && b.low <= a.high;
+}
 
 TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
-  const LuGreFit& f = *c.hysteresis.lugre;
+  const method::hysteresis::LuGreFit& f = *c.hysteresis.lugre;
   const auto stiffness = f.shown("bristle_stiffness_Nm_rad");
   ASSERT_TRUE(stiffness);
   ASSERT_EQ(f.loops.size(), 3U);
   ASSERT_EQ(c.loop_shapes.size(), 3U);
   std::size_t k = 0;
-  for (const Recording* whole : dataset.with_role(Role::oscillation)) {
-    const LuGreLoop& loop = f.loops[k];
+  for (const joint::Recording* whole : dataset.with_role(joint::Role::oscillation)) {
+    const method::hysteresis::LuGreLoop& loop = f.loops[k];
     EXPECT_EQ(loop.motion, "spline");
     ASSERT_TRUE(loop.traced && loop.traced->model_turn_stiffness_Nm_rad);
     EXPECT_TRUE(
         overlap(*loop.traced->turn_stiffness_Nm_rad, *loop.traced->model_turn_stiffness_Nm_rad));
     // The same by the other way: the shape of the loop that the model's torque makes.
-    Recording model = *whole;
+    joint::Recording model = *whole;
     const auto offset = static_cast<std::ptrdiff_t>(
         std::find(whole->t_s.begin(), whole->t_s.end(), loop.t_s.front()) - whole->t_s.begin());
     std::copy(loop.torque_Nm.begin(), loop.torque_Nm.end(), model.torque_Nm.begin() + offset);
-    const auto shapes = describe_loops({&model}, 1);
+    const auto shapes = method::hysteresis::describe_loops({&model}, 1);
     ASSERT_TRUE(shapes.size() == 1 && shapes[0].stiffness_Nm_rad);
     RecordProperty("measured_" + std::to_string(k),
                    std::to_string(c.loop_shapes[k].stiffness_Nm_rad->value));
@@ -206,8 +208,9 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
   EXPECT_FALSE(f.shown("inertia_kgm2")) << "at such speeds inertia is nothing";
 }
 
-const QuantityVerdict& quantity(const Calibration& c, std::string_view key) {
-  for (const QuantityVerdict& q : c.judgement.quantities) {
+const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
+                                             std::string_view key) {
+  for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
     if (q.key == key) return q;
   }
   throw std::logic_error("no quantity " + std::string(key));
@@ -215,12 +218,12 @@ const QuantityVerdict& quantity(const Calibration& c, std::string_view key) {
 
 /// Of the quantity's break-away torque: the ramps', while the loops' own level is withdrawn, and
 /// nothing of it is left among the intervals.
-void expect_level_by_ramps_alone(const Calibration& c) {
+void expect_level_by_ramps_alone(const calibration::Calibration& c) {
   ASSERT_TRUE(c.hysteresis.lugre && c.hysteresis.lugre->converged);
   EXPECT_FALSE(c.hysteresis.lugre->shown("static_Nm"));
   EXPECT_EQ(c.intervals.find("lugre.static_Nm"), nullptr);
   ASSERT_NE(c.intervals.find("lugre.bristle_stiffness_Nm_rad"), nullptr);
-  for (const TwoIntervals& q : c.intervals.quantities) {
+  for (const method::intervals::TwoIntervals& q : c.intervals.quantities) {
     for (const auto* e : {&q.closed_form, &q.bootstrap}) {
       if (!*e) continue;
       EXPECT_LE((*e)->low, (*e)->high) << q.name;
@@ -233,8 +236,8 @@ void expect_level_by_ramps_alone(const Calibration& c) {
 
 TEST(RealLog, CiceseRampsContradictTheSinesOfJoint1) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_break_away.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_break_away.toml", dataset);
   expect_level_by_ramps_alone(c);
   // Published: Coulomb +12.44 and -10.94 N·m.
   EXPECT_NEAR(c.break_away.mean_Nm->value, (12.44 + 10.94) / 2, 1);
@@ -242,28 +245,29 @@ TEST(RealLog, CiceseRampsContradictTheSinesOfJoint1) {
 
 TEST(RealLog, CiceseRampsContradictTheSinesOfJoint2) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint2/sine_j2_1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint2.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint2.toml", dataset);
   expect_level_by_ramps_alone(c);
   ASSERT_EQ(c.break_away.ramps.size(), 6U);
-  for (const BreakAwayRamp& ramp : c.break_away.ramps) {
+  for (const method::hysteresis::BreakAwayRamp& ramp : c.break_away.ramps) {
     EXPECT_TRUE(ramp.broke_away) << ramp.recording;
     EXPECT_NEAR(ramp.friction_Nm, 1.64, 0.22) << ramp.recording;  // 1.43 to 1.82 N·m by hand
   }
   // The sines of 0.8 N·m never slide: nothing above them can be read from them.
   EXPECT_FALSE(c.hysteresis.lugre->shown("coulomb_Nm"));
-  EXPECT_NE(quantity(c, "bristle_stiffness").verdict, Verdict::usable);
+  EXPECT_NE(quantity(c, "bristle_stiffness").verdict, calibration::Verdict::usable);
 }
 
 TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
-    Dataset dataset;
-    const Calibration c = identify_manifest(manifest, dataset);
-    EXPECT_EQ(findings_of(c.data_checks), std::vector<std::string>{"encoder_step"}) << manifest;
+    joint::Dataset dataset;
+    const calibration::Calibration c = identify_manifest(manifest, dataset);
+    EXPECT_EQ(test::findings_of(c.data_checks), std::vector<std::string>{"encoder_step"})
+        << manifest;
     for (const char* key : {"break_away_torque", "bristle_stiffness", "bristle_damping"}) {
-      const QuantityVerdict& q = quantity(c, key);
-      EXPECT_EQ(q.verdict, Verdict::not_identifiable) << key;
+      const calibration::QuantityVerdict& q = quantity(c, key);
+      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << key;
       EXPECT_NE(q.reasons.front().find("the angle's step of 0.0001 rad"), std::string::npos)
           << q.reasons.front();
     }
@@ -275,24 +279,24 @@ TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
 
 TEST(RealLog, CiceseRaisesItsSpeedColumnAndTheLackOfCommonAngles) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
-  EXPECT_EQ(findings_of(c.data_checks),
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  EXPECT_EQ(test::findings_of(c.data_checks),
             (std::vector<std::string>{"speed_noise", "run_common_angles", "oscillation_at_peak"}));
-  EXPECT_NE(quantity(c, "coulomb_torque").verdict, Verdict::usable);
+  EXPECT_NE(quantity(c, "coulomb_torque").verdict, calibration::Verdict::usable);
 }
 
 TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("cicese_joint1.toml", dataset);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
   ASSERT_EQ(c.hysteresis.oscillations.size(), 3U);
-  for (const Oscillation& o : c.hysteresis.oscillations) {
-    EXPECT_NEAR(o.encoder_step_rad, 1e-4 * rad_per_degree, 1e-12);
+  for (const method::hysteresis::Oscillation& o : c.hysteresis.oscillations) {
+    EXPECT_NEAR(o.encoder_step_rad, 1e-4 * joint::rad_per_degree, 1e-12);
     EXPECT_TRUE(o.step_is_of_print);
   }
-  const DataCheck* check = c.data_checks.find("encoder_step");
-  EXPECT_EQ(check->state, CheckState::passed);
+  const method::checks::DataCheck* check = c.data_checks.find("encoder_step");
+  EXPECT_EQ(check->state, method::checks::CheckState::passed);
   EXPECT_NE(check->found.find("decimals in the log"), std::string::npos) << check->found;
 }
 
@@ -300,16 +304,16 @@ TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
   TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
   for (const char* manifest : {"bam_lift_and_drop.toml", "bam_sin_sin.toml",
                                "bam_sin_time_square.toml", "bam_up_and_down.toml"}) {
-    Dataset dataset;
-    const Calibration c = identify_manifest(manifest, dataset);
-    EXPECT_EQ(c.judgement.verdict, Verdict::not_identifiable) << manifest;
+    joint::Dataset dataset;
+    const calibration::Calibration c = identify_manifest(manifest, dataset);
+    EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable) << manifest;
     EXPECT_NE(c.judgement.sentence.find("No torque was recorded"), std::string::npos);
-    const QuantityVerdict& gravity = quantity(c, "cog_angle");
+    const calibration::QuantityVerdict& gravity = quantity(c, "cog_angle");
     EXPECT_NE(gravity.reasons.front().find("present current with the torque constant"),
               std::string::npos)
         << gravity.reasons.front();
-    for (const QuantityVerdict& q : c.judgement.quantities) {
-      EXPECT_EQ(q.verdict, Verdict::not_identifiable) << manifest << ": " << q.key;
+    for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
+      EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << manifest << ": " << q.key;
       EXPECT_FALSE(q.experiment.empty()) << q.key;
     }
   }
@@ -317,16 +321,16 @@ TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
 
 TEST(RealLog, PendulumThatOnlyRisesCannotTellCoulombFromOffset) {
   TRIBOLOG_NEEDS_REAL_LOG("bam_xl330_pendulum/up_and_down_kp400.csv");
-  Dataset dataset;
-  const Calibration c = identify_manifest("bam_up_and_down.toml", dataset);
-  const DataCheck* check = c.data_checks.find("sweep_directions");
-  EXPECT_EQ(check->state, CheckState::fails);
+  joint::Dataset dataset;
+  const calibration::Calibration c = identify_manifest("bam_up_and_down.toml", dataset);
+  const method::checks::DataCheck* check = c.data_checks.find("sweep_directions");
+  EXPECT_EQ(check->state, method::checks::CheckState::fails);
   EXPECT_NE(check->found.find("only ever rises"), std::string::npos) << check->found;
   const auto& reasons = quantity(c, "coulomb_torque").reasons;
   EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const std::string& reason) {
     return reason.find("Coulomb friction and offset cannot be told apart") != std::string::npos;
   }));
-  Dataset other;
+  joint::Dataset other;
   EXPECT_FALSE(identify_manifest("bam_sin_sin.toml", other).data_checks.fails("sweep_directions"));
 }
 

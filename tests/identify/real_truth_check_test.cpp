@@ -9,21 +9,21 @@
 namespace tribolog {
 namespace {
 
-TruthCheckResult check_of(const std::string& manifest) {
-  const Dataset dataset =
-      read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + manifest);
-  IdentifyOptions options;
+calibration::TruthCheckResult check_of(const std::string& manifest) {
+  const joint::Dataset dataset =
+      ingest::dataset::read_dataset(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/" + manifest);
+  identify::IdentifyOptions options;
   options.resamples = 0;
   options.truth_runs = 20;
-  return identify(dataset, options).truth_check;
+  return identify::identify(dataset, options).truth_check;
 }
 
 TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
   TRIBOLOG_NEEDS_REAL_LOG("ur10e_jointwise/joint_2.csv");
   for (const char* manifest : {"ur10e_joint_2.toml", "ur10e_joint_3.toml"}) {
-    const TruthCheckResult check = check_of(manifest);
+    const calibration::TruthCheckResult check = check_of(manifest);
     for (const char* name : {"sweep", "q_peak", "sweep_friction"}) {
-      const ReturnedQuantity* q = check.find(name);
+      const calibration::ReturnedQuantity* q = check.find(name);
       ASSERT_NE(q, nullptr) << manifest << name;
       EXPECT_TRUE(q->comes_back) << manifest << name;
       // 14 or fewer of 20 once in 400 checks with honest intervals.
@@ -36,12 +36,12 @@ TEST(RealTruthCheck, Ur10eSweepsFindTheirOwnAnswer) {
 
 TEST(RealTruthCheck, WhatCiceseShowsComesBack) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
-  const TruthCheckResult check = check_of("cicese_joint1.toml");
+  const calibration::TruthCheckResult check = check_of("cicese_joint1.toml");
   // Driven by torque the angle is no sine: the loops are simulated along the traced motion.
   ASSERT_NE(check.find("bristle_stiffness"), nullptr);
   EXPECT_TRUE(check.find("bristle_stiffness")->comes_back);
   ASSERT_FALSE(check.quantities.empty());
-  for (const ReturnedQuantity& q : check.quantities) EXPECT_EQ(q.found, 20U) << q.name;
+  for (const calibration::ReturnedQuantity& q : check.quantities) EXPECT_EQ(q.found, 20U) << q.name;
 }
 
 }  // namespace

@@ -12,61 +12,63 @@
 namespace tribolog {
 namespace {
 
-Calibration with_threads(const Dataset& dataset, std::size_t threads, std::uint64_t seed) {
-  IdentifyOptions options;
+calibration::Calibration with_threads(const joint::Dataset& dataset, std::size_t threads,
+                                      std::uint64_t seed) {
+  identify::IdentifyOptions options;
   options.resamples = 200;
   options.threads = threads;
   options.seed = seed;
-  return identify(dataset, options);
+  return identify::identify(dataset, options);
 }
 
 TEST(Resampling, NumbersDoNotDependOnThreads) {
-  const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(7));
-  const std::string one = calibration_json(with_threads(dataset, 1, 1), {});
-  EXPECT_EQ(calibration_json(with_threads(dataset, 2, 1), {}), one);
-  EXPECT_EQ(calibration_json(with_threads(dataset, 5, 1), {}), one);
-  EXPECT_NE(calibration_json(with_threads(dataset, 1, 2), {}), one);
+  const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  const std::string one = calibration::calibration_json(with_threads(dataset, 1, 1), {});
+  EXPECT_EQ(calibration::calibration_json(with_threads(dataset, 2, 1), {}), one);
+  EXPECT_EQ(calibration::calibration_json(with_threads(dataset, 5, 1), {}), one);
+  EXPECT_NE(calibration::calibration_json(with_threads(dataset, 1, 2), {}), one);
 }
 
 TEST(Resampling, WithoutResamplesClosedFormsAreStated) {
-  const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(7));
-  IdentifyOptions options;
+  const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(7));
+  identify::IdentifyOptions options;
   options.resamples = 0;
-  const Calibration c = identify(dataset, options);
+  const calibration::Calibration c = identify::identify(dataset, options);
   EXPECT_TRUE(c.intervals.bands.empty());
-  for (const TwoIntervals& q : c.intervals.quantities) EXPECT_FALSE(q.bootstrap) << q.name;
+  for (const method::intervals::TwoIntervals& q : c.intervals.quantities)
+    EXPECT_FALSE(q.bootstrap) << q.name;
   ASSERT_NE(c.intervals.find("mass_kg.midline")->stated(), nullptr);
   EXPECT_GE(c.cross_checks.checks.size(), 7U);
 }
 
 TEST(Resampling, OfNothingIsNothing) {
-  const Calibration c = identify(Dataset{});
+  const calibration::Calibration c = identify::identify(joint::Dataset{});
   EXPECT_TRUE(c.intervals.quantities.empty());
   EXPECT_TRUE(c.cross_checks.checks.empty());
 }
 
 TEST(Resampling, AnErrorOfGravityIsCommonToTheRunsOfACurve) {
   // Ripple at the loop moves the whole curve: the band is as wide as that, at every speed.
-  Scenario s = test::noisy_paper_joint(3);
+  simulate::Scenario s = test::noisy_paper_joint(3);
   s.noise.ripple = {{0.02, 1.0, 0.4}};
-  const Dataset dataset = test::simulated_dataset(s);
-  const Calibration c = with_threads(dataset, 0, 1);
-  const CurveBand& loop = *c.intervals.band("midline");
-  const CurveBand& sweep = *c.intervals.band("sweep");
+  const joint::Dataset dataset = simulate::simulated_dataset(s);
+  const calibration::Calibration c = with_threads(dataset, 0, 1);
+  const method::intervals::CurveBand& loop = *c.intervals.band("midline");
+  const method::intervals::CurveBand& sweep = *c.intervals.band("sweep");
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
     EXPECT_GT(loop.high_Nm[i] - loop.low_Nm[i], 0.03) << i;
     EXPECT_LT(sweep.high_Nm[i] - sweep.low_Nm[i], 0.01) << i;
   }
   // The parameters of the curve do not suffer: both directions together cancel it.
-  const Estimate& speed = c.friction.waiboer->stribeck_speed_rad_s;
+  const statistics::Estimate& speed = c.friction.waiboer->stribeck_speed_rad_s;
   EXPECT_LT(speed.half_width() / speed.value, 0.05);
 }
 
 TEST(CrossChecks, EveryWayFindsTheMassWithoutNoise) {
-  const Dataset dataset = test::simulated_dataset(test::paper_joint());
-  const Calibration c = identify(dataset);
+  const joint::Dataset dataset = simulate::simulated_dataset(test::paper_joint());
+  const calibration::Calibration c = identify::identify(dataset);
   ASSERT_GE(c.cross_checks.checks.size(), 8U);
-  for (const CrossCheck& check : c.cross_checks.checks) {
+  for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
     // The linear regression lacks the Stribeck effect.
     const double allowed = check.method == "classical" ? 2e-3 : 1e-4;
     EXPECT_NEAR(check.mass_kg.value / test::true_surrogate_mass_kg, 1, allowed) << check.method;
@@ -78,10 +80,10 @@ TEST(CrossChecks, EveryWayFindsTheMassWithoutNoise) {
 }
 
 TEST(CrossChecks, ClassicalRegressionKnowsTheNoiseThatItDoesNotReach) {
-  const Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(2));
-  const Calibration c = identify(dataset);
+  const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(2));
+  const calibration::Calibration c = identify::identify(dataset);
   ASSERT_TRUE(c.cross_checks.classical);
-  const ClassicalRegression& classical = *c.cross_checks.classical;
+  const method::selection::ClassicalRegression& classical = *c.cross_checks.classical;
   // 0.02 N·m white, in means of 20 samples.
   EXPECT_NEAR(classical.row_noise_Nm, 0.02 / std::sqrt(20.0), 0.001);
   EXPECT_GT(classical.residual_Nm, 10 * classical.row_noise_Nm);
@@ -91,15 +93,15 @@ TEST(CrossChecks, ClassicalRegressionKnowsTheNoiseThatItDoesNotReach) {
 
 TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsFound) {
   // The sweep's regression has an offset and is not moved; loop and directions take it for gravity.
-  Dataset dataset = test::simulated_dataset(test::noisy_paper_joint(5));
-  for (Recording& r : dataset.recordings) {
+  joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(5));
+  for (joint::Recording& r : dataset.recordings) {
     for (double& torque : r.torque_Nm) torque += 0.05;
   }
-  const Calibration c = identify(dataset);
+  const calibration::Calibration c = identify::identify(dataset);
   EXPECT_TRUE(c.cross_checks.doubtful);
-  EXPECT_EQ(c.judgement.verdict, Verdict::doubtful);
+  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::doubtful);
   const auto disagrees = [&](const char* method) {
-    for (const CrossCheck& check : c.cross_checks.checks) {
+    for (const method::intervals::CrossCheck& check : c.cross_checks.checks) {
       if (check.method == method) return check.disagrees;
     }
     return false;

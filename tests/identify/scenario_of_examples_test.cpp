@@ -9,9 +9,9 @@
 namespace tribolog {
 namespace {
 
-void expect_same(const Scenario& file, const Scenario& truth) {
-  const std::vector<Recording> a = simulate_joint(file);
-  const std::vector<Recording> b = simulate_joint(truth);
+void expect_same(const simulate::Scenario& file, const simulate::Scenario& truth) {
+  const std::vector<joint::Recording> a = simulate::simulate_joint(file);
+  const std::vector<joint::Recording> b = simulate::simulate_joint(truth);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
     ASSERT_EQ(a[k].size(), b[k].size()) << a[k].name;
@@ -25,23 +25,24 @@ void expect_same(const Scenario& file, const Scenario& truth) {
   }
 }
 
-Scenario example(const std::string& name) {
-  return read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" + name);
+simulate::Scenario example(const std::string& name) {
+  return ingest::manifest::read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/" +
+                                         name);
 }
 
 TEST(ScenarioOfExamples, IdealDrive) { expect_same(example("scenario.toml"), test::paper_joint()); }
 
 TEST(ScenarioOfExamples, RealisticNoise) {
-  const Scenario file = example("scenario_noise.toml");
+  const simulate::Scenario file = example("scenario_noise.toml");
   expect_same(file, test::noisy_paper_joint(file.noise.seed));
 }
 
 TEST(ScenarioOfExamples, RippleIsTheNoisyOneWithRipple) {
-  const Scenario file = example("scenario_ripple.toml");
+  const simulate::Scenario file = example("scenario_ripple.toml");
   ASSERT_EQ(file.noise.ripple.size(), 2U);
   EXPECT_EQ(file.noise.ripple[0].periods_per_turn, 1);
   EXPECT_EQ(file.noise.ripple[1].periods_per_turn, 6);
-  Scenario without = file;
+  simulate::Scenario without = file;
   without.noise.ripple.clear();
   expect_same(without, test::noisy_paper_joint(file.noise.seed));
 }

@@ -37,7 +37,7 @@ file = "b.csv"
 columns = {angle = {name = "q", unit = "rad"}}
 )";
 
-Dataset read_two_logs() {
+joint::Dataset read_two_logs() {
   const test::TemporaryDirectory directory;
   for (const char* name : {"a.csv", "b.csv"}) {
     std::string csv =
@@ -47,47 +47,48 @@ Dataset read_two_logs() {
     for (int i = 0; i < 40; ++i) csv += fmt::format("{},{},{},{},{}\n", 8 * i, 90 + i, 30, 250, 31);
     (void)directory.file(name, csv);
   }
-  return read_dataset(directory.file("dataset.toml", manifest));
+  return ingest::dataset::read_dataset(directory.file("dataset.toml", manifest));
 }
 
-const ColumnConversion& conversion(const InputFile& input, LoggedSignal signal) {
-  for (const ColumnConversion& one : input.conversions) {
+const joint::ColumnConversion& conversion(const joint::InputFile& input,
+                                          joint::LoggedSignal signal) {
+  for (const joint::ColumnConversion& one : input.conversions) {
     if (one.signal == signal) return one;
   }
   throw std::logic_error("no such signal");
 }
 
 TEST(ColumnConversions, ShownAreTheOnesApplied) {
-  const Dataset d = read_two_logs();
+  const joint::Dataset d = read_two_logs();
   ASSERT_EQ(d.inputs.size(), 3U);
   EXPECT_TRUE(d.inputs[0].conversions.empty()) << "the manifest";
-  const InputFile& log = d.inputs[1];
-  const Recording& r = d.recordings[0];
+  const joint::InputFile& log = d.inputs[1];
+  const joint::Recording& r = d.recordings[0];
   ASSERT_EQ(log.conversions.size(), 5U);
-  EXPECT_EQ(r.t_s[7], 56 * conversion(log, LoggedSignal::time).factor());
-  EXPECT_EQ(r.q_rad[7], 97 * conversion(log, LoggedSignal::angle).factor());
-  EXPECT_EQ(r.dq_rad_s[7], 30 * conversion(log, LoggedSignal::speed).factor());
-  EXPECT_EQ(r.torque_Nm[7], 250 * conversion(log, LoggedSignal::effort).factor());
+  EXPECT_EQ(r.t_s[7], 56 * conversion(log, joint::LoggedSignal::time).factor());
+  EXPECT_EQ(r.q_rad[7], 97 * conversion(log, joint::LoggedSignal::angle).factor());
+  EXPECT_EQ(r.dq_rad_s[7], 30 * conversion(log, joint::LoggedSignal::speed).factor());
+  EXPECT_EQ(r.torque_Nm[7], 250 * conversion(log, joint::LoggedSignal::effort).factor());
   EXPECT_EQ(r.temperature_C[7], 31);
   // 0.25 A at 20 N·m/A are 5 N·m at the joint, 0.1 N·m at the motor, and the sign turns them round.
   EXPECT_DOUBLE_EQ(r.torque_Nm[7], -0.1);
-  EXPECT_EQ(conversion(log, LoggedSignal::effort).steps.size(), 4U);
-  EXPECT_EQ(conversion(log, LoggedSignal::effort).side, Side::motor);
-  EXPECT_EQ(conversion(log, LoggedSignal::angle).side, Side::joint);
-  EXPECT_EQ(conversion(log, LoggedSignal::temperature).side, std::nullopt);
+  EXPECT_EQ(conversion(log, joint::LoggedSignal::effort).steps.size(), 4U);
+  EXPECT_EQ(conversion(log, joint::LoggedSignal::effort).side, joint::Side::motor);
+  EXPECT_EQ(conversion(log, joint::LoggedSignal::angle).side, joint::Side::joint);
+  EXPECT_EQ(conversion(log, joint::LoggedSignal::temperature).side, std::nullopt);
 }
 
 TEST(ColumnConversions, AreEachRecordingsOwn) {
-  const Dataset d = read_two_logs();
-  const ColumnConversion& angle = conversion(d.inputs[2], LoggedSignal::angle);
+  const joint::Dataset d = read_two_logs();
+  const joint::ColumnConversion& angle = conversion(d.inputs[2], joint::LoggedSignal::angle);
   EXPECT_EQ(angle.column, "q");
   EXPECT_EQ(angle.factor(), 1.0);
-  EXPECT_EQ(conversion(d.inputs[2], LoggedSignal::effort),
-            conversion(d.inputs[1], LoggedSignal::effort));
+  EXPECT_EQ(conversion(d.inputs[2], joint::LoggedSignal::effort),
+            conversion(d.inputs[1], joint::LoggedSignal::effort));
 }
 
 TEST(ColumnConversions, KnowWhatALoggerWritesByItsColumns) {
-  const Dataset d = read_two_logs();
+  const joint::Dataset d = read_two_logs();
   ASSERT_TRUE(d.inputs[1].logged_effort);
   EXPECT_EQ(d.inputs[1].logged_effort->logger, "UR RTDE");
   EXPECT_FALSE(d.inputs[2].logged_effort) << "its angle is of no logger that is known";

@@ -83,8 +83,8 @@ class CompanionColumns : public testing::Test {
   void write(const std::string& name, const std::string& text) {
     (void)directory_.file(name, text);
   }
-  Dataset read(const std::string& text) {
-    return read_dataset(directory_.file("dataset.toml", text));
+  joint::Dataset read(const std::string& text) {
+    return ingest::dataset::read_dataset(directory_.file("dataset.toml", text));
   }
   std::string refusal(const std::string& text = of_three_files()) {
     const std::string message = test::refusal_of<InputError>([&] { return read(text); });
@@ -93,10 +93,10 @@ class CompanionColumns : public testing::Test {
   }
 
  private:
-  TemporaryDirectory directory_;
+  test::TemporaryDirectory directory_;
 };
 
-void expect_same(const Recording& a, const Recording& b) {
+void expect_same(const joint::Recording& a, const joint::Recording& b) {
   EXPECT_EQ(a.t_s, b.t_s);
   EXPECT_EQ(a.q_rad, b.q_rad);
   EXPECT_EQ(a.torque_Nm, b.torque_Nm);
@@ -107,8 +107,8 @@ void expect_same(const Recording& a, const Recording& b) {
 /// To the last bit, and identification is a function of the recordings.
 TEST_F(CompanionColumns, GiveTheRecordingOfOneFile) {
   write("all.csv", all_in_one());
-  const Dataset split = read(of_three_files());
-  const Dataset whole = read(manifest("all.csv", "", ""));
+  const joint::Dataset split = read(of_three_files());
+  const joint::Dataset whole = read(manifest("all.csv", "", ""));
   ASSERT_EQ(split.recordings.at(0).size(), static_cast<std::size_t>(rows - 10));
   expect_same(split.recordings[0], whole.recordings.at(0));
   EXPECT_EQ(split.notes, std::vector<std::string>{"columns of the logs that are not used: 'q2', "
@@ -116,7 +116,7 @@ TEST_F(CompanionColumns, GiveTheRecordingOfOneFile) {
 }
 
 TEST_F(CompanionColumns, AreAmongTheInputs) {
-  const Dataset d = read(of_three_files());
+  const joint::Dataset d = read(of_three_files());
   ASSERT_EQ(d.inputs.size(), 4U);
   EXPECT_EQ(d.inputs[1].name, "q.csv");
   EXPECT_EQ(d.inputs[1].conversions.size(), 4U);
@@ -134,7 +134,7 @@ TEST_F(CompanionColumns, AreAmongTheInputs) {
 
 TEST_F(CompanionColumns, MayNameTheRecordingsOwnFile) {
   write("all.csv", all_in_one());
-  const Dataset d = read(manifest("all.csv", ", file = \"all.csv\"", ""));
+  const joint::Dataset d = read(manifest("all.csv", ", file = \"all.csv\"", ""));
   EXPECT_EQ(d.inputs.size(), 2U);
   EXPECT_EQ(d.recordings.at(0).torque_Nm.size(), static_cast<std::size_t>(rows - 10));
 }
@@ -144,11 +144,11 @@ TEST_F(CompanionColumns, MayStandInOneFileTogetherAndOverrideTheCommonOnes) {
           return fmt::format("{},{}", temperature_C(i), torque_Nm(i));
         }));
   const std::string place = ", file = \"rest.csv\"";
-  const Dataset d = read(manifest("q.csv", place, place));
+  const joint::Dataset d = read(manifest("q.csv", place, place));
   EXPECT_EQ(d.inputs.size(), 3U) << "read once";
   write("all.csv", all_in_one());
   expect_same(d.recordings.at(0), read(manifest("all.csv", "", "")).recordings.at(0));
-  const Dataset own =
+  const joint::Dataset own =
       read(manifest("q.csv", ", file = \"gone.csv\"", place) + "columns = {effort = {name = \"" +
            effort_column + "\", unit = \"Nm\", file = \"rest.csv\"}}\n");
   expect_same(own.recordings.at(0), d.recordings[0]);
@@ -176,7 +176,7 @@ TEST_F(CompanionColumns, LeaveOutRowsThatAreGaps) {
   write("tau.csv", log("t," + effort_column, [](int i) {
           return fmt::format("{},{}", time_s(i), i == 50 ? "nan" : fmt::format("{}", torque_Nm(i)));
         }));
-  const Dataset d = read(of_three_files());
+  const joint::Dataset d = read(of_three_files());
   EXPECT_EQ(d.recordings.at(0).size(), static_cast<std::size_t>(rows - 11));
   ASSERT_EQ(d.recordings[0].skipped.size(), 2U);
   EXPECT_EQ(d.recordings[0].skipped[1].reason, "gap (nan) in column '- arm_1_joint_effort'");
@@ -188,7 +188,7 @@ TEST_F(CompanionColumns, MayBeCutOffInTheLastRow) {
   std::string csv = efforts();
   csv.resize(csv.rfind(','));
   write("tau.csv", csv);
-  const Dataset d = read(of_three_files());
+  const joint::Dataset d = read(of_three_files());
   EXPECT_EQ(d.recordings.at(0).rows_read, static_cast<std::size_t>(rows));
   EXPECT_EQ(d.recordings[0].size(), static_cast<std::size_t>(rows - 11));
   EXPECT_EQ(d.recordings[0].skipped.at(0).reason, "cut off at the end of the file");

@@ -33,16 +33,16 @@ std::string recording(const std::string& role, const std::string& file,
 }
 
 TEST(ReadDataset, FindsLogsBesideTheManifest) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::filesystem::create_directory(directory.path("logs"));
   const std::string csv = log(50);
   (void)directory.file("logs/a.csv", csv);
   const std::string text = manifest(recording("oscillation", "logs/a.csv", "note = \"warm\"\n") +
                                     recording("rough_sweep", "logs/a.csv", "from_s = 0.1\n"));
-  const Dataset d = read_dataset(directory.file("dataset.toml", text));
+  const joint::Dataset d = ingest::dataset::read_dataset(directory.file("dataset.toml", text));
   ASSERT_EQ(d.recordings.size(), 2U);
   EXPECT_EQ(d.recordings[0].torque_Nm[50 - 1], 0.49) << "joint torque / 100";
-  EXPECT_EQ(d.with_role(Role::rough_sweep).size(), 1U);
+  EXPECT_EQ(d.with_role(joint::Role::rough_sweep).size(), 1U);
   EXPECT_EQ(d.notes, (std::vector<std::string>{"logs/a.csv: warm"}));
   ASSERT_EQ(d.inputs.size(), 3U);
   EXPECT_EQ(d.inputs[0].name, "dataset.toml");
@@ -60,13 +60,13 @@ TEST(ReadDataset, FindsLogsBesideTheManifest) {
 
 /// Semicolons, decimal commas, no header, ISO times of local clocks.
 TEST(ReadDataset, ReadsALogThatTheManifestHasToExplain) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::string csv;
   for (int i = 0; i < 50; ++i) {
     csv += fmt::format("2026-03-01 08:15:{:02d},{:02d};0,1;{},5\n", i / 10, 10 * (i % 10), i);
   }
   (void)directory.file("a.csv", csv);
-  const Dataset d = read_dataset(directory.file(
+  const joint::Dataset d = ingest::dataset::read_dataset(directory.file(
       "d.toml",
       "schema = \"tribolog-dataset-1\"\n[robot]\nname = \"R\"\n[joint]\nname = \"J\"\n"
       "gear_ratio = 1\n[effort]\nkind = \"joint_torque\"\nside = \"joint\"\n[log]\n"
@@ -74,7 +74,7 @@ TEST(ReadDataset, ReadsALogThatTheManifestHasToExplain) {
       "time = {name = \"#1\", unit = \"iso8601\"}\nangle = {name = \"#2\", unit = \"rad\"}\n"
       "effort = {name = \"#3\", unit = \"Nm\"}\n" +
           recording("oscillation", "a.csv", "from_s = 1\n")));
-  const Recording& r = d.recordings.at(0);
+  const joint::Recording& r = d.recordings.at(0);
   ASSERT_EQ(r.size(), 40U);
   EXPECT_NEAR(r.t_s[0], 1, 1e-12);
   EXPECT_NEAR(r.t_s[39] - r.t_s[0], 3.9, 1e-12);
@@ -84,19 +84,21 @@ TEST(ReadDataset, ReadsALogThatTheManifestHasToExplain) {
 }
 
 TEST(ReadDataset, SaysWhichLogIsNotThere) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   const std::string path = directory.file("d.toml", manifest(recording("oscillation", "no.csv")));
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::dataset::read_dataset(path); }),
             directory.path("no.csv") + ": cannot open: No such file or directory");
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(directory.path("no.toml")); }),
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [&] { return ingest::dataset::read_dataset(directory.path("no.toml")); }),
             directory.path("no.toml") + ": cannot open: No such file or directory");
 }
 
 TEST(ReadDataset, TakesRunningTwiceForTheSame) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log(50));
   const std::string path = directory.file("d.toml", manifest(recording("oscillation", "a.csv")));
-  EXPECT_EQ(read_dataset(path).recordings[0].torque_Nm, read_dataset(path).recordings[0].torque_Nm);
+  EXPECT_EQ(ingest::dataset::read_dataset(path).recordings[0].torque_Nm,
+            ingest::dataset::read_dataset(path).recordings[0].torque_Nm);
 }
 
 std::string arm(const std::string& joint) {
@@ -114,11 +116,12 @@ std::string manifest_with_arm(const std::string& file) {
 }
 
 TEST(ReadDataset, ReadsTheRobotsDescriptionAndKeepsItsFingerprint) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::filesystem::create_directory(directory.path("arms"));
   (void)directory.file("arms/a.toml", arm("J"));
   (void)directory.file("a.csv", log(50));
-  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arms/a.toml")));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arms/a.toml")));
   ASSERT_NE(d.robot, nullptr);
   EXPECT_EQ(d.robot->under_test.joint().name, "J");
   ASSERT_EQ(d.inputs.size(), 3U);
@@ -128,41 +131,43 @@ TEST(ReadDataset, ReadsTheRobotsDescriptionAndKeepsItsFingerprint) {
   EXPECT_EQ(d.inputs[1].sha256, sha256_hex(arm("J")));
   EXPECT_TRUE(d.notes.empty());
   (void)directory.file("plain.toml", manifest(recording("oscillation", "a.csv")));
-  EXPECT_EQ(read_dataset(directory.path("plain.toml")).robot, nullptr);
+  EXPECT_EQ(ingest::dataset::read_dataset(directory.path("plain.toml")).robot, nullptr);
 }
 
 TEST(ReadDataset, RefusesADescriptionThatIsMissingOrWrong) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log(50));
   const std::string path = directory.file("d.toml", manifest_with_arm("arm.toml"));
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::dataset::read_dataset(path); }),
             directory.path("arm.toml") + ": cannot open: No such file or directory");
   std::string tilted = arm("J");
   tilted.replace(tilted.find("[0, -1, 0]"), 10, "[0, 0, 1]");
   (void)directory.file("arm.toml", tilted);
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_dataset(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::dataset::read_dataset(path); }),
             directory.path("arm.toml") +
                 ":12:9: key 'under_test.joint': the axis of joint 'J' is tilted by 90° in this "
                 "pose; it must be horizontal");
 }
 
 TEST(ReadDataset, NotesADescriptionOfAnotherJoint) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log(50));
   (void)directory.file("arm.toml", arm("3"));
-  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
   EXPECT_EQ(d.notes, (std::vector<std::string>{
                          "arm.toml describes the test of joint '3', the manifest is of joint 'J': "
                          "the drawings of the robot show the former"}));
 }
 
 TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::string far = log(50);
   far.replace(far.find("0.1,7\n"), 3, "1.7");
   (void)directory.file("a.csv", far);
   (void)directory.file("arm.toml", arm("J"));
-  const Dataset d = read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(directory.file("d.toml", manifest_with_arm("arm.toml")));
   EXPECT_EQ(d.notes, (std::vector<std::string>{
                          "the logs reach 97.4°, outside the range of motion of joint 'J' in "
                          "arm.toml, -90° to 90°: do both count the angle from the same zero and "

@@ -15,7 +15,7 @@ std::string log_of(int torque) {
 }
 
 /// Three recordings of one log, the last of them with another column.
-ManifestFile manifest() {
+ingest::manifest::ManifestFile manifest() {
   std::string text = R"(schema = "tribolog-dataset-1"
 [robot]
 name = "R"
@@ -34,14 +34,14 @@ effort = {name = "tau", unit = "Nm"}
        {"to_s = 20", "from_s = 20", "columns = {effort = {name = \"i\", unit = \"Nm\"}}"}) {
     text += "[[recording]]\nrole = \"oscillation\"\nfile = \"a.csv\"\n" + std::string(more) + "\n";
   }
-  return parse_manifest(text, "m.toml");
+  return ingest::manifest::parse_manifest(text, "m.toml");
 }
 
 TEST(KeptLogs, ALogOfSeveralRecordingsIsReadOnce) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log_of(1));
-  const ManifestFile file = manifest();
-  KeptLogs logs(file, directory.path(""));
+  const ingest::manifest::ManifestFile file = manifest();
+  ingest::dataset::KeptLogs logs(file, directory.path(""));
   std::vector<std::string> notes;
   const auto first = logs.read(file.recordings[0], {}, notes);
   (void)directory.file("a.csv", log_of(2));
@@ -53,13 +53,14 @@ TEST(KeptLogs, ALogOfSeveralRecordingsIsReadOnce) {
 }
 
 TEST(KeptLogs, NothingIsKeptBeyondTheLastRecording) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log_of(1));
-  ManifestFile file = manifest();
+  ingest::manifest::ManifestFile file = manifest();
   file.recordings.pop_back();
-  KeptLogs logs(file, directory.path(""));
+  ingest::dataset::KeptLogs logs(file, directory.path(""));
   std::vector<std::string> notes;
-  const std::weak_ptr<const ReadLog> first = logs.read(file.recordings[0], {}, notes);
+  const std::weak_ptr<const ingest::dataset::ReadLog> first =
+      logs.read(file.recordings[0], {}, notes);
   EXPECT_FALSE(first.expired());
   (void)logs.read(file.recordings[1], {}, notes);
   EXPECT_TRUE(first.expired());

@@ -17,13 +17,13 @@ namespace {
 
 using test::TemporaryDirectory;
 
-LogTable table_of(const std::string& group, const std::vector<std::string>& names) {
-  LogTable table;
+ingest::log::LogTable table_of(const std::string& group, const std::vector<std::string>& names) {
+  ingest::log::LogTable table;
   table.file = "run.mcap";
   table.group = group;
   table.rows = 2;
   for (const std::string& name : names) {
-    LogColumn column;
+    ingest::log::LogColumn column;
     column.header = {name, name, ""};
     column.values = {static_cast<double>(table.columns.size()), 0};
     table.columns.push_back(std::move(column));
@@ -33,27 +33,32 @@ LogTable table_of(const std::string& group, const std::vector<std::string>& name
 }
 
 TEST(TakeColumns, CountsAClockFromItsFirstReadingAndNothingElse) {
-  LogTable log = table_of("", {"stamp", "counts"});
+  ingest::log::LogTable log = table_of("", {"stamp", "counts"});
   log.columns[0].values = {1.7e9 + 0.25, 1.7e9 + 1.5};
   log.columns[1].values = {1.7e9 + 0.25, 1.7e9 + 1.5};
-  const LogTable table = take_columns({log}, {{"stamp", "", ColumnReading::clock}, {"counts"}});
+  const ingest::log::LogTable table = ingest::dataset::take_columns(
+      {log}, {{"stamp", "", ingest::log::ColumnReading::clock}, {"counts"}});
   EXPECT_EQ(table.columns[0].values, (std::vector<double>{0.25, 1.5}));
   EXPECT_EQ(table.columns[0].origin, 1.7e9);
   EXPECT_EQ(table.columns[1].values, log.columns[1].values);
 }
 
 TEST(TakeColumns, RefusesADamagedTableOnlyWhereItIsAskedFor) {
-  LogTable damaged = table_of("/b", {"time", "p"});
+  ingest::log::LogTable damaged = table_of("/b", {"time", "p"});
   damaged.refusal = "message 3 of /b ends too early";
-  EXPECT_EQ(take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"q"}}).group, "/a");
+  EXPECT_EQ(
+      ingest::dataset::take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"q"}})
+          .group,
+      "/a");
   EXPECT_EQ(test::refusal_of<InputError>([&] {
-              return take_columns({table_of("/a", {"time", "q"}), damaged}, {{"time"}, {"p"}});
+              return ingest::dataset::take_columns({table_of("/a", {"time", "q"}), damaged},
+                                                   {{"time"}, {"p"}});
             }),
             "run.mcap: message 3 of /b ends too early");
 }
 
 TEST(TakeColumns, FindsTheTableThatHasThemAllAndKeepsTheirOrder) {
-  const LogTable table = take_columns(
+  const ingest::log::LogTable table = ingest::dataset::take_columns(
       {table_of("/clock", {"time"}), table_of("/joint_states", {"time", "q.position", "q.effort"})},
       {{"q.effort"}, {"time"}});
   EXPECT_EQ(table.group, "/joint_states");
@@ -63,20 +68,21 @@ TEST(TakeColumns, FindsTheTableThatHasThemAllAndKeepsTheirOrder) {
 }
 
 TEST(TakeColumns, SaysWhatIsMissingAndWhereTwoFit) {
-  const auto refused = [](const std::vector<LogTable>& tables,
-                          const std::vector<WantedColumn>& columns) {
-    return test::refusal_of<InputError>([&] { return take_columns(tables, columns); });
+  const auto refused = [](const std::vector<ingest::log::LogTable>& tables,
+                          const std::vector<ingest::log::WantedColumn>& columns) {
+    return test::refusal_of<InputError>(
+        [&] { return ingest::dataset::take_columns(tables, columns); });
   };
   EXPECT_EQ(refused({table_of("/a", {"time"}), table_of("/b", {"time", "elbow.position"})},
                     {{"time"}, {"elbow.positon"}}),
             "run.mcap: column 'elbow.positon' is missing in '/b', found 'time', 'elbow.position'; "
             "hint: did you mean 'elbow.position'?");
-  const std::vector<LogTable> twins = {table_of("/left", {"time", "q"}),
-                                       table_of("/right", {"time", "q"})};
+  const std::vector<ingest::log::LogTable> twins = {table_of("/left", {"time", "q"}),
+                                                    table_of("/right", {"time", "q"})};
   EXPECT_EQ(refused(twins, {{"time"}, {"q"}}),
             "run.mcap: the columns stand in several tables, found '/left', '/right'; hint: put the "
             "table in front of a column's name: '/left/time'");
-  EXPECT_EQ(take_columns(twins, {{"time"}, {"/right/q"}}).group, "/right");
+  EXPECT_EQ(ingest::dataset::take_columns(twins, {{"time"}, {"/right/q"}}).group, "/right");
 }
 
 std::string manifest(const std::string& file, const std::string& time, const std::string& angle,
@@ -91,7 +97,7 @@ std::string manifest(const std::string& file, const std::string& time, const std
 }
 
 TEST(ReadDataset, TakesAJsonLogAsItTakesText) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   std::string t, q, tau;
   for (int i = 0; i < 50; ++i) {
     const char* const comma = i == 0 ? "" : ",";
@@ -101,7 +107,8 @@ TEST(ReadDataset, TakesAJsonLogAsItTakesText) {
   }
   const std::string json = fmt::format(R"({{"t": [{}], "q": [{}], "tau": [{}]}})", t, q, tau);
   (void)directory.file("a.json", json);
-  const Dataset d = read_dataset(directory.file("d.toml", manifest("a.json", "t", "q", "tau")));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(directory.file("d.toml", manifest("a.json", "t", "q", "tau")));
   ASSERT_EQ(d.recordings.size(), 1U);
   EXPECT_EQ(d.recordings[0].size(), 50U);
   EXPECT_EQ(d.recordings[0].torque_Nm[49], 0.49);
@@ -110,7 +117,7 @@ TEST(ReadDataset, TakesAJsonLogAsItTakesText) {
 }
 
 TEST(ReadDataset, TakesAnMcapLogByTheJointsName) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   test::McapWriter writer({10, "zstd"});
   writer.add_schema(1, "sensor_msgs/msg/JointState", "ros2msg", test::joint_state_definition);
   writer.add_channel(1, 1, "/joint_states");
@@ -121,9 +128,9 @@ TEST(ReadDataset, TakesAnMcapLogByTheJointsName) {
     writer.add_message(1, static_cast<std::uint64_t>(stamp_ns), message.cdr());
   }
   (void)directory.file("a.mcap", writer.finish());
-  const Dataset d = read_dataset(
+  const joint::Dataset d = ingest::dataset::read_dataset(
       directory.file("d.toml", manifest("a.mcap", "time", "elbow.position", "elbow.effort")));
-  const Recording& r = d.recordings.at(0);
+  const joint::Recording& r = d.recordings.at(0);
   ASSERT_EQ(r.size(), 50U);
   EXPECT_NEAR(r.t_s[49], 0.49, 1e-12);
   EXPECT_EQ(r.q_rad[7], 0.1);

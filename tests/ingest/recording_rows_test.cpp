@@ -11,33 +11,38 @@
 namespace tribolog {
 namespace {
 
-RecordingEntry entry() {
-  RecordingEntry e;
-  e.role = Role::rough_sweep;
+ingest::manifest::RecordingEntry entry() {
+  ingest::manifest::RecordingEntry e;
+  e.role = joint::Role::rough_sweep;
   e.file = "run.csv";
-  e.columns.time = ColumnEntry{"t", "s", Quantity::time, 1.0, Side::joint, {"m.toml", 1, 1}};
-  e.columns.angle = ColumnEntry{"q", "rad", Quantity::angle, 1.0, Side::joint, {"m.toml", 2, 1}};
-  e.columns.effort = ColumnEntry{"tau", "Nm", Quantity::torque, 1.0, Side::joint, {"m.toml", 3, 1}};
+  e.columns.time = ingest::manifest::ColumnEntry{
+      "t", "s", ingest::log::Quantity::time, 1.0, joint::Side::joint, {"m.toml", 1, 1}};
+  e.columns.angle = ingest::manifest::ColumnEntry{
+      "q", "rad", ingest::log::Quantity::angle, 1.0, joint::Side::joint, {"m.toml", 2, 1}};
+  e.columns.effort = ingest::manifest::ColumnEntry{
+      "tau", "Nm", ingest::log::Quantity::torque, 1.0, joint::Side::joint, {"m.toml", 3, 1}};
   return e;
 }
 
 struct Outcome {
-  Recording recording;
+  joint::Recording recording;
   std::vector<std::string> notes;
 };
 
-Outcome make(const RecordingEntry& e, const std::string& csv,
-             const Drive& drive = Drive(1.0, EffortKind::motor_torque, Side::motor),
+Outcome make(const ingest::manifest::RecordingEntry& e, const std::string& csv,
+             const joint::Drive& drive = joint::Drive(1.0, joint::EffortKind::motor_torque,
+                                                      joint::Side::motor),
              double sign = 1.0) {
   Outcome outcome;
   MemorySource source(csv);
-  const LogTable table = read_csv(source, "dir/run.csv", columns_wanted(e));
-  refuse_unusable_columns(e, {}, "dir/run.csv", table);
-  outcome.recording = make_recording(e, table, drive, sign, outcome.notes);
+  const ingest::log::LogTable table =
+      ingest::text::read_csv(source, "dir/run.csv", ingest::dataset::columns_wanted(e));
+  ingest::dataset::refuse_unusable_columns(e, {}, "dir/run.csv", table);
+  outcome.recording = ingest::dataset::make_recording(e, table, drive, sign, outcome.notes);
   return outcome;
 }
 
-std::string refusal(const RecordingEntry& e, const std::string& csv) {
+std::string refusal(const ingest::manifest::RecordingEntry& e, const std::string& csv) {
   return test::refusal_of<InputError>([&] { return make(e, csv); });
 }
 
@@ -50,9 +55,9 @@ std::string rows(int from, int to) {
 
 const std::string header = "t,q,tau\n";
 
-void expect_sum_rule(const Recording& r) {
+void expect_sum_rule(const joint::Recording& r) {
   std::size_t sum = r.size();
-  for (const SkippedRows& skipped : r.skipped) sum += skipped.count;
+  for (const joint::SkippedRows& skipped : r.skipped) sum += skipped.count;
   EXPECT_EQ(r.rows_read, sum);
 }
 
@@ -69,25 +74,26 @@ TEST(RecordingRows, KeepEveryNumberAsItIs) {
 }
 
 TEST(RecordingRows, BecomeSiOnTheirStatedSides) {
-  RecordingEntry e = entry();
-  e.columns.angle->side = Side::motor;
+  ingest::manifest::RecordingEntry e = entry();
+  e.columns.angle->side = joint::Side::motor;
   e.columns.angle->unit = "deg";
   e.columns.angle->si_factor = std::numbers::pi / 180;
-  e.columns.effort->quantity = Quantity::current;
-  e.columns.bristle = ColumnEntry{"z", "mrad", Quantity::angle, 1e-3, Side::joint, {}};
+  e.columns.effort->quantity = ingest::log::Quantity::current;
+  e.columns.bristle = ingest::manifest::ColumnEntry{
+      "z", "mrad", ingest::log::Quantity::angle, 1e-3, joint::Side::joint, {}};
   std::string csv = "t,q,tau,z\n";
   for (int i = 0; i < 30; ++i) csv += fmt::format("{},{},{},{}\n", i / 100.0, 18000, 2, 5);
   // 18000 deg at the motor are 180 deg at the joint of a gear of 100; 2 A at 10 N·m/A at the joint
   // are 20 N·m there, 0.2 N·m at the motor, and the sign turns them round.
-  const auto [r, notes] =
-      make(e, csv, Drive(100, EffortKind::motor_current, Side::joint, 10.0), -1.0);
+  const auto [r, notes] = make(
+      e, csv, joint::Drive(100, joint::EffortKind::motor_current, joint::Side::joint, 10.0), -1.0);
   EXPECT_NEAR(r.q_rad[0], std::numbers::pi, 1e-15);
   EXPECT_NEAR(r.torque_Nm[0], -0.2, 1e-16);
   EXPECT_EQ(r.z_rad[0], 5e-3) << "bristles are on the motor side already";
 }
 
 TEST(RecordingRows, OutsideTheWindowAreCounted) {
-  RecordingEntry e = entry();
+  ingest::manifest::RecordingEntry e = entry();
   e.from_s = 0.1;
   e.to_s = 0.5;
   const auto [r, notes] = make(e, header + rows(0, 100));
@@ -152,7 +158,7 @@ TEST(RecordingRows, SmallStepsBackArePutInOrder) {
 }
 
 TEST(RecordingRows, LargeStepsBackAreRefusedEvenOutsideTheWindow) {
-  RecordingEntry e = entry();
+  ingest::manifest::RecordingEntry e = entry();
   e.to_s = 0.4;
   EXPECT_EQ(refusal(e, header + rows(0, 200) + rows(0, 200)),
             "dir/run.csv:202: time runs back by 1.99 s; hint: two logs concatenated? split the "
@@ -160,7 +166,7 @@ TEST(RecordingRows, LargeStepsBackAreRefusedEvenOutsideTheWindow) {
 }
 
 TEST(RecordingRows, TooFewAreRefusedWithTheReasons) {
-  RecordingEntry e = entry();
+  ingest::manifest::RecordingEntry e = entry();
   e.from_s = 0.9;
   EXPECT_EQ(refusal(e, header + rows(0, 100)),
             "dir/run.csv: too few usable rows, found 10 of 100, expected at least 20; hint: left "
@@ -204,7 +210,7 @@ TEST(RecordingRows, OfARateThatNoLogHasAreRefusedWithLikelierUnits) {
   EXPECT_EQ(refusal(entry(), log_of_rate(2e5)),
             "dir/run.csv: column 't': 2e+05 samples a second, read in s, expected 5 to 100000; "
             "hint: another unit of time? if this is right, state any_rate = true beside the unit");
-  RecordingEntry ms = entry();
+  ingest::manifest::RecordingEntry ms = entry();
   ms.columns.time->unit = "ms";
   ms.columns.time->si_factor = 1e-3;
   EXPECT_NE(refusal(ms, log_of_rate(1e3)).find("in s they would be 1e+03;"), std::string::npos);
@@ -214,8 +220,8 @@ TEST(RecordingRows, OfARateThatNoLogHasAreRefusedWithLikelierUnits) {
 }
 
 TEST(RecordingRows, OfALoopShouldBeMany) {
-  RecordingEntry e = entry();
-  e.role = Role::oscillation;
+  ingest::manifest::RecordingEntry e = entry();
+  e.role = joint::Role::oscillation;
   EXPECT_EQ(make(e, log_of_rate(20)).notes,
             std::vector<std::string>{"run.csv: 20 samples a second are few for what happens at a "
                                      "reversal; log at 100 or more"});
@@ -246,15 +252,16 @@ TEST(RecordingRows, OfAnEncoderThatWrapsRoundAreNoted) {
       std::vector<std::string>{"run.csv: the angle jumps by a turn 1 time, first at 0.15 s: an "
                                "encoder that wraps round? unwrap the angle in the log"});
   // A motor that turns once a sample does not wrap.
-  RecordingEntry e = entry();
-  e.columns.angle->side = Side::motor;
+  ingest::manifest::RecordingEntry e = entry();
+  e.columns.angle->side = joint::Side::motor;
   csv = header;
   for (int i = 0; i < 100; ++i) csv += fmt::format("{},{},1\n", i / 100.0, 6.28 * i);
-  EXPECT_TRUE(make(e, csv, Drive(100, EffortKind::motor_torque, Side::motor)).notes.empty());
+  EXPECT_TRUE(make(e, csv, joint::Drive(100, joint::EffortKind::motor_torque, joint::Side::motor))
+                  .notes.empty());
 }
 
 TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
-  RecordingEntry e = entry();
+  ingest::manifest::RecordingEntry e = entry();
   EXPECT_EQ(refusal(e, header + rows(0, 30) + "0.3,0,1e300\n" + rows(31, 40)),
             "dir/run.csv:32: column 'tau': no joint has a torque of this size, found 1e+300 Nm, "
             "expected at most 1e+07 Nm; hint: another unit? where only this row is damaged, write "
@@ -268,14 +275,16 @@ TEST(RecordingRows, ANumberThatNoJointHasIsRefused) {
 }
 
 TEST(RecordingRows, ThatWereSkippedAreCounted) {
-  TextLogRules rules;
+  ingest::text::TextLogRules rules;
   rules.skip_bad_rows = true;
   const std::string csv = header + rows(0, 100) + "1,fault\n" + rows(101, 200);
   MemorySource source(csv);
-  const LogTable table = read_csv(source, "run.csv", columns_wanted(entry()), rules);
+  const ingest::log::LogTable table =
+      ingest::text::read_csv(source, "run.csv", ingest::dataset::columns_wanted(entry()), rules);
   std::vector<std::string> notes;
-  const Recording r =
-      make_recording(entry(), table, Drive(1.0, EffortKind::motor_torque, Side::motor), 1.0, notes);
+  const joint::Recording r = ingest::dataset::make_recording(
+      entry(), table, joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor), 1.0,
+      notes);
   EXPECT_EQ(r.size(), 199U);
   ASSERT_EQ(r.skipped.size(), 1U);
   EXPECT_EQ(r.skipped[0].reason, "cannot be used (skip_bad_rows)");

@@ -12,59 +12,67 @@ namespace {
 using std::numbers::pi;
 
 TEST(Units, HaveTheirFactors) {
-  EXPECT_EQ(find_si_factor(Quantity::angle, "rad"), 1.0);
-  EXPECT_EQ(find_si_factor(Quantity::angle, "mrad"), 1e-3);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "deg") * 180, pi);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "rpm") * 60, 2 * pi);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "°/s") * 180, pi);
-  EXPECT_EQ(find_si_factor(Quantity::torque, "kNm"), 1e3);
-  EXPECT_EQ(find_si_factor(Quantity::current, "mA"), 1e-3);
-  EXPECT_EQ(find_si_factor(Quantity::time, "ns"), 1e-9);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::angle, "rad"), 1.0);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::angle, "mrad"), 1e-3);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angle, "deg") * 180, pi);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angular_speed, "rpm") * 60,
+                   2 * pi);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angular_speed, "°/s") * 180,
+                   pi);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::torque, "kNm"), 1e3);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::current, "mA"), 1e-3);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::time, "ns"), 1e-9);
 }
 
 TEST(Units, MayBeSpeltInSeveralWays) {
   for (const char* unit : {"Nm", "N·m", "N⋅m", "N*m", "N m", " N m "}) {
-    EXPECT_EQ(find_si_factor(Quantity::torque, unit), 1.0) << unit;
+    EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::torque, unit), 1.0) << unit;
   }
-  EXPECT_EQ(find_si_factor(Quantity::torque, "mN·m"), 1e-3);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::torque, "mN·m"), 1e-3);
   for (const char* unit : {"us", "µs", "μs"}) {  // Latin u, micro sign, Greek mu
-    EXPECT_EQ(find_si_factor(Quantity::time, unit), 1e-6) << unit;
+    EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::time, unit), 1e-6) << unit;
   }
 }
 
 TEST(Units, MayBeAMultipleOfOne) {
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "0.018 deg"), 2 * pi / 20'000);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angle, "5e-5turn"), 2 * pi / 20'000);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::torque, "0.0013 N·m"), 0.0013);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "1/min"), 2 * pi / 60);
-  EXPECT_DOUBLE_EQ(*find_si_factor(Quantity::angular_speed, "2 1/min"), 4 * pi / 60);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angle, "0.018 deg"),
+                   2 * pi / 20'000);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angle, "5e-5turn"),
+                   2 * pi / 20'000);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::torque, "0.0013 N·m"),
+                   0.0013);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angular_speed, "1/min"),
+                   2 * pi / 60);
+  EXPECT_DOUBLE_EQ(*ingest::log::find_si_factor(ingest::log::Quantity::angular_speed, "2 1/min"),
+                   4 * pi / 60);
   for (const char* unit : {"0 deg", "-1 deg", "nan deg", "inf deg", "1e999 deg", "2", "2 2 deg"}) {
-    EXPECT_EQ(find_si_factor(Quantity::angle, unit), std::nullopt) << unit;
+    EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::angle, unit), std::nullopt)
+        << unit;
   }
-  EXPECT_TRUE(is_known_unit("deg"));
-  EXPECT_FALSE(is_known_unit("0.5 s"));
+  EXPECT_TRUE(ingest::log::is_known_unit("deg"));
+  EXPECT_FALSE(ingest::log::is_known_unit("0.5 s"));
 }
 
 TEST(Units, AreNeverOfAnotherQuantityOrCase) {
-  EXPECT_EQ(find_si_factor(Quantity::torque, "A"), std::nullopt);
-  EXPECT_EQ(find_si_factor(Quantity::time, "rad"), std::nullopt);
-  EXPECT_EQ(find_si_factor(Quantity::torque, "MNm"), std::nullopt);
-  EXPECT_EQ(find_si_factor(Quantity::angle, ""), std::nullopt);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::torque, "A"), std::nullopt);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::time, "rad"), std::nullopt);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::torque, "MNm"), std::nullopt);
+  EXPECT_EQ(ingest::log::find_si_factor(ingest::log::Quantity::angle, ""), std::nullopt);
 }
 
 TEST(Units, AreListedWhereOneIsNotKnown) {
-  const auto refusal = [](Quantity quantity, const char* unit) {
+  const auto refusal = [](ingest::log::Quantity quantity, const char* unit) {
     return test::refusal_of<InputError>(
-        [&] { return si_factor(quantity, unit, {"m.toml", 5, 9}); });
+        [&] { return ingest::log::si_factor(quantity, unit, {"m.toml", 5, 9}); });
   };
   EXPECT_EQ(
-      refusal(Quantity::angle, "degree"),
+      refusal(ingest::log::Quantity::angle, "degree"),
       "m.toml:5:9: unknown unit of an angle, found 'degree', expected one of rad, mrad, deg, turn; "
       "hint: did you mean 'deg'?");
-  EXPECT_EQ(refusal(Quantity::torque, "lbf"),
+  EXPECT_EQ(refusal(ingest::log::Quantity::torque, "lbf"),
             "m.toml:5:9: unknown unit of a torque, found 'lbf', expected one of Nm, mNm, kNm; "
             "hint: a multiple of one will do, such as \"0.0013 Nm\"");
-  EXPECT_EQ(refusal(Quantity::time, "min"),
+  EXPECT_EQ(refusal(ingest::log::Quantity::time, "min"),
             "m.toml:5:9: unknown unit of a time, found 'min', expected one of s, ms, us, ns; hint: "
             "a multiple of one will do, such as \"60 s\"");
 }

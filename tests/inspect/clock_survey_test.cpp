@@ -9,8 +9,8 @@
 namespace tribolog {
 namespace {
 
-LogColumn clock_of(std::vector<double> values) {
-  LogColumn column;
+ingest::log::LogColumn clock_of(std::vector<double> values) {
+  ingest::log::LogColumn column;
   column.header = {"stamp", "stamp", ""};
   column.values = std::move(values);
   return column;
@@ -22,8 +22,8 @@ std::vector<double> even(double step, int n) {
   return values;
 }
 
-ColumnMeaning without_unit() {
-  ColumnMeaning meaning;
+ingest::layout::ColumnMeaning without_unit() {
+  ingest::layout::ColumnMeaning meaning;
   meaning.unit = "s";
   return meaning;
 }
@@ -32,16 +32,18 @@ TEST(ClockSurvey, TellsTheUnitByTheSizeOfItsSteps) {
   for (const auto& [step, unit] :
        {std::pair{0.001, "s"}, std::pair{0.1, "s"}, std::pair{1.0, "ms"}, std::pair{10.0, "ms"},
         std::pair{1000.0, "us"}, std::pair{8e6, "ns"}}) {
-    const ClockSurvey clock = survey_clock(clock_of(even(step, 100)), without_unit(), false);
+    const inspect::survey::ClockSurvey clock =
+        inspect::survey::survey_clock(clock_of(even(step, 100)), without_unit(), false);
     EXPECT_EQ(clock.unit, unit) << step;
     EXPECT_FALSE(clock.unit_is_stated);
   }
 }
 
 TEST(ClockSurvey, AStatedUnitStands) {
-  ColumnMeaning meaning = without_unit();
+  ingest::layout::ColumnMeaning meaning = without_unit();
   meaning.unit_is_stated = true;
-  const ClockSurvey clock = survey_clock(clock_of(even(5, 100)), meaning, false);
+  const inspect::survey::ClockSurvey clock =
+      inspect::survey::survey_clock(clock_of(even(5, 100)), meaning, false);
   EXPECT_EQ(clock.unit, "s");
   EXPECT_DOUBLE_EQ(clock.rate_Hz(), 0.2);
 }
@@ -52,7 +54,8 @@ TEST(ClockSurvey, CountsWhatIsWrong) {
   t[40] = t[38];                                       // back
   for (std::size_t i = 70; i < 100; ++i) t[i] += 0.5;  // a gap behind 0.69 s
   t[90] = NAN;
-  const ClockSurvey clock = survey_clock(clock_of(t), without_unit(), false);
+  const inspect::survey::ClockSurvey clock =
+      inspect::survey::survey_clock(clock_of(t), without_unit(), false);
   EXPECT_EQ(clock.repeated, 1U);
   EXPECT_EQ(clock.back, 1U);
   EXPECT_NEAR(clock.largest_step_back_s, 0.01, 1e-12);
@@ -63,10 +66,12 @@ TEST(ClockSurvey, CountsWhatIsWrong) {
 }
 
 TEST(ClockSurvey, StuckOrEmptyIsNoClock) {
-  EXPECT_EQ(survey_clock(clock_of(std::vector<double>(50, 3.0)), without_unit(), false).rate_Hz(),
-            0);
-  EXPECT_EQ(survey_clock(clock_of({}), without_unit(), false).rate_Hz(), 0);
-  EXPECT_EQ(survey_clock(clock_of({NAN, NAN}), without_unit(), false).missing, 2U);
+  EXPECT_EQ(
+      inspect::survey::survey_clock(clock_of(std::vector<double>(50, 3.0)), without_unit(), false)
+          .rate_Hz(),
+      0);
+  EXPECT_EQ(inspect::survey::survey_clock(clock_of({}), without_unit(), false).rate_Hz(), 0);
+  EXPECT_EQ(inspect::survey::survey_clock(clock_of({NAN, NAN}), without_unit(), false).missing, 2U);
 }
 
 }  // namespace

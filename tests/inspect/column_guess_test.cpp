@@ -9,10 +9,11 @@
 namespace tribolog {
 namespace {
 
-LogTable table_of(const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
-  LogTable table;
+ingest::log::LogTable table_of(
+    const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
+  ingest::log::LogTable table;
   for (const auto& [name, values] : columns) {
-    LogColumn column;
+    ingest::log::LogColumn column;
     column.header = {name, name, ""};
     column.values = values;
     table.columns.push_back(std::move(column));
@@ -29,15 +30,15 @@ TEST(ColumnGuess, FindsClockAngleAndSpeed) {
     v.push_back(57.29578 * std::cos(t.back()));
     i.push_back(std::cos(t.back()) > 0 ? 1.5 : -1.5);
   }
-  const LogTable table = table_of({{"#1", i}, {"#2", t}, {"#3", v}, {"#4", q}});
-  const auto guesses = guess_by_numbers(table, {});
+  const ingest::log::LogTable table = table_of({{"#1", i}, {"#2", t}, {"#3", v}, {"#4", q}});
+  const auto guesses = inspect::survey::guess_by_numbers(table, {});
   ASSERT_EQ(guesses.size(), 3U);
   EXPECT_EQ(guesses[0].meaning.column, 1U);
-  EXPECT_EQ(guesses[0].meaning.quantity, Quantity::time);
+  EXPECT_EQ(guesses[0].meaning.quantity, ingest::log::Quantity::time);
   EXPECT_EQ(guesses[1].meaning.column, 3U);
-  EXPECT_EQ(guesses[1].meaning.quantity, Quantity::angle);
+  EXPECT_EQ(guesses[1].meaning.quantity, ingest::log::Quantity::angle);
   EXPECT_EQ(guesses[2].meaning.column, 2U);
-  EXPECT_EQ(guesses[2].meaning.quantity, Quantity::angular_speed);
+  EXPECT_EQ(guesses[2].meaning.quantity, ingest::log::Quantity::angular_speed);
   for (const auto& guess : guesses) EXPECT_FALSE(guess.reason.empty());
 }
 
@@ -50,35 +51,35 @@ TEST(ColumnGuess, ConstantColumnsAreNoSlopeAndAccelerationsNoSpeed) {
     a.push_back(-std::sin(t.back()) - 0.529 * std::sin(2.3 * t.back()));
     constant.push_back(31.1);
   }
-  const LogTable table =
+  const ingest::log::LogTable table =
       table_of({{"#1", t}, {"#2", constant}, {"#3", v}, {"#4", a}, {"#5", q}, {"#6", constant}});
-  const auto guesses = guess_by_numbers(table, {});
+  const auto guesses = inspect::survey::guess_by_numbers(table, {});
   ASSERT_EQ(guesses.size(), 3U);
   EXPECT_EQ(guesses[1].meaning.column, 4U);
   EXPECT_EQ(guesses[2].meaning.column, 2U);
 }
 
 TEST(ColumnGuess, WhatTheNamesTellIsNotGuessedAgain) {
-  LogLayout layout;
-  ColumnMeaning angle;
-  angle.quantity = Quantity::angle;
+  ingest::layout::LogLayout layout;
+  ingest::layout::ColumnMeaning angle;
+  angle.quantity = ingest::log::Quantity::angle;
   angle.column = 1;
-  ColumnMeaning time;
-  time.quantity = Quantity::time;
+  ingest::layout::ColumnMeaning time;
+  time.quantity = ingest::log::Quantity::time;
   layout.columns = {time, angle};
-  const LogTable table = table_of({{"t", {0, 1, 2, 3}}, {"q", {0, 1, 2, 3}}});
-  EXPECT_TRUE(guess_by_numbers(table, layout).empty());
+  const ingest::log::LogTable table = table_of({{"t", {0, 1, 2, 3}}, {"q", {0, 1, 2, 3}}});
+  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, layout).empty());
 }
 
 TEST(ColumnGuess, NothingIsMadeOfNoise) {
-  const LogTable table = table_of({{"a", {1, 1, 1}}, {"b", {NAN, NAN, NAN}}});
-  EXPECT_TRUE(guess_by_numbers(table, {}).empty());
+  const ingest::log::LogTable table = table_of({{"a", {1, 1, 1}}, {"b", {NAN, NAN, NAN}}});
+  EXPECT_TRUE(inspect::survey::guess_by_numbers(table, {}).empty());
 }
 
 TEST(ColumnGuess, ThirtyTurnsOfRadiansAreDegrees) {
-  EXPECT_TRUE(looks_like_degrees({-90, 90}));
-  EXPECT_FALSE(looks_like_degrees({-3.1, 3.1}));
-  EXPECT_FALSE(looks_like_degrees({}));
+  EXPECT_TRUE(inspect::survey::looks_like_degrees({-90, 90}));
+  EXPECT_FALSE(inspect::survey::looks_like_degrees({-3.1, 3.1}));
+  EXPECT_FALSE(inspect::survey::looks_like_degrees({}));
 }
 
 }  // namespace

@@ -21,14 +21,14 @@ double last_level(const std::vector<double>& effort) {
 
 }  // namespace
 
-LongRecording long_recording(const Scenario& scenario, std::size_t keep, double rest_s) {
+LongRecording long_recording(const simulate::Scenario& scenario, std::size_t keep, double rest_s) {
   constexpr double transfer_s = 1.5;
   LongRecording out;
-  const std::vector<Recording> recordings = simulate_joint(scenario);
+  const std::vector<joint::Recording> recordings = simulate::simulate_joint(scenario);
   const double step_s =
       static_cast<double>(keep) * (recordings.front().t_s[1] - recordings.front().t_s[0]);
-  RandomStream noise(scenario.noise.seed, 1);
-  AngleTrace& trace = out.trace;
+  statistics::RandomStream noise(scenario.noise.seed, 1);
+  inspect::motion::AngleTrace& trace = out.trace;
   const auto add = [&](double t, double q, double torque) {
     trace.t_s.push_back(t);
     trace.q_rad.push_back(q);
@@ -44,7 +44,7 @@ LongRecording long_recording(const Scenario& scenario, std::size_t keep, double 
       add(t, q, torque + scenario.noise.torque_white_Nm * noise.normal());
     }
   };
-  for (const Recording& r : recordings) {
+  for (const joint::Recording& r : recordings) {
     const double last_rad = trace.t_s.empty() ? r.q_rad.front() : trace.q_rad.back();
     const double last_Nm = trace.t_s.empty() ? r.torque_Nm.front() : last_level(trace.effort);
     hold(rest_s, last_rad, last_rad, last_Nm);
@@ -54,17 +54,17 @@ LongRecording long_recording(const Scenario& scenario, std::size_t keep, double 
     for (std::size_t i = 0; i < r.size(); i += keep) {
       add(start_s + r.t_s[i] - r.t_s.front(), r.q_rad[i], r.torque_Nm[i]);
     }
-    const bool travels = r.role != Role::oscillation && r.role != Role::break_away;
-    const double still_s = travels ? TravelMotion::Plan{}.rest_s : 0;
+    const bool travels = r.role != joint::Role::oscillation && r.role != joint::Role::break_away;
+    const double still_s = travels ? simulate::TravelMotion::Plan{}.rest_s : 0;
     out.truth.push_back({r.name, r.role, start_s + still_s, trace.t_s.back() - still_s});
   }
   hold(rest_s, trace.q_rad.back(), trace.q_rad.back(), last_level(trace.effort));
   return out;
 }
 
-Scenario everything(std::uint64_t seed) {
-  Scenario scenario = noisy_paper_joint(seed);
-  BreakAwayExperiment ramp;
+simulate::Scenario everything(std::uint64_t seed) {
+  simulate::Scenario scenario = noisy_paper_joint(seed);
+  simulate::BreakAwayExperiment ramp;
   ramp.centre_rad = true_q_peak_rad();
   ramp.rate_Nm_s = 0.05;
   ramp.largest_torque_Nm = 1.2;

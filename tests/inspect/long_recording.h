@@ -14,21 +14,21 @@ namespace tribolog::test {
 
 struct TrueSegment {
   std::string name;  ///< Of the simulated recording.
-  Role role{};
+  joint::Role role{};
   double from_s{};  ///< From the start of its motion to the end.
   double to_s{};
 };
 
 struct LongRecording {
-  AngleTrace trace;
+  inspect::motion::AngleTrace trace;
   std::vector<TrueSegment> truth;
 };
 
 /// The scenario's recordings in their order, every `keep`-th sample of them.
 /// @param rest_s before and behind each transfer.
-LongRecording long_recording(const Scenario& scenario, std::size_t keep, double rest_s);
+LongRecording long_recording(const simulate::Scenario& scenario, std::size_t keep, double rest_s);
 
 /// The paper's joint with a ramp of break-away torque, and all the noise of a real drive.
-Scenario everything(std::uint64_t seed);
+simulate::Scenario everything(std::uint64_t seed);
 
 }  // namespace tribolog::test

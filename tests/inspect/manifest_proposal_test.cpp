@@ -27,19 +27,21 @@ std::string sweep(const std::string& header) {
   return csv;
 }
 
-ManifestProposal propose(const test::ScratchDirectory& scratch, const std::string& log,
-                         ProposalOptions options = {}) {
+inspect::survey::ManifestProposal propose(const test::ScratchDirectory& scratch,
+                                          const std::string& log,
+                                          inspect::survey::ProposalOptions options = {}) {
   options.directory = scratch.path();
-  return propose_manifest({survey_log(log)}, options);
+  return inspect::survey::propose_manifest({inspect::survey::survey_log(log)}, options);
 }
 
 TEST(ManifestProposal, IsReadByTheReader) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("a log.csv", sweep("time_ms,q_deg,tau_Nm"));
-  const ManifestProposal proposal = propose(scratch, log);
-  const Dataset dataset = read_dataset(scratch.write("dataset.toml", proposal.text));
+  const inspect::survey::ManifestProposal proposal = propose(scratch, log);
+  const joint::Dataset dataset =
+      ingest::dataset::read_dataset(scratch.write("dataset.toml", proposal.text));
   ASSERT_EQ(dataset.recordings.size(), 1U);
-  EXPECT_EQ(dataset.recordings[0].role, Role::rough_sweep);
+  EXPECT_EQ(dataset.recordings[0].role, joint::Role::rough_sweep);
   EXPECT_EQ(dataset.recordings[0].name, "a log.csv") << "relative to the manifest";
   EXPECT_NEAR(dataset.recordings[0].t_s.back(), 39.99, 0.01);
   EXPECT_FALSE(dataset.manifest.effort_is_confirmed) << "nobody stated what the torque is";
@@ -48,47 +50,50 @@ TEST(ManifestProposal, IsReadByTheReader) {
 TEST(ManifestProposal, LeavesTheTorqueConstantToTheUser) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,i_motor_A"));
-  const ManifestProposal proposal = propose(scratch, log);
+  const inspect::survey::ManifestProposal proposal = propose(scratch, log);
   try {
-    (void)read_manifest(scratch.write("dataset.toml", proposal.text));
+    (void)ingest::manifest::read_manifest(scratch.write("dataset.toml", proposal.text));
     FAIL() << "a torque constant of 0 was taken";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("torque_constant_Nm_A"), std::string::npos);
   }
-  ProposalOptions options;
+  inspect::survey::ProposalOptions options;
   options.torque_constant_Nm_A = 0.35;
   options.gear_ratio = 100;
   options.robot = "a \"robot\"\n";
-  const ManifestFile manifest = parse_manifest(propose(scratch, log, options).text, "m.toml");
+  const ingest::manifest::ManifestFile manifest =
+      ingest::manifest::parse_manifest(propose(scratch, log, options).text, "m.toml");
   EXPECT_EQ(manifest.manifest.drive.torque_constant_Nm_A(), 0.35);
   EXPECT_EQ(manifest.manifest.drive.gear_ratio(), 100);
-  EXPECT_EQ(manifest.manifest.drive.side(), Side::motor);
+  EXPECT_EQ(manifest.manifest.drive.side(), joint::Side::motor);
   EXPECT_EQ(manifest.manifest.robot, "a \"robot\"\n");
 }
 
 TEST(ManifestProposal, WithoutEffortSaysWhatToRecord) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,u_motor_V"));
-  const ManifestProposal proposal = propose(scratch, log);
+  const inspect::survey::ManifestProposal proposal = propose(scratch, log);
   EXPECT_NE(proposal.text.find("kind = \"none\""), std::string::npos);
   EXPECT_NE(proposal.text.find("u_motor_V"), std::string::npos);
   EXPECT_NE(proposal.text.find("Record the motor current or the torque"), std::string::npos);
-  EXPECT_EQ(parse_manifest(proposal.text, "m.toml").manifest.drive.kind(), EffortKind::none);
+  EXPECT_EQ(ingest::manifest::parse_manifest(proposal.text, "m.toml").manifest.drive.kind(),
+            joint::EffortKind::none);
 }
 
 TEST(ManifestProposal, NamesOfColumnsCannotBreakOutOfTheirText) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q_deg,\"tau \\ x\x1b[31m_Nm\""));
-  const ManifestProposal proposal = propose(scratch, log);
+  const inspect::survey::ManifestProposal proposal = propose(scratch, log);
   EXPECT_EQ(proposal.text.find('\x1b'), std::string::npos);
-  const ManifestFile manifest = parse_manifest(proposal.text, "m.toml");
+  const ingest::manifest::ManifestFile manifest =
+      ingest::manifest::parse_manifest(proposal.text, "m.toml");
   EXPECT_EQ(manifest.recordings.size(), 1U);
 }
 
 TEST(ManifestProposal, AJointThatNoLogHasGetsTheList) {
   const test::ScratchDirectory scratch;
   const std::string log = scratch.write("log.csv", sweep("time_ms,q1_deg,q2_deg"));
-  ProposalOptions options;
+  inspect::survey::ProposalOptions options;
   options.joint = "7";
   EXPECT_THROW((void)propose(scratch, log, options), UsageError);
   options.joint = "2";

@@ -23,16 +23,17 @@ using test::TrueSegment;
 /// What is asked for: ends within so much of a segment's length.
 constexpr double end_share = 0.02;
 
-MotionKind kind_of(Role role) {
-  if (role == Role::oscillation) return MotionKind::oscillation;
-  if (role == Role::break_away) return MotionKind::break_away_ramp;
-  return MotionKind::constant_speed;  // slow ones too: see recording_roles.h
+inspect::motion::MotionKind kind_of(joint::Role role) {
+  if (role == joint::Role::oscillation) return inspect::motion::MotionKind::oscillation;
+  if (role == joint::Role::break_away) return inspect::motion::MotionKind::break_away_ramp;
+  return inspect::motion::MotionKind::constant_speed;  // slow ones too: see recording_roles.h
 }
 
-const MotionSegment* nearest(const std::vector<MotionSegment>& segments, const TrueSegment& truth) {
-  const MotionSegment* best = nullptr;
+const inspect::motion::MotionSegment* nearest(
+    const std::vector<inspect::motion::MotionSegment>& segments, const test::TrueSegment& truth) {
+  const inspect::motion::MotionSegment* best = nullptr;
   double most = 0;
-  for (const MotionSegment& s : segments) {
+  for (const inspect::motion::MotionSegment& s : segments) {
     const double common = std::min(s.to_s, truth.to_s) - std::max(s.from_s, truth.from_s);
     if (common > most) {
       most = common;
@@ -42,45 +43,48 @@ const MotionSegment* nearest(const std::vector<MotionSegment>& segments, const T
   return best;
 }
 
-void expect_truth(const LongRecording& recording) {
-  const std::vector<MotionSegment> segments = cut_by_motion(recording.trace);
-  std::vector<const MotionSegment*> found;
-  for (const TrueSegment& truth : recording.truth) {
+void expect_truth(const test::LongRecording& recording) {
+  const std::vector<inspect::motion::MotionSegment> segments =
+      inspect::motion::cut_by_motion(recording.trace);
+  std::vector<const inspect::motion::MotionSegment*> found;
+  for (const test::TrueSegment& truth : recording.truth) {
     SCOPED_TRACE(truth.name);
-    const MotionSegment* s = nearest(segments, truth);
+    const inspect::motion::MotionSegment* s = nearest(segments, truth);
     ASSERT_NE(s, nullptr);
-    EXPECT_EQ(to_string(s->kind), to_string(kind_of(truth.role)));
+    EXPECT_EQ(inspect::motion::to_string(s->kind), inspect::motion::to_string(kind_of(truth.role)));
     const double tolerance_s = end_share * (truth.to_s - truth.from_s);
     EXPECT_NEAR(s->from_s, truth.from_s, tolerance_s);
     EXPECT_NEAR(s->to_s, truth.to_s, tolerance_s);
     found.push_back(s);
   }
-  for (const MotionSegment& s : segments) {
-    const bool is_experiment = s.kind != MotionKind::rest && s.kind != MotionKind::varying;
+  for (const inspect::motion::MotionSegment& s : segments) {
+    const bool is_experiment = s.kind != inspect::motion::MotionKind::rest &&
+                               s.kind != inspect::motion::MotionKind::varying;
     const bool is_known = std::find(found.begin(), found.end(), &s) != found.end();
     EXPECT_TRUE(is_known || !is_experiment)
-        << to_string(s.kind) << " invented at " << s.from_s << " to " << s.to_s;
+        << inspect::motion::to_string(s.kind) << " invented at " << s.from_s << " to " << s.to_s;
   }
 }
 
 TEST(MotionSegments, OneNoisyRecordingOfEverythingIsCutIntoItsExperiments) {
   for (const std::uint64_t seed : {1U, 2U, 3U})
-    expect_truth(long_recording(test::everything(seed), 1, 2));
+    expect_truth(test::long_recording(test::everything(seed), 1, 2));
 }
 
 TEST(MotionSegments, AlsoWithoutNoise) {
-  Scenario scenario = test::everything(1);
+  simulate::Scenario scenario = test::everything(1);
   scenario.noise = {};
-  expect_truth(long_recording(scenario, 1, 2));
+  expect_truth(test::long_recording(scenario, 1, 2));
 }
 
 TEST(MotionSegments, AlsoAtTheRateOfASlowBus) {
-  expect_truth(long_recording(test::everything(4), 8, 3));  // 125 Hz
+  expect_truth(test::long_recording(test::everything(4), 8, 3));  // 125 Hz
 }
 
 TEST(MotionSegments, SegmentsFollowOnEachOther) {
-  const LongRecording recording = long_recording(test::everything(5), 4, 2);
-  const std::vector<MotionSegment> segments = cut_by_motion(recording.trace);
+  const test::LongRecording recording = test::long_recording(test::everything(5), 4, 2);
+  const std::vector<inspect::motion::MotionSegment> segments =
+      inspect::motion::cut_by_motion(recording.trace);
   for (std::size_t k = 1; k < segments.size(); ++k) {
     EXPECT_GE(segments[k].first, segments[k - 1].last);
     EXPECT_DOUBLE_EQ(segments[k].from_s, recording.trace.t_s[segments[k].first]);
@@ -88,10 +92,10 @@ TEST(MotionSegments, SegmentsFollowOnEachOther) {
 }
 
 /// A sine between rests, with the steps of an encoder and white noise.
-AngleTrace resting_sine(double amplitude_rad, double frequency_Hz, double cycles, double rate_Hz,
-                        double step_rad, double noise_rad) {
-  AngleTrace trace;
-  RandomStream noise(7, 0);
+inspect::motion::AngleTrace resting_sine(double amplitude_rad, double frequency_Hz, double cycles,
+                                         double rate_Hz, double step_rad, double noise_rad) {
+  inspect::motion::AngleTrace trace;
+  statistics::RandomStream noise(7, 0);
   const double rest_s = 5;
   const double sine_s = cycles / frequency_Hz;
   const auto n = static_cast<std::size_t>((2 * rest_s + sine_s) * rate_Hz);
@@ -106,11 +110,12 @@ AngleTrace resting_sine(double amplitude_rad, double frequency_Hz, double cycles
   return trace;
 }
 
-const MotionSegment* only_motion(const std::vector<MotionSegment>& segments) {
-  const MotionSegment* found = nullptr;
-  for (const MotionSegment& s : segments) {
-    if (s.kind == MotionKind::rest) continue;
-    EXPECT_EQ(found, nullptr) << to_string(s.kind) << " at " << s.from_s;
+const inspect::motion::MotionSegment* only_motion(
+    const std::vector<inspect::motion::MotionSegment>& segments) {
+  const inspect::motion::MotionSegment* found = nullptr;
+  for (const inspect::motion::MotionSegment& s : segments) {
+    if (s.kind == inspect::motion::MotionKind::rest) continue;
+    EXPECT_EQ(found, nullptr) << inspect::motion::to_string(s.kind) << " at " << s.from_s;
     found = &s;
   }
   return found;
@@ -118,7 +123,7 @@ const MotionSegment* only_motion(const std::vector<MotionSegment>& segments) {
 
 struct SineCase {
   double amplitude_rad, frequency_Hz, cycles, rate_Hz, step_rad, noise_rad;
-  MotionKind kind;
+  inspect::motion::MotionKind kind;
 };
 
 void PrintTo(const SineCase& c, std::ostream* out) {
@@ -130,11 +135,11 @@ class Sines : public testing::TestWithParam<SineCase> {};
 
 TEST_P(Sines, AreToldByTheirWidth) {
   const SineCase c = GetParam();
-  const auto segments = cut_by_motion(
+  const auto segments = inspect::motion::cut_by_motion(
       resting_sine(c.amplitude_rad, c.frequency_Hz, c.cycles, c.rate_Hz, c.step_rad, c.noise_rad));
-  const MotionSegment* s = only_motion(segments);
+  const inspect::motion::MotionSegment* s = only_motion(segments);
   ASSERT_NE(s, nullptr);
-  EXPECT_EQ(to_string(s->kind), to_string(c.kind));
+  EXPECT_EQ(inspect::motion::to_string(s->kind), inspect::motion::to_string(c.kind));
   const double sine_s = c.cycles / c.frequency_Hz;
   EXPECT_NEAR(s->from_s, 5, end_share * sine_s);
   EXPECT_NEAR(s->to_s, 5 + sine_s, end_share * sine_s);
@@ -143,16 +148,17 @@ TEST_P(Sines, AreToldByTheirWidth) {
 
 INSTANTIATE_TEST_SUITE_P(
     MotionSegments, Sines,
-    testing::Values(SineCase{1.04, 0.1, 6, 100, 1e-4, 0, MotionKind::slow_sweep},
-                    SineCase{1.5, 0.02, 2, 10, 0, 0, MotionKind::slow_sweep},
-                    SineCase{0.5, 0.2, 5, 1000, 0, 1e-4, MotionKind::slow_sweep},
-                    SineCase{1.0, 0.05, 4, 3, 0, 0, MotionKind::slow_sweep},
-                    SineCase{1e-4, 1, 10, 1000, 5e-7, 0, MotionKind::oscillation},
-                    SineCase{1e-4, 1, 10, 500, 0, 1e-6, MotionKind::oscillation},
-                    SineCase{0.02, 2, 20, 200, 1e-4, 1e-5, MotionKind::oscillation}));
+    testing::Values(SineCase{1.04, 0.1, 6, 100, 1e-4, 0, inspect::motion::MotionKind::slow_sweep},
+                    SineCase{1.5, 0.02, 2, 10, 0, 0, inspect::motion::MotionKind::slow_sweep},
+                    SineCase{0.5, 0.2, 5, 1000, 0, 1e-4, inspect::motion::MotionKind::slow_sweep},
+                    SineCase{1.0, 0.05, 4, 3, 0, 0, inspect::motion::MotionKind::slow_sweep},
+                    SineCase{1e-4, 1, 10, 1000, 5e-7, 0, inspect::motion::MotionKind::oscillation},
+                    SineCase{1e-4, 1, 10, 500, 0, 1e-6, inspect::motion::MotionKind::oscillation},
+                    SineCase{0.02, 2, 20, 200, 1e-4, 1e-5,
+                             inspect::motion::MotionKind::oscillation}));
 
 TEST(MotionSegments, RunsAtManySpeedsWithoutStopAreCutByTheirSpeed) {
-  AngleTrace trace;
+  inspect::motion::AngleTrace trace;
   double q = 0;
   for (int i = 0; i < 5000; ++i) {
     const double speed = 0.1 * (1 + i / 1000);
@@ -161,8 +167,8 @@ TEST(MotionSegments, RunsAtManySpeedsWithoutStopAreCutByTheirSpeed) {
     q += 0.01 * speed;
   }
   std::vector<double> speeds;
-  for (const MotionSegment& s : cut_by_motion(trace)) {
-    if (s.kind == MotionKind::constant_speed) speeds.push_back(s.speed_rad_s);
+  for (const inspect::motion::MotionSegment& s : inspect::motion::cut_by_motion(trace)) {
+    if (s.kind == inspect::motion::MotionKind::constant_speed) speeds.push_back(s.speed_rad_s);
   }
   ASSERT_EQ(speeds.size(), 5U);
   for (std::size_t k = 0; k < speeds.size(); ++k) {
@@ -171,33 +177,34 @@ TEST(MotionSegments, RunsAtManySpeedsWithoutStopAreCutByTheirSpeed) {
 }
 
 TEST(MotionSegments, ALogAtRestIsOneRest) {
-  AngleTrace trace;
+  inspect::motion::AngleTrace trace;
   for (int i = 0; i < 1000; ++i) {
     trace.t_s.push_back(0.01 * i);
     trace.q_rad.push_back(0.3);
   }
-  const auto segments = cut_by_motion(trace);
+  const auto segments = inspect::motion::cut_by_motion(trace);
   ASSERT_EQ(segments.size(), 1U);
-  EXPECT_EQ(segments[0].kind, MotionKind::rest);
+  EXPECT_EQ(segments[0].kind, inspect::motion::MotionKind::rest);
 }
 
 TEST(MotionSegments, NoiseIsNoMotion) {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
-    RandomStream noise(seed, 0);
-    AngleTrace trace;
+    statistics::RandomStream noise(seed, 0);
+    inspect::motion::AngleTrace trace;
     for (int i = 0; i < 5000; ++i) {
       trace.t_s.push_back(0.001 * i);
       trace.q_rad.push_back(1e-3 * noise.normal());
       trace.effort.push_back(noise.normal());
     }
-    for (const MotionSegment& s : cut_by_motion(trace)) {
-      EXPECT_TRUE(s.kind == MotionKind::rest) << to_string(s.kind) << ", seed " << seed;
+    for (const inspect::motion::MotionSegment& s : inspect::motion::cut_by_motion(trace)) {
+      EXPECT_TRUE(s.kind == inspect::motion::MotionKind::rest)
+          << inspect::motion::to_string(s.kind) << ", seed " << seed;
     }
   }
 }
 
 TEST(MotionSegments, AMotionUnderARisingEffortIsNoRamp) {
-  AngleTrace trace;
+  inspect::motion::AngleTrace trace;
   for (int i = 0; i < 6000; ++i) {  // at rest, then half a turn under an effort that rises
     const double t = 0.001 * i;
     const double moving = std::max(0.0, t - 2);
@@ -205,15 +212,15 @@ TEST(MotionSegments, AMotionUnderARisingEffortIsNoRamp) {
     trace.q_rad.push_back(0.2 * moving * moving);
     trace.effort.push_back(10 * moving);
   }
-  for (const MotionSegment& s : cut_by_motion(trace)) {
-    EXPECT_NE(s.kind, MotionKind::break_away_ramp) << s.from_s << " to " << s.to_s;
+  for (const inspect::motion::MotionSegment& s : inspect::motion::cut_by_motion(trace)) {
+    EXPECT_NE(s.kind, inspect::motion::MotionKind::break_away_ramp) << s.from_s << " to " << s.to_s;
   }
 }
 
 TEST(MotionSegments, TooFewSamplesAreNothing) {
-  EXPECT_TRUE(cut_by_motion({}).empty());
-  EXPECT_TRUE(cut_by_motion({{0}, {1}, {}}).empty());
-  EXPECT_LE(cut_by_motion({{0, 1}, {0, 1}, {}}).size(), 1U);
+  EXPECT_TRUE(inspect::motion::cut_by_motion({}).empty());
+  EXPECT_TRUE(inspect::motion::cut_by_motion({{0}, {1}, {}}).empty());
+  EXPECT_LE(inspect::motion::cut_by_motion({{0, 1}, {0, 1}, {}}).size(), 1U);
 }
 
 }  // namespace

@@ -10,21 +10,22 @@ namespace tribolog {
 namespace {
 
 /// A log of one joint with these segments, on top of each other in time.
-LogSurvey log_of(std::vector<MotionSegment> segments) {
-  LogSurvey log;
+inspect::survey::LogSurvey log_of(std::vector<inspect::motion::MotionSegment> segments) {
+  inspect::survey::LogSurvey log;
   log.file = "log.csv";
-  TableSurvey table;
-  table.clock = ClockSurvey{};
-  JointSurvey joint;
+  inspect::survey::TableSurvey table;
+  table.clock = inspect::survey::ClockSurvey{};
+  inspect::survey::JointSurvey joint;
   joint.segments = std::move(segments);
   table.joints.push_back(joint);
   log.tables.push_back(table);
   return log;
 }
 
-MotionSegment run(double from_s, double speed_rad_s, double travel_rad, std::size_t strokes = 2) {
-  MotionSegment s;
-  s.kind = MotionKind::constant_speed;
+inspect::motion::MotionSegment run(double from_s, double speed_rad_s, double travel_rad,
+                                   std::size_t strokes = 2) {
+  inspect::motion::MotionSegment s;
+  s.kind = inspect::motion::MotionKind::constant_speed;
   s.from_s = from_s;
   s.to_s = from_s + static_cast<double>(strokes) * travel_rad / speed_rad_s;
   s.highest_rad = travel_rad;
@@ -34,50 +35,52 @@ MotionSegment run(double from_s, double speed_rad_s, double travel_rad, std::siz
   return s;
 }
 
-std::vector<Role> roles_of(const std::vector<MotionSegment>& segments) {
-  const std::vector<LogSurvey> logs{log_of(segments)};
-  std::vector<Role> roles;
-  for (const auto& r : propose_roles(logs, {{0, 0, 0}}).recordings) roles.push_back(r.role);
+std::vector<joint::Role> roles_of(const std::vector<inspect::motion::MotionSegment>& segments) {
+  const std::vector<inspect::survey::LogSurvey> logs{log_of(segments)};
+  std::vector<joint::Role> roles;
+  for (const auto& r : inspect::survey::propose_roles(logs, {{0, 0, 0}}).recordings)
+    roles.push_back(r.role);
   return roles;
 }
 
 TEST(RecordingRoles, StrokesOfOneSlowSpeedAreASweep) {
-  EXPECT_EQ(roles_of({run(0, 0.1, 1.5)}), std::vector{Role::rough_sweep});
-  EXPECT_EQ(roles_of({run(0, 2.0, 1.5)}), std::vector{Role::constant_speed}) << "not slow";
+  EXPECT_EQ(roles_of({run(0, 0.1, 1.5)}), std::vector{joint::Role::rough_sweep});
+  EXPECT_EQ(roles_of({run(0, 2.0, 1.5)}), std::vector{joint::Role::constant_speed}) << "not slow";
 }
 
 TEST(RecordingRoles, StrokesOfSeveralSpeedsOverTheSameWayAreRuns) {
   const auto roles = roles_of({run(0, 0.1, 1.5), run(100, 0.2, 1.5), run(200, 0.4, 1.5)});
-  EXPECT_EQ(roles, std::vector(3, Role::constant_speed));
+  EXPECT_EQ(roles, std::vector(3, joint::Role::constant_speed));
 }
 
 TEST(RecordingRoles, TheWidestSlowOneBesideRunsIsTheSweep) {
   const auto roles =
       roles_of({run(0, 0.05, 2.5), run(200, 0.2, 1.0), run(300, 0.4, 1.0), run(400, 1.0, 1.0)});
-  EXPECT_EQ(roles[0], Role::rough_sweep);
-  EXPECT_EQ(roles[1], Role::constant_speed);
+  EXPECT_EQ(roles[0], joint::Role::rough_sweep);
+  EXPECT_EQ(roles[1], joint::Role::constant_speed);
 }
 
 TEST(RecordingRoles, TheSlowestByFarNarrowOneIsThePreciseSweep) {
   const auto roles = roles_of({run(0, 0.035, 2.4), run(200, 0.002, 0.035), run(300, 0.01, 0.05),
                                run(400, 0.02, 0.1), run(500, 1.0, 1.0)});
-  EXPECT_EQ(roles, (std::vector{Role::rough_sweep, Role::precise_sweep, Role::constant_speed,
-                                Role::constant_speed, Role::constant_speed}));
+  EXPECT_EQ(roles, (std::vector{joint::Role::rough_sweep, joint::Role::precise_sweep,
+                                joint::Role::constant_speed, joint::Role::constant_speed,
+                                joint::Role::constant_speed}));
 }
 
 TEST(RecordingRoles, WindowsAreStatedWhereTheSegmentIsNotTheLog) {
-  MotionSegment rest;
+  inspect::motion::MotionSegment rest;
   rest.to_s = 10;
-  const std::vector<LogSurvey> logs{log_of({rest, run(10, 0.1, 1.0, 1)})};
-  const auto proposal = propose_roles(logs, {{0, 0, 0}});
+  const std::vector<inspect::survey::LogSurvey> logs{log_of({rest, run(10, 0.1, 1.0, 1)})};
+  const auto proposal = inspect::survey::propose_roles(logs, {{0, 0, 0}});
   ASSERT_EQ(proposal.recordings.size(), 1U);
   EXPECT_DOUBLE_EQ(proposal.recordings[0].from_s.value_or(0), 10);
   EXPECT_FALSE(proposal.recordings[0].to_s);
 }
 
 TEST(RecordingRoles, WithoutAnyMotionTheLogIsNamedAsAStopgap) {
-  const std::vector<LogSurvey> logs{log_of({MotionSegment{}})};
-  const auto proposal = propose_roles(logs, {{0, 0, 0}});
+  const std::vector<inspect::survey::LogSurvey> logs{log_of({inspect::motion::MotionSegment{}})};
+  const auto proposal = inspect::survey::propose_roles(logs, {{0, 0, 0}});
   EXPECT_TRUE(proposal.is_makeshift);
   EXPECT_EQ(proposal.recordings.size(), 1U);
 }
@@ -85,11 +88,12 @@ TEST(RecordingRoles, WithoutAnyMotionTheLogIsNamedAsAStopgap) {
 /// The simulated joint's own roles come back from one recording of everything.
 TEST(RecordingRoles, OfASimulatedProtocolAreThoseSimulated) {
   const test::LongRecording recording = test::long_recording(test::everything(21), 2, 2);
-  const std::vector<LogSurvey> logs{log_of(cut_by_motion(recording.trace))};
-  const auto proposed = propose_roles(logs, {{0, 0, 0}}).recordings;
+  const std::vector<inspect::survey::LogSurvey> logs{
+      log_of(inspect::motion::cut_by_motion(recording.trace))};
+  const auto proposed = inspect::survey::propose_roles(logs, {{0, 0, 0}}).recordings;
   ASSERT_EQ(proposed.size(), recording.truth.size());
   for (std::size_t k = 0; k < proposed.size(); ++k) {
-    EXPECT_EQ(to_string(proposed[k].role), to_string(recording.truth[k].role))
+    EXPECT_EQ(joint::to_string(proposed[k].role), joint::to_string(recording.truth[k].role))
         << recording.truth[k].name;
   }
 }

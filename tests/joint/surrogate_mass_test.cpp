@@ -26,7 +26,7 @@ constexpr double printed_rounding_kg = 0.0005 * gear_ratio / (gravity_m_s2 * dis
 
 TEST(SurrogateMass, Table2TorquesGiveTable2Masses) {
   for (const Row& row : table_2) {
-    EXPECT_NEAR(surrogate_mass_kg(row.torque_Nm, gear_ratio, distance_m, gravity_m_s2, 1.0),
+    EXPECT_NEAR(joint::surrogate_mass_kg(row.torque_Nm, gear_ratio, distance_m, gravity_m_s2, 1.0),
                 row.mass_kg, printed_rounding_kg)
         << "point " << row.point;
   }
@@ -34,24 +34,26 @@ TEST(SurrogateMass, Table2TorquesGiveTable2Masses) {
 
 TEST(SurrogateMass, MisprintsOfThePaperDoNotGiveTable2) {
   // r = 500 m, and the cosine of q_c instead of the angle from the peak: both far off.
-  EXPECT_GT(std::abs(surrogate_mass_kg(3.924, gear_ratio, 500, gravity_m_s2, 1.0) - 79.999), 79);
-  EXPECT_GT(
-      std::abs(surrogate_mass_kg(3.924, gear_ratio, distance_m, gravity_m_s2, 0.9257) - 79.999), 6);
+  EXPECT_GT(std::abs(joint::surrogate_mass_kg(3.924, gear_ratio, 500, gravity_m_s2, 1.0) - 79.999),
+            79);
+  EXPECT_GT(std::abs(joint::surrogate_mass_kg(3.924, gear_ratio, distance_m, gravity_m_s2, 0.9257) -
+                     79.999),
+            6);
 }
 
 TEST(SurrogateMass, InvertsTheGravityLoad) {
-  const GravityLoad load(12.5, distance_m, 0.3);
+  const joint::GravityLoad load(12.5, distance_m, 0.3);
   for (const double q : {-0.4, 0.0, 0.3, 1.1}) {
-    EXPECT_NEAR(surrogate_mass_kg(load.torque_Nm(q) / gear_ratio, gear_ratio, distance_m,
-                                  gravity_m_s2, std::cos(q - 0.3)),
+    EXPECT_NEAR(joint::surrogate_mass_kg(load.torque_Nm(q) / gear_ratio, gear_ratio, distance_m,
+                                         gravity_m_s2, std::cos(q - 0.3)),
                 12.5, 1e-12);
   }
 }
 
 TEST(GravityLoad, RefusesWhatCannotBe) {
-  EXPECT_THROW(GravityLoad(0, 1, 0), std::invalid_argument);
-  EXPECT_THROW(GravityLoad(1, -1, 0), std::invalid_argument);
-  EXPECT_THROW(GravityLoad(1, 1, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(joint::GravityLoad(0, 1, 0), std::invalid_argument);
+  EXPECT_THROW(joint::GravityLoad(1, -1, 0), std::invalid_argument);
+  EXPECT_THROW(joint::GravityLoad(1, 1, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace

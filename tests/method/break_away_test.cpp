@@ -30,30 +30,31 @@ struct Ramp {
   double q_start_rad{test::true_q_peak_rad()};
 };
 
-Recording ramp_of(const Ramp& ramp) {
-  Scenario s = test::paper_joint();
-  s.presliding = std::make_shared<LuGreFriction>(
-      LuGreFriction::Parameters{ramp.stiffness_Nm_rad, 0.77, 0.001, 0.60, static_Nm, 5.0});
+joint::Recording ramp_of(const Ramp& ramp) {
+  simulate::Scenario s = test::paper_joint();
+  s.presliding = std::make_shared<friction::LuGreFriction>(friction::LuGreFriction::Parameters{
+      ramp.stiffness_Nm_rad, 0.77, 0.001, 0.60, static_Nm, 5.0});
   s.motor_inertia_kgm2 = 2e-3;
   s.arm_inertia_kgm2 = 0;  // inertia lets a fast ramp rise past break-away before it shows
-  BreakAwayExperiment e;
+  simulate::BreakAwayExperiment e;
   e.centre_rad = ramp.q_start_rad;
   e.rate_Nm_s = std::abs(ramp.rate_Nm_s);
   e.largest_torque_Nm = ramp.duration_s * e.rate_Nm_s;
   e.largest_travel_rad = 10;  // the whole of it, until gravity catches the arm
-  return simulate_break_away_ramp(s, e, ramp.rate_Nm_s < 0 ? -1.0 : 1.0, "ramp.csv");
+  return simulate::simulate_break_away_ramp(s, e, ramp.rate_Nm_s < 0 ? -1.0 : 1.0, "ramp.csv");
 }
 
-const KnownGravity true_gravity{symmetric_estimate(test::true_gravity_Nm, 1e-3, "known"),
-                                test::true_q_peak_rad()};
+const method::hysteresis::KnownGravity true_gravity{
+    statistics::symmetric_estimate(test::true_gravity_Nm, 1e-3, "known"), test::true_q_peak_rad()};
 
 TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
   for (const double rate : {0.1, 0.4, -0.1}) {
     for (const double stiffness : {465.0, 4650.0}) {
-      const Recording r = ramp_of({rate, 1.2 / std::abs(rate), stiffness});
-      const BreakAwayResult result = identify_break_away({&r}, true_gravity);
+      const joint::Recording r = ramp_of({rate, 1.2 / std::abs(rate), stiffness});
+      const method::hysteresis::BreakAwayResult result =
+          method::hysteresis::identify_break_away({&r}, true_gravity);
       ASSERT_EQ(result.ramps.size(), 1U);
-      const BreakAwayRamp& found = result.ramps.front();
+      const method::hysteresis::BreakAwayRamp& found = result.ramps.front();
       EXPECT_TRUE(found.broke_away);
       EXPECT_EQ(found.is_rising, rate > 0);
       EXPECT_LT(found.friction_Nm, 1.01 * static_Nm);  // a fast ramp: damping and inertia add
@@ -67,56 +68,61 @@ TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
 }
 
 TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {
-  const Recording r = ramp_of({0.1, 8});
-  const BreakAwayResult result = identify_break_away({&r}, true_gravity);
+  const joint::Recording r = ramp_of({0.1, 8});
+  const method::hysteresis::BreakAwayResult result =
+      method::hysteresis::identify_break_away({&r}, true_gravity);
   EXPECT_FALSE(result.ramps.front().broke_away);
   EXPECT_NEAR(result.ramps.front().friction_Nm, 0.8, 1e-6);
   EXPECT_EQ(result.censored, 1U);
   EXPECT_FALSE(result.rising_Nm);
-  EXPECT_EQ(result.stage.state, StageState::not_identifiable);
+  EXPECT_EQ(result.stage.state, statistics::StageState::not_identifiable);
   EXPECT_NE(result.stage.reason.find("larger than 0.8 N·m (censored"), std::string::npos);
 }
 
 TEST(BreakAway, CensoredRampsDoNotPullTheMeanDown) {
-  const Recording whole = ramp_of({0.1, 12});
-  const Recording faster = ramp_of({0.2, 6});
-  const Recording early = ramp_of({0.1, 5});
-  const BreakAwayResult result = identify_break_away({&whole, &early, &faster}, true_gravity);
+  const joint::Recording whole = ramp_of({0.1, 12});
+  const joint::Recording faster = ramp_of({0.2, 6});
+  const joint::Recording early = ramp_of({0.1, 5});
+  const method::hysteresis::BreakAwayResult result =
+      method::hysteresis::identify_break_away({&whole, &early, &faster}, true_gravity);
   ASSERT_TRUE(result.rising_Nm);
   EXPECT_NEAR(result.rising_Nm->value, static_Nm, share_below * static_Nm);
   EXPECT_EQ(result.censored, 1U);
-  EXPECT_EQ(result.stage.state, StageState::partial);
+  EXPECT_EQ(result.stage.state, statistics::StageState::partial);
 }
 
 TEST(BreakAway, BothDirectionsTogetherNeedNoGravity) {
   // Off the peak, where gravity differs between the directions' ends by next to nothing.
-  std::deque<Recording> ramps;
-  std::vector<const Recording*> given;
+  std::deque<joint::Recording> ramps;
+  std::vector<const joint::Recording*> given;
   for (const double rate : {0.1, -0.1, 0.12, -0.12}) {
     ramps.push_back(ramp_of({rate, 1.2 / std::abs(rate), 465, -1.0}));
     given.push_back(&ramps.back());
   }
-  const BreakAwayResult blind = identify_break_away(given, std::nullopt);
+  const method::hysteresis::BreakAwayResult blind =
+      method::hysteresis::identify_break_away(given, std::nullopt);
   ASSERT_TRUE(blind.mean_Nm);
   EXPECT_NEAR(blind.mean_Nm->value, static_Nm, share_below * static_Nm);
   EXPECT_GT(blind.rising_Nm->value, 2 * static_Nm);  // gravity is in it, and the report says so
-  EXPECT_EQ(blind.stage.state, StageState::partial);
-  const BreakAwayResult known = identify_break_away(given, true_gravity);
+  EXPECT_EQ(blind.stage.state, statistics::StageState::partial);
+  const method::hysteresis::BreakAwayResult known =
+      method::hysteresis::identify_break_away(given, true_gravity);
   EXPECT_NEAR(known.rising_Nm->value, known.falling_Nm->value, 0.01 * static_Nm);
-  EXPECT_EQ(known.stage.state, StageState::done);
+  EXPECT_EQ(known.stage.state, statistics::StageState::done);
 }
 
 TEST(BreakAway, HoldsInTheNoiseOfARealDrive) {
-  Noise noise;
+  simulate::Noise noise;
   noise.torque_white_Nm = 0.02;
   noise.torque_step_Nm = 0.005;
   noise.encoder_counts_per_turn = 131072;
-  const Recording clean = ramp_of({});
+  const joint::Recording clean = ramp_of({});
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Recording r = clean;
+    joint::Recording r = clean;
     noise.seed = seed;
-    add_drive_noise(r, noise, gear_ratio, 1000, 0);
-    const BreakAwayResult result = identify_break_away({&r}, true_gravity);
+    simulate::add_drive_noise(r, noise, gear_ratio, 1000, 0);
+    const method::hysteresis::BreakAwayResult result =
+        method::hysteresis::identify_break_away({&r}, true_gravity);
     ASSERT_TRUE(result.ramps.front().broke_away) << seed;
     // One reading of the torque: three standard deviations of its noise.
     EXPECT_NEAR(result.ramps.front().friction_Nm, static_Nm, share_below * static_Nm + 0.06);
@@ -125,7 +131,7 @@ TEST(BreakAway, HoldsInTheNoiseOfARealDrive) {
 
 TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {
   // The joint yields, jumps by 0.02 rad within 50 ms, and creeps on.
-  Recording r;
+  joint::Recording r;
   for (int i = 0; i < 20000; ++i) {
     const double t = 1e-3 * i;
     const double jump = 0.02 * std::clamp((t - 15) / 0.05, 0.0, 1.0);
@@ -133,7 +139,8 @@ TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {
     r.q_rad.push_back(1e-5 * t + jump);
     r.torque_Nm.push_back(0.5 * t);
   }
-  const BreakAwayResult result = identify_break_away({&r}, std::nullopt);
+  const method::hysteresis::BreakAwayResult result =
+      method::hysteresis::identify_break_away({&r}, std::nullopt);
   ASSERT_TRUE(result.ramps.front().broke_away);
   EXPECT_NEAR(result.ramps.front().torque_Nm, 7.5, 0.05);
   ASSERT_TRUE(result.ramps.front().first_slip_rad);
@@ -141,18 +148,20 @@ TEST(BreakAway, ASlipThatIsCaughtIsMeasured) {
 }
 
 TEST(BreakAway, NothingRecordedIsSaidAndNotThrown) {
-  EXPECT_EQ(identify_break_away({}, std::nullopt).stage.state, StageState::skipped);
-  Recording still;
+  EXPECT_EQ(method::hysteresis::identify_break_away({}, std::nullopt).stage.state,
+            statistics::StageState::skipped);
+  joint::Recording still;
   for (int i = 0; i < 100; ++i) {
     still.t_s.push_back(i);
     still.q_rad.push_back(0.5);
     still.torque_Nm.push_back(0.1 * i);
   }
-  const BreakAwayResult result = identify_break_away({&still}, std::nullopt);
+  const method::hysteresis::BreakAwayResult result =
+      method::hysteresis::identify_break_away({&still}, std::nullopt);
   EXPECT_FALSE(result.ramps.front().broke_away);
-  EXPECT_EQ(result.stage.state, StageState::not_identifiable);
-  const Recording empty;
-  EXPECT_TRUE(identify_break_away({&empty}, std::nullopt).ramps.empty());
+  EXPECT_EQ(result.stage.state, statistics::StageState::not_identifiable);
+  const joint::Recording empty;
+  EXPECT_TRUE(method::hysteresis::identify_break_away({&empty}, std::nullopt).ramps.empty());
 }
 
 }  // namespace

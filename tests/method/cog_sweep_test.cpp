@@ -14,15 +14,16 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-CogSweepResult rough_of(const Dataset& d) {
-  return identify_cog_sweep("cog_rough", d.with_role(Role::rough_sweep), 100);
+method::gravity::CogSweepResult rough_of(const joint::Dataset& d) {
+  return method::gravity::identify_cog_sweep("cog_rough", d.with_role(joint::Role::rough_sweep),
+                                             100);
 }
 
 /// A robot's slow sine at the joint, with Coulomb, viscous, inertia, noise and a coarse encoder.
-Recording slow_sine(double q_peak, double gravity, std::uint64_t seed) {
-  RandomStream random(seed, 0);
-  const auto motion = HarmonicMotion::sine(q_peak - 0.5, 1.2, 0.1);
-  Recording r;
+joint::Recording slow_sine(double q_peak, double gravity, std::uint64_t seed) {
+  statistics::RandomStream random(seed, 0);
+  const auto motion = simulate::HarmonicMotion::sine(q_peak - 0.5, 1.2, 0.1);
+  joint::Recording r;
   r.name = "sine.csv";
   for (double t = 0; t < 50; t += 0.01) {
     const double w = motion.speed(t);
@@ -35,10 +36,10 @@ Recording slow_sine(double q_peak, double gravity, std::uint64_t seed) {
 }
 
 TEST(CogSweep, NoiseFreeSweepsGiveTheExactAngle) {
-  const Dataset d = test::simulated_dataset(test::paper_joint());
-  const CogSweepResult rough = rough_of(d);
+  const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+  const method::gravity::CogSweepResult rough = rough_of(d);
   ASSERT_TRUE(rough.found);
-  EXPECT_EQ(rough.stage.state, StageState::done);
+  EXPECT_EQ(rough.stage.state, statistics::StageState::done);
   EXPECT_TRUE(rough.constant_speed);
   EXPECT_TRUE(rough.both_directions);
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-9);
@@ -51,16 +52,16 @@ TEST(CogSweep, NoiseFreeSweepsGiveTheExactAngle) {
   EXPECT_NEAR(rough.argmax_rad, test::true_q_peak_rad(), 2 * degree / 1000);
   EXPECT_EQ(rough.samples_used + rough.samples_left_out, d.recordings.front().size());
 
-  const CogSweepResult precise =
-      identify_cog_sweep("cog_precise", d.with_role(Role::precise_sweep), 100, rough.gravity_Nm);
+  const method::gravity::CogSweepResult precise = method::gravity::identify_cog_sweep(
+      "cog_precise", d.with_role(joint::Role::precise_sweep), 100, rough.gravity_Nm);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
 }
 
 TEST(CogSweep, PreciseSweepAloneGivesTheAngleToo) {
-  const Dataset d = test::simulated_dataset(test::paper_joint());
-  const CogSweepResult precise =
-      identify_cog_sweep("cog_precise", d.with_role(Role::precise_sweep), 100);
+  const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+  const method::gravity::CogSweepResult precise = method::gravity::identify_cog_sweep(
+      "cog_precise", d.with_role(joint::Role::precise_sweep), 100);
   ASSERT_TRUE(precise.found);
   EXPECT_NEAR(precise.q_peak_rad.value, test::true_q_peak_rad(), 1e-7);
 }
@@ -70,12 +71,12 @@ TEST(CogSweep, NoisyIntervalsCoverTheTruth) {
   int amplitude = 0;
   constexpr int seeds = 100;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    Scenario s = test::noisy_paper_joint(seed);
+    simulate::Scenario s = test::noisy_paper_joint(seed);
     s.precise_sweep.reset();
     s.oscillation.reset();
     s.constant_speed.reset();
     s.rough_sweep->sample_rate_Hz = 200;
-    const CogSweepResult rough = rough_of(test::simulated_dataset(s));
+    const method::gravity::CogSweepResult rough = rough_of(simulate::simulated_dataset(s));
     angle += rough.q_peak_rad.low <= test::true_q_peak_rad() &&
              test::true_q_peak_rad() <= rough.q_peak_rad.high;
     amplitude += rough.gravity_Nm.low <= test::true_gravity_Nm &&
@@ -89,33 +90,34 @@ TEST(CogSweep, NoisyIntervalsCoverTheTruth) {
 }
 
 TEST(CogSweep, OneDirectionIsSaidToBeOne) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.rough_sweep->both_directions = false;
-  const Dataset d = test::simulated_dataset(s);
-  const CogSweepResult rough = rough_of(d);
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  const method::gravity::CogSweepResult rough = rough_of(d);
   ASSERT_TRUE(rough.found);
   EXPECT_FALSE(rough.both_directions);
-  EXPECT_EQ(rough.stage.state, StageState::partial);
+  EXPECT_EQ(rough.stage.state, statistics::StageState::partial);
   EXPECT_NE(rough.stage.reason.find("one direction"), std::string::npos);
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-9);
 }
 
 TEST(CogSweep, ASweepThatMissesThePeakSaysSo) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.rough_sweep->from_rad = 10 * degree;
-  const Dataset d = test::simulated_dataset(s);
-  const CogSweepResult rough = rough_of(d);
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  const method::gravity::CogSweepResult rough = rough_of(d);
   ASSERT_TRUE(rough.found);
   EXPECT_TRUE(rough.argmax_at_end);
-  EXPECT_EQ(rough.stage.state, StageState::partial);
+  EXPECT_EQ(rough.stage.state, statistics::StageState::partial);
   EXPECT_NE(rough.stage.reason.find("does not cross"), std::string::npos);
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-6);
 }
 
 TEST(CogSweep, SlowSinesInBothDirectionsGiveAngleGravityAndFriction) {
   for (const double q_peak : {-1.6, 0.3, -3.13}) {
-    const Recording r = slow_sine(q_peak, 109, 11);
-    const CogSweepResult sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+    const joint::Recording r = slow_sine(q_peak, 109, 11);
+    const method::gravity::CogSweepResult sweep =
+        method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
     ASSERT_TRUE(sweep.found) << q_peak;
     EXPECT_FALSE(sweep.constant_speed);
     EXPECT_NEAR(sweep.q_peak_rad.value, q_peak, 0.02);
@@ -128,30 +130,33 @@ TEST(CogSweep, SlowSinesInBothDirectionsGiveAngleGravityAndFriction) {
 
 TEST(CogSweep, WithoutGravityThereIsNoAngle) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Recording r = slow_sine(0.3, 0.0, seed);
-    const CogSweepResult sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+    const joint::Recording r = slow_sine(0.3, 0.0, seed);
+    const method::gravity::CogSweepResult sweep =
+        method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
     EXPECT_FALSE(sweep.found) << "seed " << seed << ": " << sweep.gravity_Nm.value << " N·m";
-    EXPECT_EQ(sweep.stage.state, StageState::not_identifiable);
+    EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
   }
 }
 
 TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
-  const CogSweepResult none = identify_cog_sweep("cog_rough", {}, 1.0);
+  const method::gravity::CogSweepResult none =
+      method::gravity::identify_cog_sweep("cog_rough", {}, 1.0);
   EXPECT_FALSE(none.found);
-  EXPECT_EQ(none.stage.state, StageState::skipped);
+  EXPECT_EQ(none.stage.state, statistics::StageState::skipped);
   EXPECT_NE(none.stage.reason.find("slow sweep"), std::string::npos);
 }
 
 TEST(CogSweep, AStandingJointIsNotIdentifiable) {
-  Recording r;
+  joint::Recording r;
   for (int i = 0; i < 1000; ++i) {
     r.t_s.push_back(i * 0.01);
     r.q_rad.push_back(0.5);
     r.torque_Nm.push_back(3);
   }
-  const CogSweepResult sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+  const method::gravity::CogSweepResult sweep =
+      method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
   EXPECT_FALSE(sweep.found);
-  EXPECT_EQ(sweep.stage.state, StageState::not_identifiable);
+  EXPECT_EQ(sweep.stage.state, statistics::StageState::not_identifiable);
 }
 
 }  // namespace

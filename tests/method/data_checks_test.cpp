@@ -25,7 +25,7 @@ TEST(Strokes, OfASineAreItsHalvesAndNoiseMakesNoMore) {
     noisy.push_back(q + 0.02 * std::sin(1.7 * i));
   }
   for (const auto& q : {clean, noisy}) {
-    const auto strokes = find_strokes(q, 0.1);
+    const auto strokes = method::motion::find_strokes(q, 0.1);
     // Up to the first crest, seven halves, and back to the middle.
     ASSERT_EQ(strokes.size(), 9U);
     EXPECT_EQ(strokes.front().direction, 1.0);
@@ -38,13 +38,13 @@ TEST(Strokes, OfASineAreItsHalvesAndNoiseMakesNoMore) {
 }
 
 TEST(Strokes, OfRestAreNone) {
-  EXPECT_TRUE(find_strokes(std::vector<double>(100, 0.3), 1e-6).empty());
-  EXPECT_TRUE(find_strokes({}, 1e-6).empty());
+  EXPECT_TRUE(method::motion::find_strokes(std::vector<double>(100, 0.3), 1e-6).empty());
+  EXPECT_TRUE(method::motion::find_strokes({}, 1e-6).empty());
 }
 
 TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   const auto names = [](double factor, const char* word) {
-    return likely_cause_of_scale(factor, 1e-3, 100).find(word) != std::string::npos;
+    return method::checks::likely_cause_of_scale(factor, 1e-3, 100).find(word) != std::string::npos;
   };
   EXPECT_TRUE(names(2.001, "two samples"));
   EXPECT_TRUE(names(1.667, "6 ms for 10 ms"));
@@ -58,18 +58,18 @@ TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   EXPECT_TRUE(names(0, "dead"));
   EXPECT_TRUE(names(1.37, "no usual cause"));
   // Two causes that the data cannot tell apart are both named.
-  const std::string both = likely_cause_of_scale(9.55, 0.01, 9.55);
+  const std::string both = method::checks::likely_cause_of_scale(9.55, 0.01, 9.55);
   EXPECT_NE(both.find("gear ratio"), std::string::npos) << both;
   EXPECT_NE(both.find("revolutions"), std::string::npos) << both;
 }
 
 TEST(DirectionDifference, IsFrictionWhateverGravityIs) {
   // T = 3 cos q + 0.4 sgn(q'), there and back over different parts of the range.
-  Dataset d;
-  d.manifest.drive = Drive(1, EffortKind::motor_torque, Side::motor);
-  Recording r;
+  joint::Dataset d;
+  d.manifest.drive = joint::Drive(1, joint::EffortKind::motor_torque, joint::Side::motor);
+  joint::Recording r;
   r.name = "there and back";
-  r.role = Role::rough_sweep;
+  r.role = joint::Role::rough_sweep;
   for (int i = 0; i <= 2000; ++i) {
     const bool up = i <= 1000;
     const double q = up ? -1 + 0.002 * i : 1 - 0.0015 * (i - 1000);
@@ -78,8 +78,9 @@ TEST(DirectionDifference, IsFrictionWhateverGravityIs) {
     r.torque_Nm.push_back(3 * std::cos(q) + (up ? 0.4 : -0.4));
   }
   d.recordings.push_back(r);
-  const CheckedDataset data = look_at(d);
-  const DirectionDifference both = direction_difference(data.with_role(Role::rough_sweep), true);
+  const method::checks::CheckedDataset data = method::checks::look_at(d);
+  const method::checks::DirectionDifference both =
+      method::checks::direction_difference(data.with_role(joint::Role::rough_sweep), true);
   EXPECT_NEAR(both.friction_Nm, 0.4, 1e-3);  // bins of the angle hold slightly other samples
   EXPECT_NEAR(both.common_share, 1, 1e-9);
   EXPECT_NEAR(both.rising_travel_rad, 2, 1e-9);
@@ -87,15 +88,15 @@ TEST(DirectionDifference, IsFrictionWhateverGravityIs) {
 }
 
 TEST(TorqueRipple, IsFoundAtItsPeriodsAndAmplitudes) {
-  Scenario s = test::noisy_paper_joint(3);
+  simulate::Scenario s = test::noisy_paper_joint(3);
   s.precise_sweep.reset();
   s.oscillation.reset();
   s.constant_speed.reset();
   s.noise.ripple = {{0.03, 2, 0.4}, {0.015, 7, 1.1}};
-  const Dataset d = simulated_dataset(s);
-  const CogSweepResult sweep =
-      identify_cog_sweep("cog_rough", d.with_role(Role::rough_sweep), s.gear_ratio);
-  const std::vector<RippleLine>& lines = sweep.ripple.lines;
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  const method::gravity::CogSweepResult sweep = method::gravity::identify_cog_sweep(
+      "cog_rough", d.with_role(joint::Role::rough_sweep), s.gear_ratio);
+  const std::vector<method::gravity::RippleLine>& lines = sweep.ripple.lines;
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_NEAR(lines[0].periods_per_turn, 2, 0.01);
   EXPECT_NEAR(lines[0].amplitude_Nm, 0.03, 0.001);
@@ -104,11 +105,12 @@ TEST(TorqueRipple, IsFoundAtItsPeriodsAndAmplitudes) {
 }
 
 TEST(Saturation, IsNotTheTopOfACosineNorCoarseSteps) {
-  Scenario s = test::noisy_paper_joint(1);
+  simulate::Scenario s = test::noisy_paper_joint(1);
   s.noise.torque_white_Nm = 0;
   s.noise.torque_step_Nm = 0.05;  // the top of the cosine lies flat on one step for seconds
-  const Dataset d = simulated_dataset(s);
-  EXPECT_EQ(check_torque_saturation(look_at(d)).state, CheckState::passed);
+  const joint::Dataset d = simulate::simulated_dataset(s);
+  EXPECT_EQ(method::checks::check_torque_saturation(method::checks::look_at(d)).state,
+            method::checks::CheckState::passed);
 }
 
 }  // namespace

@@ -10,14 +10,14 @@ namespace tribolog {
 namespace {
 
 /// Runs of each direction at eight speeds, travelling 1 rad, with friction of their own.
-ViscousCurvesResult curves(double rising_Nm, double falling_Nm, double noise_Nm,
-                           std::uint64_t seed) {
-  RandomStream random(seed, 0);
-  ViscousCurvesResult v;
-  ViscousCurve curve{"midline", {}};
+method::viscous::ViscousCurvesResult curves(double rising_Nm, double falling_Nm, double noise_Nm,
+                                            std::uint64_t seed) {
+  statistics::RandomStream random(seed, 0);
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ViscousCurve curve{"midline", {}};
   for (int k = 1; k <= 8; ++k) {
     for (const double sign : {-1.0, 1.0}) {
-      ConstantSpeedRun run;
+      method::viscous::ConstantSpeedRun run;
       run.recording = "run";
       run.speed_rad_s = sign * 10.0 * k;
       run.samples = 100;
@@ -40,8 +40,9 @@ ViscousCurvesResult curves(double rising_Nm, double falling_Nm, double noise_Nm,
 }
 
 TEST(DirectionLines, EachDirectionIsFoundByItself) {
-  const DirectionLinesResult r = fit_direction_lines(curves(12.4, 10.9, 0, 1), "midline");
-  const CurveDirectionLines* lines = r.find("midline");
+  const method::viscous::DirectionLinesResult r =
+      method::viscous::fit_direction_lines(curves(12.4, 10.9, 0, 1), "midline");
+  const method::viscous::CurveDirectionLines* lines = r.find("midline");
   ASSERT_NE(lines, nullptr);
   ASSERT_TRUE(lines->rising && lines->falling);
   EXPECT_NEAR(lines->rising->coulomb_Nm.value, 12.4, 1e-10);
@@ -51,57 +52,58 @@ TEST(DirectionLines, EachDirectionIsFoundByItself) {
 }
 
 TEST(DirectionLines, ShortWaysAndTheStribeckDipAreLeftOut) {
-  ViscousCurvesResult v = curves(12, 12, 0, 1);
-  ConstantSpeedRun brief;  // a tenth of the others' way, on a crest of the ripple
+  method::viscous::ViscousCurvesResult v = curves(12, 12, 0, 1);
+  method::viscous::ConstantSpeedRun brief;  // a tenth of the others' way, on a crest of the ripple
   brief.recording = "brief";
   brief.speed_rad_s = 5;
   brief.samples = 100;
   brief.highest_rad = 0.1;
   v.runs.push_back(brief);
   v.curves[0].friction_Nm.push_back(15);
-  const auto first = fit_direction_lines(v, "midline");
+  const auto first = method::viscous::fit_direction_lines(v, "midline");
   EXPECT_EQ(first.find("midline")->rising->runs_left_out, 1U);
   EXPECT_NEAR(first.find("midline")->rising->coulomb_Nm.value, 12, 1e-10);
   v.runs.back().highest_rad = 1;  // as long as the others: now it is the Stribeck effect
-  const auto second = fit_direction_lines(v, "midline");
+  const auto second = method::viscous::fit_direction_lines(v, "midline");
   EXPECT_EQ(second.find("midline")->rising->runs_left_out, 1U);
   EXPECT_NEAR(second.find("midline")->rising->coulomb_Nm.value, 12, 1e-10);
   EXPECT_NEAR(second.find("midline")->rising->slowest_rad_s, 10, 1e-12);
 }
 
 TEST(DirectionLines, PiecesOfARunCountOnce) {
-  ViscousCurvesResult v = curves(12, 12, 0, 1);
+  method::viscous::ViscousCurvesResult v = curves(12, 12, 0, 1);
   for (int piece = 0; piece < 5; ++piece) {  // 40 rad/s again and again, in one recording
     v.runs.push_back(v.runs[7]);
     v.curves[0].friction_Nm.push_back(v.curves[0].friction_Nm[7]);
   }
-  EXPECT_EQ(fit_direction_lines(v, "midline").find("midline")->rising->runs, 8U);
+  EXPECT_EQ(method::viscous::fit_direction_lines(v, "midline").find("midline")->rising->runs, 8U);
 }
 
 TEST(DirectionLines, OneDirectionAloneHasItsLine) {
-  ViscousCurvesResult v = curves(12, 12, 0, 1);
-  ViscousCurvesResult rising;
+  method::viscous::ViscousCurvesResult v = curves(12, 12, 0, 1);
+  method::viscous::ViscousCurvesResult rising;
   rising.curves = {{"midline", {}}};
   for (std::size_t i = 1; i < v.runs.size(); i += 2) {
     rising.runs.push_back(v.runs[i]);
     rising.curves[0].friction_Nm.push_back(v.curves[0].friction_Nm[i]);
   }
-  const DirectionLinesResult r = fit_direction_lines(rising, "midline");
+  const method::viscous::DirectionLinesResult r =
+      method::viscous::fit_direction_lines(rising, "midline");
   EXPECT_TRUE(r.find("midline")->rising);
   EXPECT_FALSE(r.find("midline")->falling);
-  EXPECT_TRUE(fit_direction_lines(rising, "").curves.empty());
+  EXPECT_TRUE(method::viscous::fit_direction_lines(rising, "").curves.empty());
 }
 
-SurrogateMass weightless(double half_width_Nm) {
-  SurrogateMass m;
+method::hysteresis::SurrogateMass weightless(double half_width_Nm) {
+  method::hysteresis::SurrogateMass m;
   m.estimator = "midline";
-  m.gravity_Nm = symmetric_estimate(0, half_width_Nm, "");
+  m.gravity_Nm = statistics::symmetric_estimate(0, half_width_Nm, "");
   return m;
 }
 
 TEST(DirectionAsymmetry, IsHalfTheDifferenceOfTheDirections) {
-  const SurrogateMass m = weightless(0.01);
-  const auto a = identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
+  const method::hysteresis::SurrogateMass m = weightless(0.01);
+  const auto a = method::viscous::identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
   ASSERT_TRUE(a.examined);
   EXPECT_TRUE(a.found) << a.sentence;
   EXPECT_NEAR(a.mean_Nm.value, 0.75, 0.06);
@@ -110,20 +112,20 @@ TEST(DirectionAsymmetry, IsHalfTheDifferenceOfTheDirections) {
 
 // What an error of gravity within its interval explains is no finding.
 TEST(DirectionAsymmetry, AnUncertainGravityExplainsIt) {
-  const SurrogateMass m = weightless(1.0);
-  const auto a = identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
+  const method::hysteresis::SurrogateMass m = weightless(1.0);
+  const auto a = method::viscous::identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
   EXPECT_TRUE(a.examined);
   EXPECT_FALSE(a.found) << a.sentence;
 }
 
 TEST(DirectionAsymmetry, NoneIsFoundWhereThereIsNone) {
-  const SurrogateMass m = weightless(0.001);
+  const method::hysteresis::SurrogateMass m = weightless(0.001);
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    found += identify_direction_asymmetry(curves(12, 12, 0.05, seed), &m, 0).found;
+    found += method::viscous::identify_direction_asymmetry(curves(12, 12, 0.05, seed), &m, 0).found;
   }
   EXPECT_LE(found, 12);  // 5 % of 100 seeds, with room for their own scatter
-  const auto nothing = identify_direction_asymmetry({}, &m, 0);
+  const auto nothing = method::viscous::identify_direction_asymmetry({}, &m, 0);
   EXPECT_FALSE(nothing.examined);
   EXPECT_FALSE(nothing.sentence.empty());
 }

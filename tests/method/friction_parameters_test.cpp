@@ -11,10 +11,11 @@
 namespace tribolog {
 namespace {
 
-std::vector<CurvePoint> curve(const WaiboerFriction& f, double noise_Nm) {
-  RandomStream random(1, 0);
-  std::vector<CurvePoint> points;
-  const Scenario joint = test::paper_joint();
+std::vector<method::viscous::CurvePoint> curve(const friction::WaiboerFriction& f,
+                                               double noise_Nm) {
+  statistics::RandomStream random(1, 0);
+  std::vector<method::viscous::CurvePoint> points;
+  const simulate::Scenario joint = test::paper_joint();
   for (const double w : joint.constant_speed->motor_speeds_rad_s) {
     points.push_back({w, f.magnitude_Nm(w) + noise_Nm * random.normal()});
   }
@@ -22,11 +23,11 @@ std::vector<CurvePoint> curve(const WaiboerFriction& f, double noise_Nm) {
 }
 
 TEST(WaiboerFit, RecoversExactParameters) {
-  for (const auto& p : {WaiboerFriction::Parameters{0.8844, 5, 0.7, 0.12, 0.6, 1e6},
-                        WaiboerFriction::Parameters{12, 20, 2.0, 0.4, 0.1, 1e6},
-                        WaiboerFriction::Parameters{0.05, 2, 1.0, 0.003, 0.3, 1e6}}) {
+  for (const auto& p : {friction::WaiboerFriction::Parameters{0.8844, 5, 0.7, 0.12, 0.6, 1e6},
+                        friction::WaiboerFriction::Parameters{12, 20, 2.0, 0.4, 0.1, 1e6},
+                        friction::WaiboerFriction::Parameters{0.05, 2, 1.0, 0.003, 0.3, 1e6}}) {
     std::string why;
-    const auto fit = fit_waiboer(curve(WaiboerFriction(p), 0), why);
+    const auto fit = method::viscous::fit_waiboer(curve(friction::WaiboerFriction(p), 0), why);
     ASSERT_TRUE(fit) << why;
     EXPECT_NEAR(fit->asperity_torque_Nm.value, p.asperity_torque_Nm, 1e-4 * p.asperity_torque_Nm);
     EXPECT_NEAR(fit->stribeck_speed_rad_s.value, p.stribeck_speed_rad_s,
@@ -39,36 +40,38 @@ TEST(WaiboerFit, RecoversExactParameters) {
 }
 
 TEST(WaiboerFit, FollowsANoisyCurve) {
-  const WaiboerFriction truth = test::paper_curve();
+  const friction::WaiboerFriction truth = test::paper_curve();
   std::string why;
-  const auto fit = fit_waiboer(curve(truth, 0.002), why);
+  const auto fit = method::viscous::fit_waiboer(curve(truth, 0.002), why);
   ASSERT_TRUE(fit) << why;
   for (double w = 1; w <= 300; w += 3) {
-    EXPECT_NEAR(waiboer_of(*fit).magnitude_Nm(w), truth.magnitude_Nm(w), 0.01) << w;
+    EXPECT_NEAR(method::viscous::waiboer_of(*fit).magnitude_Nm(w), truth.magnitude_Nm(w), 0.01)
+        << w;
   }
 }
 
 TEST(WaiboerFit, TooFewSpeedsAreRefusedInWords) {
   std::string why;
-  EXPECT_FALSE(fit_waiboer({{1, 1}, {2, 1}, {3, 1}}, why));
+  EXPECT_FALSE(method::viscous::fit_waiboer({{1, 1}, {2, 1}, {3, 1}}, why));
   EXPECT_NE(why.find("3 runs for five parameters"), std::string::npos);
 }
 
 TEST(FrictionParameters, AStraightLineIsFoundExactly) {
-  ViscousCurvesResult v;
-  ViscousCurve c{"midline", {}};
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ViscousCurve c{"midline", {}};
   for (int i = 1; i <= 6; ++i) {
     for (const int sign : {-1, 1}) {
-      ConstantSpeedRun run;
+      method::viscous::ConstantSpeedRun run;
       run.speed_rad_s = sign * 10.0 * i;
       v.runs.push_back(run);
       c.friction_Nm.push_back(sign * (0.4 + 0.002 * 10.0 * i));
     }
   }
   v.curves = {c};
-  SelectionResult s;
+  method::selection::SelectionResult s;
   s.recommended = "midline";
-  const FrictionParametersResult f = fit_friction_parameters(v, s);
+  const method::selection::FrictionParametersResult f =
+      method::selection::fit_friction_parameters(v, s);
   ASSERT_TRUE(f.coulomb_viscous);
   EXPECT_NEAR(f.coulomb_viscous->coulomb_Nm.value, 0.4, 1e-12);
   EXPECT_NEAR(f.coulomb_viscous->viscous_Nms_rad.value, 0.002, 1e-14);

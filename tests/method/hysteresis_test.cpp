@@ -9,20 +9,23 @@
 namespace tribolog {
 namespace {
 
-const Estimate peak = symmetric_estimate(test::true_q_peak_rad(), 1e-6, "known");
+const statistics::Estimate peak =
+    statistics::symmetric_estimate(test::true_q_peak_rad(), 1e-6, "known");
 
-HysteresisResult hysteresis_of(const Dataset& d) {
-  return identify_hysteresis(d.with_role(Role::oscillation), {}, 100, peak);
+method::hysteresis::HysteresisResult hysteresis_of(const joint::Dataset& d) {
+  return method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), {}, 100,
+                                                 peak);
 }
 
 TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
   // The reconstructed joint solved by an implicit method, in the order A..F.
   constexpr double solved_Nm[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883};
-  const HysteresisResult h = hysteresis_of(test::simulated_dataset(test::paper_joint()));
+  const method::hysteresis::HysteresisResult h =
+      hysteresis_of(simulate::simulated_dataset(test::paper_joint()));
   ASSERT_EQ(h.points.size(), 6U);
   EXPECT_EQ(h.bristle_source, "recorded");
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_EQ(h.points[k].name, loop_point_names[k]);
+    EXPECT_EQ(h.points[k].name, method::hysteresis::loop_point_names[k]);
     EXPECT_NEAR(h.points[k].torque_Nm, solved_Nm[k], 1e-4) << h.points[k].name;
   }
   // Order of time: A, C, F, B, D, E.
@@ -36,7 +39,8 @@ TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
 }
 
 TEST(Hysteresis, PointsMeanWhatTheyAreDefinedAs) {
-  const HysteresisResult h = hysteresis_of(test::simulated_dataset(test::paper_joint()));
+  const method::hysteresis::HysteresisResult h =
+      hysteresis_of(simulate::simulated_dataset(test::paper_joint()));
   const auto& p = h.points;
   const double z_max = p[2].z_rad;
   EXPECT_NEAR(p[0].z_rad, 0, 1e-12);
@@ -52,9 +56,9 @@ TEST(Hysteresis, PointsMeanWhatTheyAreDefinedAs) {
 }
 
 TEST(Hysteresis, MidlineAndPairMeansAreFreeOfFriction) {
-  const Dataset d = test::simulated_dataset(test::paper_joint());
-  const HysteresisResult h = hysteresis_of(d);
-  const auto m = identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
+  const joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+  const method::hysteresis::HysteresisResult h = hysteresis_of(d);
+  const auto m = method::hysteresis::identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
   for (const char* estimator : {"midline", "AB", "CD", "EF"}) {
     ASSERT_NE(m.find(estimator), nullptr) << estimator;
     EXPECT_NEAR(m.find(estimator)->mass_kg.value, test::true_surrogate_mass_kg, 1e-4) << estimator;
@@ -67,11 +71,11 @@ TEST(Hysteresis, MidlineAndPairMeansAreFreeOfFriction) {
 TEST(Hysteresis, MidlineHoldsForAnyAmplitudeAndFrequency) {
   for (const double amplitude : {2e-5, 1e-4, 1e-3}) {
     for (const double frequency : {0.3, 1.0, 7.3}) {
-      Scenario s = test::paper_joint();
+      simulate::Scenario s = test::paper_joint();
       s.oscillation->amplitude_rad = amplitude;
       s.oscillation->frequency_Hz = frequency;
       s.oscillation->cycles = 12;
-      const HysteresisResult h = hysteresis_of(test::simulated_dataset(s));
+      const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
       ASSERT_TRUE(h.midline_Nm) << amplitude << " rad at " << frequency << " Hz";
       EXPECT_NEAR(h.midline_Nm->value / h.midline_mean_cos, test::true_gravity_Nm,
                   1e-4 * test::true_gravity_Nm)
@@ -81,10 +85,10 @@ TEST(Hysteresis, MidlineHoldsForAnyAmplitudeAndFrequency) {
 }
 
 TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
-  Dataset d = test::simulated_dataset(test::paper_joint());
-  Recording& r = d.recordings[2];
-  ASSERT_EQ(r.role, Role::oscillation);
-  Recording padded = r;
+  joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+  joint::Recording& r = d.recordings[2];
+  ASSERT_EQ(r.role, joint::Role::oscillation);
+  joint::Recording padded = r;
   const std::size_t rest = 700;
   const auto pad = [&](std::vector<double>& v, double before) {
     v.insert(v.begin(), rest, before);
@@ -98,28 +102,28 @@ TEST(Hysteresis, RestAroundTheOscillationDoesNotSpoilIt) {
   for (std::size_t i = 0; i < padded.q_rad.size(); ++i)
     padded.t_s.push_back(1e-3 * static_cast<double>(i));
   r = padded;
-  const HysteresisResult h = hysteresis_of(d);
+  const method::hysteresis::HysteresisResult h = hysteresis_of(d);
   ASSERT_TRUE(h.midline_Nm);
   EXPECT_NEAR(h.midline_Nm->value, test::true_gravity_Nm, 1e-4 * test::true_gravity_Nm);
   EXPECT_GT(h.samples_at_rest, 600U);
 }
 
 TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
-  const auto midline_of = [](const Scenario& s) {
-    const Dataset d = test::simulated_dataset(s);
-    const CogSweepResult rough =
-        identify_cog_sweep("cog_rough", d.with_role(Role::rough_sweep), 100);
-    const HysteresisResult h =
-        identify_hysteresis(d.with_role(Role::oscillation), rough, 100, rough.q_peak_rad);
-    return identify_surrogate_masses(rough, h, rough.q_peak_rad, 100, 0.5, 9.81)
+  const auto midline_of = [](const simulate::Scenario& s) {
+    const joint::Dataset d = simulate::simulated_dataset(s);
+    const method::gravity::CogSweepResult rough = method::gravity::identify_cog_sweep(
+        "cog_rough", d.with_role(joint::Role::rough_sweep), 100);
+    const method::hysteresis::HysteresisResult h = method::hysteresis::identify_hysteresis(
+        d.with_role(joint::Role::oscillation), rough, 100, rough.q_peak_rad);
+    return method::hysteresis::identify_surrogate_masses(rough, h, rough.q_peak_rad, 100, 0.5, 9.81)
         .find("midline")
         ->gravity_Nm;
   };
-  Scenario s = test::noisy_paper_joint(3);
+  simulate::Scenario s = test::noisy_paper_joint(3);
   EXPECT_LT(midline_of(s).half_width(), 0.002);
   for (const double phase : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
     s.noise.ripple = {{0.02, 1, phase}, {0.02, 6, 2 * phase}};
-    const Estimate midline = midline_of(s);
+    const statistics::Estimate midline = midline_of(s);
     // Two sines of 0.02 N·m: standard deviation 0.02, at most 0.04.
     EXPECT_NEAR(midline.half_width(), 1.96 * 0.02, 0.005);
     EXPECT_LE(midline.low, test::true_gravity_Nm) << phase;
@@ -128,35 +132,36 @@ TEST(Hysteresis, FromOnePositionTheIntervalIsAsWideAsTheRipple) {
 }
 
 TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
-  Scenario s = test::noisy_paper_joint(1);
+  simulate::Scenario s = test::noisy_paper_joint(1);
   s.noise.encoder_counts_per_turn = 4096;  // 1.5e-5 rad at the joint: 13 steps in the loop
-  const HysteresisResult h = hysteresis_of(test::simulated_dataset(s));
+  const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
   EXPECT_FALSE(h.found);
-  EXPECT_EQ(h.stage.state, StageState::not_identifiable);
+  EXPECT_EQ(h.stage.state, statistics::StageState::not_identifiable);
   EXPECT_NE(h.stage.reason.find("at least 50"), std::string::npos) << h.stage.reason;
 }
 
 TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
-  Scenario s = test::noisy_paper_joint(2);
-  OscillationExperiment further = *s.oscillation;
+  simulate::Scenario s = test::noisy_paper_joint(2);
+  simulate::OscillationExperiment further = *s.oscillation;
   further.centre_rad += 0.01;
   s.further_oscillations = {further};
-  const HysteresisResult h = hysteresis_of(test::simulated_dataset(s));
+  const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
   ASSERT_EQ(h.traces.size(), 2U);
-  for (const LoopTrace& trace : h.traces) EXPECT_EQ(trace.z_rad.size(), trace.t_s.size());
+  for (const method::hysteresis::LoopTrace& trace : h.traces)
+    EXPECT_EQ(trace.z_rad.size(), trace.t_s.size());
   ASSERT_TRUE(h.lugre);
   EXPECT_EQ(h.lugre->loops.size(), 2U);
-  const auto m = identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
+  const auto m = method::hysteresis::identify_surrogate_masses({}, h, peak, 100, 0.5, 9.81);
   ASSERT_NE(m.find("fit"), nullptr);
   EXPECT_NEAR(m.find("fit")->mass_kg.value, test::true_surrogate_mass_kg,
               1e-3 * test::true_surrogate_mass_kg);
 }
 
 /// Oscillations that drift, and whose angle shakes from sample to sample.
-Dataset drifting(double shaking_rad) {
-  Dataset d = test::simulated_dataset(test::noisy_paper_joint(2));
-  for (Recording& r : d.recordings) {
-    if (r.role != Role::oscillation) continue;
+joint::Dataset drifting(double shaking_rad) {
+  joint::Dataset d = simulate::simulated_dataset(test::noisy_paper_joint(2));
+  for (joint::Recording& r : d.recordings) {
+    if (r.role != joint::Role::oscillation) continue;
     for (std::size_t i = 0; i < r.size(); ++i) {
       const auto k = static_cast<double>(i);
       r.q_rad[i] += shaking_rad * std::sin(1e4 * std::sin(k)) - 5e-5 * std::exp(-k / 3000);
@@ -166,14 +171,14 @@ Dataset drifting(double shaking_rad) {
 }
 
 TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsFittedAlongASpline) {
-  const HysteresisResult h = hysteresis_of(drifting(0));
+  const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(0));
   ASSERT_TRUE(h.lugre);
   ASSERT_TRUE(h.lugre->converged) << h.lugre->reason;
   EXPECT_EQ(h.lugre->loops.front().motion, "spline");
 }
 
 TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
-  const HysteresisResult h = hysteresis_of(drifting(1e-5));
+  const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(1e-5));
   ASSERT_TRUE(h.lugre);
   EXPECT_FALSE(h.lugre->converged);
   EXPECT_NE(h.lugre->reason.find("no periodic motion"), std::string::npos) << h.lugre->reason;
@@ -182,8 +187,9 @@ TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
 }
 
 TEST(Hysteresis, NothingRecordedIsSkippedWithAnInstruction) {
-  const HysteresisResult h = identify_hysteresis({}, {}, 100, peak);
-  EXPECT_EQ(h.stage.state, StageState::skipped);
+  const method::hysteresis::HysteresisResult h =
+      method::hysteresis::identify_hysteresis({}, {}, 100, peak);
+  EXPECT_EQ(h.stage.state, statistics::StageState::skipped);
   EXPECT_NE(h.stage.reason.find("a sine of about ten cycles"), std::string::npos);
 }
 

@@ -20,10 +20,10 @@ constexpr double q_peak_rad = 0.0;
 
 /// Sines of 1 rad about an angle without load, as the UR10e's; `per_load` of the gravity torque is
 /// friction.
-Recording sine(double per_load, double noise_Nm, std::uint64_t seed, double centre_rad) {
-  RandomStream random(seed, 0);
-  Recording r;
-  r.role = Role::rough_sweep;
+joint::Recording sine(double per_load, double noise_Nm, std::uint64_t seed, double centre_rad) {
+  statistics::RandomStream random(seed, 0);
+  joint::Recording r;
+  r.role = joint::Role::rough_sweep;
   constexpr double w = 2 * std::numbers::pi * 0.1;
   for (int i = 0; i < 5000; ++i) {
     const double t = 0.01 * i;
@@ -41,21 +41,21 @@ Recording sine(double per_load, double noise_Nm, std::uint64_t seed, double cent
 }
 
 struct Result {
-  CogSweepResult sweep;
-  LoadDependenceResult load;
+  method::gravity::CogSweepResult sweep;
+  method::viscous::LoadDependenceResult load;
 };
 
-Result identify(const Recording& r) {
+Result identify(const joint::Recording& r) {
   Result out;
-  out.sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
-  out.load = identify_load_dependence(out.sweep, out.sweep.q_peak_rad, 1.0);
+  out.sweep = method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
+  out.load = method::viscous::identify_load_dependence(out.sweep, out.sweep.q_peak_rad, 1.0);
   return out;
 }
 
 constexpr double no_load_rad = std::numbers::pi / 2;
 
 TEST(LoadDependence, IsFoundAgain) {
-  const Recording r = sine(0.06, 1.5, 1, no_load_rad);
+  const joint::Recording r = sine(0.06, 1.5, 1, no_load_rad);
   const Result found = identify(r);
   ASSERT_TRUE(found.load.found) << found.load.sentence;
   EXPECT_NEAR(found.load.per_load.value, 0.06, 0.006);
@@ -79,10 +79,10 @@ TEST(LoadDependence, CoversAndIsRefusedWhereItIsNot) {
   int falsely_found = 0;
   int falsely_taken_up = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Recording loaded = sine(0.06, 1.5, seed, no_load_rad);
+    const joint::Recording loaded = sine(0.06, 1.5, seed, no_load_rad);
     const Result with = identify(loaded);
     covered += with.load.per_load.low <= 0.06 && 0.06 <= with.load.per_load.high;
-    const Recording plain = sine(0, 1.5, 1000 + seed, no_load_rad);
+    const joint::Recording plain = sine(0, 1.5, 1000 + seed, no_load_rad);
     const Result without = identify(plain);
     falsely_found += without.load.found;
     falsely_taken_up += without.sweep.load_coulomb_Nm.has_value();
@@ -96,7 +96,7 @@ TEST(LoadDependence, CoversAndIsRefusedWhereItIsNot) {
 }
 
 TEST(LoadDependence, LittleChangeOfLoadIsSaid) {
-  Recording r = sine(0.06, 0.1, 1, q_peak_rad);
+  joint::Recording r = sine(0.06, 0.1, 1, q_peak_rad);
   for (std::size_t i = 0; i < r.size(); ++i) {  // a tenth of the stroke, all near the peak
     const double q = r.q_rad[i];
     r.torque_Nm[i] += gravity_Nm * (std::cos(q / 10) - std::cos(q));
@@ -108,7 +108,7 @@ TEST(LoadDependence, LittleChangeOfLoadIsSaid) {
 }
 
 TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
-  Recording r = sine(0, 0.5, 3, no_load_rad);
+  joint::Recording r = sine(0, 0.5, 3, no_load_rad);
   // Stops within 0.05 s in full motion, with the torque that this takes.
   const double q_end = r.q_rad.back();
   const double t_end = r.t_s.back();
@@ -117,7 +117,8 @@ TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
     r.q_rad.push_back(q_end + (i < 5 ? 0.003 * i : 0.015));
     r.torque_Nm.push_back(i < 8 ? -300.0 : gravity_Nm * std::cos(q_end));
   }
-  const CogSweepResult sweep = identify_cog_sweep("cog_rough", {&r}, 1.0);
+  const method::gravity::CogSweepResult sweep =
+      method::gravity::identify_cog_sweep("cog_rough", {&r}, 1.0);
   EXPECT_NEAR(sweep.gravity_Nm.value, gravity_Nm, 1.0);
   EXPECT_NEAR(sweep.q_peak_rad.value, q_peak_rad, 0.01);
 }

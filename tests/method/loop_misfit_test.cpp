@@ -12,9 +12,9 @@ namespace tribolog {
 namespace {
 
 /// Ten cycles of a sine; the torque is the noise and an error that turns with the direction.
-LoopMisfit misfit_of(double error_Nm, double noise_Nm, std::uint64_t seed) {
-  RandomStream random(seed, 0);
-  Recording r;
+method::hysteresis::LoopMisfit misfit_of(double error_Nm, double noise_Nm, std::uint64_t seed) {
+  statistics::RandomStream random(seed, 0);
+  joint::Recording r;
   std::vector<double> speed;
   for (int i = 0; i < 10000; ++i) {
     const double phase = 2 * 3.141592653589793 * i / 1000.0;
@@ -23,7 +23,7 @@ LoopMisfit misfit_of(double error_Nm, double noise_Nm, std::uint64_t seed) {
     r.q_rad.push_back(std::sin(phase));
     r.torque_Nm.push_back((speed.back() > 0 ? error_Nm : -error_Nm) + noise_Nm * random.normal());
   }
-  return loop_misfit(r, std::vector<double>(r.size(), 0.0), speed);
+  return method::hysteresis::loop_misfit(r, std::vector<double>(r.size(), 0.0), speed);
 }
 
 TEST(LoopMisfit, FindsTheErrorOfTheModelUnderNoise) {

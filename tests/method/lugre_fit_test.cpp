@@ -14,31 +14,33 @@
 namespace tribolog {
 namespace {
 
-const LuGreParameter& parameter(const LuGreFit& f, const std::string& name) {
+const method::hysteresis::LuGreParameter& parameter(const method::hysteresis::LuGreFit& f,
+                                                    const std::string& name) {
   return *std::find_if(f.parameters.begin(), f.parameters.end(),
-                       [&](const LuGreParameter& p) { return p.name == name; });
+                       [&](const method::hysteresis::LuGreParameter& p) { return p.name == name; });
 }
 
-double relative_error(const LuGreFit& f, const Scenario& s, const std::string& name) {
+double relative_error(const method::hysteresis::LuGreFit& f, const simulate::Scenario& s,
+                      const std::string& name) {
   const auto e = f.shown(name);
   return e ? std::abs(e->value / test::true_parameters(s).at(name) - 1) : INFINITY;
 }
 
-Scenario with_loop(double amplitude_rad, double frequency_Hz) {
-  Scenario s = test::paper_joint();
+simulate::Scenario with_loop(double amplitude_rad, double frequency_Hz) {
+  simulate::Scenario s = test::paper_joint();
   s.oscillation->amplitude_rad = amplitude_rad;
   s.oscillation->frequency_Hz = frequency_Hz;
   return s;
 }
 
 TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
-  const Scenario s = test::paper_joint();
-  std::vector<Recording> loops = test::oscillations_of(s);
+  const simulate::Scenario s = test::paper_joint();
+  std::vector<joint::Recording> loops = test::oscillations_of(s);
   const std::vector<double> z = loops[0].z_rad;
   ASSERT_FALSE(z.empty());
   loops[0].z_rad.clear();
   loops[0].dz_rad_s.clear();
-  const LuGreFit f = test::fit_loops(loops);
+  const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   ASSERT_TRUE(f.converged) << f.reason;
   ASSERT_TRUE(f.gravity_Nm);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-4);
@@ -54,9 +56,9 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
 }
 
 TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
-  Scenario s = test::noisy_paper_joint(3);
+  simulate::Scenario s = test::noisy_paper_joint(3);
   s.oscillation->sample_rate_Hz = 50'000;  // 500,000 samples
-  const LuGreFit f = test::fit_loops(s);
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   ASSERT_TRUE(f.converged) << f.reason;
   EXPECT_NE(f.reason.find("the mean of each 5 neighbouring samples is fitted"), std::string::npos)
       << f.reason;
@@ -66,16 +68,16 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
   EXPECT_NEAR(f.residual_Nm, 0.02, 0.001);
   // A tenth of the samples at a tenth of the rate tell the same, within what they can tell.
   s.oscillation->sample_rate_Hz = 5'000;
-  const LuGreFit fewer = test::fit_loops(s);
-  const Estimate here = *f.shown("static_Nm");
-  const Estimate there = *fewer.shown("static_Nm");
+  const method::hysteresis::LuGreFit fewer = test::fit_loops(s);
+  const statistics::Estimate here = *f.shown("static_Nm");
+  const statistics::Estimate there = *fewer.shown("static_Nm");
   EXPECT_EQ(fewer.reason.find("neighbouring"), std::string::npos);
   EXPECT_LT(std::abs(here.value - there.value), 2 * there.half_width());
   EXPECT_LT(here.half_width(), there.half_width());
 }
 
 TEST(LuGreFit, AtMicroSpeedSaysWhatDoesNotShowAndWhatWouldShowIt) {
-  const LuGreFit f = test::fit_loops(test::paper_joint());
+  const method::hysteresis::LuGreFit f = test::fit_loops(test::paper_joint());
   EXPECT_EQ(f.rung, "level");
   for (const char* name : {"coulomb_Nm", "stribeck_speed_rad_s", "speed_weakening_Nms2_rad2",
                            "viscous_Nms_rad", "inertia_kgm2"}) {
@@ -84,12 +86,12 @@ TEST(LuGreFit, AtMicroSpeedSaysWhatDoesNotShowAndWhatWouldShowIt) {
     EXPECT_FALSE(parameter(f, name).experiment.empty()) << name;
   }
   EXPECT_NE(f.reason.find("Stribeck velocity do not show"), std::string::npos);
-  EXPECT_EQ(f.parameters.size(), std::size(lugre_parameter_names));
+  EXPECT_EQ(f.parameters.size(), std::size(method::hysteresis::lugre_parameter_names));
 }
 
 TEST(LuGreFit, ALoopBelowTheStribeckVelocityShowsTheStartOfTheFall) {
-  const Scenario s = with_loop(1e-3, 1.0);  // up to 0.63 rad/s of 5
-  const LuGreFit f = test::fit_loops(s);
+  const simulate::Scenario s = with_loop(1e-3, 1.0);  // up to 0.63 rad/s of 5
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   EXPECT_EQ(f.rung, "curvature");
   EXPECT_LT(relative_error(f, s, "speed_weakening_Nms2_rad2"), 0.01);
   EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-5);
@@ -98,8 +100,8 @@ TEST(LuGreFit, ALoopBelowTheStribeckVelocityShowsTheStartOfTheFall) {
 }
 
 TEST(LuGreFit, ALoopPastTheStribeckVelocityShowsTheWholeModel) {
-  const Scenario s = with_loop(0.05, 1.0);  // up to 31 rad/s
-  const LuGreFit f = test::fit_loops(s);
+  const simulate::Scenario s = with_loop(0.05, 1.0);  // up to 31 rad/s
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   EXPECT_EQ(f.rung, "whole");
   for (const auto& [name, truth] : test::true_parameters(s)) {
     EXPECT_LT(relative_error(f, s, name), 1e-6) << name << " of " << truth;
@@ -108,40 +110,40 @@ TEST(LuGreFit, ALoopPastTheStribeckVelocityShowsTheWholeModel) {
 
 TEST(LuGreFit, TheExperimentItNamesShowsTheParameter) {
   // Its own words for Tc and ws: peak motor speed of twice the Stribeck velocity, beside this loop.
-  Scenario s = test::noisy_paper_joint(7);
+  simulate::Scenario s = test::noisy_paper_joint(7);
   ASSERT_FALSE(test::fit_loops(s).shown("coulomb_Nm"));
-  OscillationExperiment further = *s.oscillation;
+  simulate::OscillationExperiment further = *s.oscillation;
   further.amplitude_rad = 2 * 5.0 / (2 * 3.14159 * further.frequency_Hz * s.gear_ratio);
   s.further_oscillations = {further};
-  const LuGreFit f = test::fit_loops(s);
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   EXPECT_LT(relative_error(f, s, "coulomb_Nm"), 0.05);
   EXPECT_LT(relative_error(f, s, "stribeck_speed_rad_s"), 0.05);
 }
 
 TEST(LuGreFit, LoopsTogetherShowMoreThanEachAlone) {
-  Scenario s = test::noisy_paper_joint(3);
-  const LuGreFit alone = test::fit_loops(s);
-  OscillationExperiment large = *s.oscillation;
+  simulate::Scenario s = test::noisy_paper_joint(3);
+  const method::hysteresis::LuGreFit alone = test::fit_loops(s);
+  simulate::OscillationExperiment large = *s.oscillation;
   large.amplitude_rad = 0.02;
-  OscillationExperiment fast = large;
+  simulate::OscillationExperiment fast = large;
   fast.amplitude_rad = 5e-3;
   fast.frequency_Hz = 5;
   s.further_oscillations = {large, fast};
-  const LuGreFit f = test::fit_loops(s);
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   ASSERT_EQ(f.loops.size(), 3U);
   for (const char* name : {"bristle_stiffness_Nm_rad", "bristle_damping_Nms_rad", "static_Nm",
                            "coulomb_Nm", "stribeck_speed_rad_s", "inertia_kgm2"}) {
     EXPECT_LT(relative_error(f, s, name), 0.02) << name;
   }
   EXPECT_LT(f.shown("static_Nm")->half_width(), alone.shown("static_Nm")->half_width() / 3);
-  for (const LuGreLoop& loop : f.loops) {
+  for (const method::hysteresis::LuGreLoop& loop : f.loops) {
     EXPECT_NEAR(loop.gravity_Nm->value, test::true_gravity_Nm, 2e-3) << loop.recording;
   }
 }
 
 TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
   // At a tenth of the way to sliding stiffness, static torque and inertia bend the loop alike.
-  const LuGreFit f = test::fit_loops(with_loop(2e-6, 1.0));
+  const method::hysteresis::LuGreFit f = test::fit_loops(with_loop(2e-6, 1.0));
   EXPECT_NE(f.identifiability.weakest_in_words.find("static torque"), std::string::npos)
       << f.identifiability.weakest_in_words;
   const auto& s = f.identifiability.singular_values_Nm;
@@ -157,10 +159,10 @@ TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
 
 TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
   // A small disturbance moves the solution by what the Jacobian says.
-  std::vector<Recording> loops = test::oscillations_of(test::noisy_paper_joint(5));
-  const LuGreFit before = test::fit_loops(loops);
+  std::vector<joint::Recording> loops = test::oscillations_of(test::noisy_paper_joint(5));
+  const method::hysteresis::LuGreFit before = test::fit_loops(loops);
   ASSERT_TRUE(before.linearised);
-  const LinearisedFit& at = *before.linearised;
+  const statistics::LinearisedFit& at = *before.linearised;
   ASSERT_EQ(at.jacobian.rows(), static_cast<Eigen::Index>(loops[0].size()));
   ASSERT_EQ(at.jacobian.cols(), at.parameters.size());
   ASSERT_EQ(at.block_of_row.size(), loops[0].size());
@@ -175,7 +177,7 @@ TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
     disturbance(i) = 1e-3 * std::sin(0.013 * static_cast<double>(i));
     loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
   }
-  const LuGreFit after = test::fit_loops(loops);
+  const method::hysteresis::LuGreFit after = test::fit_loops(loops);
   const Eigen::VectorXd predicted = at.jacobian.colPivHouseholderQr().solve(disturbance);
   const Eigen::VectorXd moved = after.linearised->parameters - at.parameters;
   for (Eigen::Index k = 0; k < moved.size(); ++k) {
@@ -184,18 +186,19 @@ TEST(LuGreFit, LinearisationPredictsTheFitOfDisturbedData) {
 }
 
 TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
-  std::vector<Recording> loops = test::oscillations_of(with_loop(0.05, 1.0));
-  const LuGreFit before = test::fit_loops(loops);
-  const LinearisedFit& at = *before.linearised;
-  EXPECT_EQ(at.readings.size(), std::size(lugre_parameter_names));  // the whole model is shown
+  std::vector<joint::Recording> loops = test::oscillations_of(with_loop(0.05, 1.0));
+  const method::hysteresis::LuGreFit before = test::fit_loops(loops);
+  const statistics::LinearisedFit& at = *before.linearised;
+  EXPECT_EQ(at.readings.size(),
+            std::size(method::hysteresis::lugre_parameter_names));  // the whole model is shown
   Eigen::VectorXd disturbance(at.residuals.size());
   for (Eigen::Index i = 0; i < disturbance.size(); ++i) {
     disturbance(i) = 1e-4 * std::sin(0.013 * static_cast<double>(i));
     loops[0].torque_Nm[static_cast<std::size_t>(i)] += disturbance(i);
   }
-  const LuGreFit after = test::fit_loops(loops);
+  const method::hysteresis::LuGreFit after = test::fit_loops(loops);
   const Eigen::VectorXd step = at.jacobian.colPivHouseholderQr().solve(disturbance);
-  for (const LinearisedReading& r : at.readings) {
+  for (const statistics::LinearisedReading& r : at.readings) {
     const double value = after.shown(r.name)->value;
     const double moved = r.logarithmic ? std::log(value / r.value) : value - r.value;
     EXPECT_NEAR(moved / r.gradient.dot(step), 1, 0.02) << r.name;
@@ -208,9 +211,9 @@ TEST(LuGreFit, ReadingsMoveAsTheirGradientsSay) {
 // ---- loops that show little or nothing
 
 TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
-  Scenario s = with_loop(1e-6, 1.0);  // a twentieth of the way to sliding
+  simulate::Scenario s = with_loop(1e-6, 1.0);  // a twentieth of the way to sliding
   s.noise.torque_white_Nm = 0.02;
-  const LuGreFit f = test::fit_loops(s);
+  const method::hysteresis::LuGreFit f = test::fit_loops(s);
   ASSERT_TRUE(f.converged) << f.reason;
   EXPECT_EQ(f.rung, "elastic");
   EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 0.06);
@@ -222,25 +225,28 @@ TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
 }
 
 TEST(LuGreFit, ConstantTorqueIsRefused) {
-  std::vector<Recording> loops = test::oscillations_of(test::paper_joint());
+  std::vector<joint::Recording> loops = test::oscillations_of(test::paper_joint());
   std::fill(loops[0].torque_Nm.begin(), loops[0].torque_Nm.end(), 3.9);
-  const LuGreFit f = test::fit_loops(loops);
+  const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   EXPECT_FALSE(f.converged);
   EXPECT_NE(f.reason.find("same all over the loop"), std::string::npos) << f.reason;
 }
 
 TEST(LuGreFit, NoiseAloneShowsNothing) {
-  std::vector<Recording> loops = test::oscillations_of(test::paper_joint());
-  Recording& r = loops[0];
+  std::vector<joint::Recording> loops = test::oscillations_of(test::paper_joint());
+  joint::Recording& r = loops[0];
   for (std::size_t i = 0; i < r.size(); ++i) {
     r.torque_Nm[i] = 3.9 + 0.02 * std::sin(1e4 * std::sin(static_cast<double>(i)));
   }
-  const LuGreFit f = test::fit_loops(loops);
+  const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   EXPECT_FALSE(f.gravity_Nm);
-  for (const LuGreParameter& p : f.parameters) EXPECT_FALSE(p.estimate) << p.name;
+  for (const method::hysteresis::LuGreParameter& p : f.parameters)
+    EXPECT_FALSE(p.estimate) << p.name;
 }
 
-TEST(LuGreFit, NoLoopIsAnError) { EXPECT_THROW(fit_lugre({}, 100, 0), std::invalid_argument); }
+TEST(LuGreFit, NoLoopIsAnError) {
+  EXPECT_THROW(method::hysteresis::fit_lugre({}, 100, 0), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace tribolog

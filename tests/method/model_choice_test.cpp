@@ -25,10 +25,11 @@ const std::vector<double> twenty{1,  1.5, 2.2, 3.3, 5,   7,   10,  14,  20,  28,
                                  40, 55,  75,  100, 130, 165, 200, 235, 270, 300};
 
 /// Both directions of each speed, each at its own load between 0.3 and 1.
-std::vector<CurveSample> curve(const Law& law, double noise_Nm, std::uint64_t seed,
-                               const std::vector<double>& speeds = twenty, const Terms& t = {}) {
-  RandomStream random(seed, 0);
-  std::vector<CurveSample> samples;
+std::vector<method::viscous::CurveSample> curve(const Law& law, double noise_Nm, std::uint64_t seed,
+                                                const std::vector<double>& speeds = twenty,
+                                                const Terms& t = {}) {
+  statistics::RandomStream random(seed, 0);
+  std::vector<method::viscous::CurveSample> samples;
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     for (const double direction : {-1.0, 1.0}) {
       const double w = speeds[k];
@@ -54,13 +55,13 @@ double waiboer(double w) {
 constexpr double noise_Nm = 0.005;
 constexpr int seeds = 40;
 
-int recognised(const Law& law, CurveLaw expected, double noise) {
+int recognised(const Law& law, method::viscous::CurveLaw expected, double noise) {
   int right = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const CurveModelChoice c =
-        choose_curve_model(curve(law, noise, static_cast<std::uint64_t>(seed)), false);
-    right += c.chosen_any && c.chosen.law == expected && c.chosen.asymmetry == Asymmetry::none &&
-             !c.chosen.load;
+    const method::viscous::CurveModelChoice c = method::viscous::choose_curve_model(
+        curve(law, noise, static_cast<std::uint64_t>(seed)), false);
+    right += c.chosen_any && c.chosen.law == expected &&
+             c.chosen.asymmetry == method::viscous::Asymmetry::none && !c.chosen.load;
   }
   return right;
 }
@@ -70,19 +71,24 @@ int recognised(const Law& law, CurveLaw expected, double noise) {
 constexpr int most_of_them = 35;
 
 TEST(ModelChoice, EachLawIsRecognisedInNoise) {
-  EXPECT_GE(recognised(coulomb, CurveLaw::coulomb, noise_Nm), most_of_them);
-  EXPECT_GE(recognised(line, CurveLaw::coulomb_viscous, noise_Nm), most_of_them);
-  EXPECT_GE(recognised(power, CurveLaw::power_viscous, noise_Nm), most_of_them);
-  EXPECT_GE(recognised(stribeck, CurveLaw::stribeck, noise_Nm), most_of_them);
-  EXPECT_GE(recognised(waiboer, CurveLaw::waiboer, noise_Nm), most_of_them);
+  EXPECT_GE(recognised(coulomb, method::viscous::CurveLaw::coulomb, noise_Nm), most_of_them);
+  EXPECT_GE(recognised(line, method::viscous::CurveLaw::coulomb_viscous, noise_Nm), most_of_them);
+  EXPECT_GE(recognised(power, method::viscous::CurveLaw::power_viscous, noise_Nm), most_of_them);
+  EXPECT_GE(recognised(stribeck, method::viscous::CurveLaw::stribeck, noise_Nm), most_of_them);
+  EXPECT_GE(recognised(waiboer, method::viscous::CurveLaw::waiboer, noise_Nm), most_of_them);
 }
 
 TEST(ModelChoice, EachLawIsRecognisedWithoutNoise) {
-  EXPECT_EQ(choose_curve_model(curve(coulomb, 0, 1), false).chosen.law, CurveLaw::coulomb);
-  EXPECT_EQ(choose_curve_model(curve(line, 0, 1), false).chosen.law, CurveLaw::coulomb_viscous);
-  EXPECT_EQ(choose_curve_model(curve(power, 0, 1), false).chosen.law, CurveLaw::power_viscous);
-  EXPECT_EQ(choose_curve_model(curve(stribeck, 0, 1), false).chosen.law, CurveLaw::stribeck);
-  EXPECT_EQ(choose_curve_model(curve(waiboer, 0, 1), false).chosen.law, CurveLaw::waiboer);
+  EXPECT_EQ(method::viscous::choose_curve_model(curve(coulomb, 0, 1), false).chosen.law,
+            method::viscous::CurveLaw::coulomb);
+  EXPECT_EQ(method::viscous::choose_curve_model(curve(line, 0, 1), false).chosen.law,
+            method::viscous::CurveLaw::coulomb_viscous);
+  EXPECT_EQ(method::viscous::choose_curve_model(curve(power, 0, 1), false).chosen.law,
+            method::viscous::CurveLaw::power_viscous);
+  EXPECT_EQ(method::viscous::choose_curve_model(curve(stribeck, 0, 1), false).chosen.law,
+            method::viscous::CurveLaw::stribeck);
+  EXPECT_EQ(method::viscous::choose_curve_model(curve(waiboer, 0, 1), false).chosen.law,
+            method::viscous::CurveLaw::waiboer);
 }
 
 TEST(ModelChoice, TermsAreTakenUpWhenTheyAreThere) {
@@ -90,12 +96,15 @@ TEST(ModelChoice, TermsAreTakenUpWhenTheyAreThere) {
   int viscous_too = 0;
   int loaded = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const auto a = choose_curve_model(curve(line, noise_Nm, seed, twenty, {0.02, 0, 0}), false);
-    asymmetric += a.chosen.asymmetry == Asymmetry::coulomb;
-    const auto b = choose_curve_model(curve(line, noise_Nm, seed, twenty, {0.02, 2e-4, 0}), false);
-    viscous_too += b.chosen.asymmetry == Asymmetry::coulomb_viscous;
-    const auto c = choose_curve_model(curve(line, noise_Nm, seed, twenty, {0, 0, 0.05}), false);
-    loaded += c.chosen.load && c.chosen.asymmetry == Asymmetry::none;
+    const auto a = method::viscous::choose_curve_model(
+        curve(line, noise_Nm, seed, twenty, {0.02, 0, 0}), false);
+    asymmetric += a.chosen.asymmetry == method::viscous::Asymmetry::coulomb;
+    const auto b = method::viscous::choose_curve_model(
+        curve(line, noise_Nm, seed, twenty, {0.02, 2e-4, 0}), false);
+    viscous_too += b.chosen.asymmetry == method::viscous::Asymmetry::coulomb_viscous;
+    const auto c = method::viscous::choose_curve_model(
+        curve(line, noise_Nm, seed, twenty, {0, 0, 0.05}), false);
+    loaded += c.chosen.load && c.chosen.asymmetry == method::viscous::Asymmetry::none;
   }
   EXPECT_GE(asymmetric, most_of_them);
   EXPECT_GE(viscous_too, most_of_them);
@@ -109,8 +118,8 @@ TEST(ModelChoice, TermsAreRefusedWhenTheyAreNot) {
   int asymmetric = 0;
   int loaded = 0;
   for (std::uint64_t seed = 1; seed <= many; ++seed) {
-    const auto c = choose_curve_model(curve(line, noise_Nm, seed), false);
-    asymmetric += c.chosen.asymmetry != Asymmetry::none;
+    const auto c = method::viscous::choose_curve_model(curve(line, noise_Nm, seed), false);
+    asymmetric += c.chosen.asymmetry != method::viscous::Asymmetry::none;
     loaded += c.chosen.load;
   }
   RecordProperty("asymmetric", asymmetric);
@@ -122,13 +131,13 @@ TEST(ModelChoice, TermsAreRefusedWhenTheyAreNot) {
 TEST(ModelChoice, FewSpeedsCarryASimpleModel) {
   const std::vector<double> four{2, 20, 100, 300};
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const auto c = choose_curve_model(curve(waiboer, noise_Nm, seed, four), false);
+    const auto c = method::viscous::choose_curve_model(curve(waiboer, noise_Nm, seed, four), false);
     ASSERT_TRUE(c.chosen_any);
     EXPECT_LE(c.chosen.parameters(), 3);
     EXPECT_FALSE(c.carries_five);
     EXPECT_NE(c.five_sentence.find("4 speeds for 5 parameters"), std::string::npos);
   }
-  const auto two = choose_curve_model(curve(line, noise_Nm, 1, {10, 100}), false);
+  const auto two = method::viscous::choose_curve_model(curve(line, noise_Nm, 1, {10, 100}), false);
   EXPECT_FALSE(two.chosen_any);
   EXPECT_NE(two.sentence.find("2 speeds"), std::string::npos);
 }
@@ -139,12 +148,12 @@ TEST(ModelChoice, TheChoiceDoesNotDependOnUnits) {
     auto other = base;
     constexpr double torque_unit = 1e4;
     constexpr double speed_unit = 1e-3;
-    for (CurveSample& s : other) {
+    for (method::viscous::CurveSample& s : other) {
       s.friction_Nm *= torque_unit;
       s.speed_rad_s *= speed_unit;
     }
-    const auto a = choose_curve_model(base, false);
-    const auto b = choose_curve_model(other, false);
+    const auto a = method::viscous::choose_curve_model(base, false);
+    const auto b = method::viscous::choose_curve_model(other, false);
     EXPECT_EQ(a.chosen.law, b.chosen.law);
     EXPECT_EQ(a.chosen.asymmetry, b.chosen.asymmetry);
     EXPECT_EQ(a.chosen.load, b.chosen.load);
@@ -157,18 +166,19 @@ TEST(ModelChoice, TheChoiceDoesNotDependOnUnits) {
 }
 
 TEST(ModelChoice, TrainingErrorAlwaysPrefersMoreParameters) {
-  const auto c = choose_curve_model(curve(line, noise_Nm, 7), false);
+  const auto c = method::viscous::choose_curve_model(curve(line, noise_Nm, 7), false);
   double last = INFINITY;
-  for (const CurveModelTrial& t : c.ladder) {
-    if (!t.excluded_because.empty() || t.model.law == CurveLaw::waiboer) continue;
-    if (t.model.law == CurveLaw::stribeck) continue;  // not nested in the power law
+  for (const method::viscous::CurveModelTrial& t : c.ladder) {
+    if (!t.excluded_because.empty() || t.model.law == method::viscous::CurveLaw::waiboer) continue;
+    if (t.model.law == method::viscous::CurveLaw::stribeck)
+      continue;  // not nested in the power law
     // The fit is to all speeds, the error at those held out in turn: all but the two ends.
     constexpr double ends = 0.02;
     EXPECT_LE(t.training_rms_Nm, last * (1 + ends));
     EXPECT_LT(t.training_rms_Nm, t.held_out_rms_Nm);
     last = t.training_rms_Nm;
   }
-  EXPECT_EQ(c.chosen.law, CurveLaw::coulomb_viscous);
+  EXPECT_EQ(c.chosen.law, method::viscous::CurveLaw::coulomb_viscous);
 }
 
 TEST(ModelChoice, ParametersComeBackWithIntervalsThatCover) {
@@ -177,11 +187,11 @@ TEST(ModelChoice, ParametersComeBackWithIntervalsThatCover) {
   const double truth[4] = {0.5, 0.35, 8, 0.002};
   for (std::uint64_t seed = 1; seed <= many; ++seed) {
     const auto samples = curve(stribeck, noise_Nm, seed);
-    const auto c = choose_curve_model(samples, false);
-    if (c.chosen.law != CurveLaw::stribeck || c.chosen.parameters() != 4) continue;
+    const auto c = method::viscous::choose_curve_model(samples, false);
+    if (c.chosen.law != method::viscous::CurveLaw::stribeck || c.chosen.parameters() != 4) continue;
     ASSERT_EQ(c.parameters.size(), 4U);
     for (int k = 0; k < 4; ++k) {
-      const Estimate& e = c.parameters[static_cast<std::size_t>(k)].estimate;
+      const statistics::Estimate& e = c.parameters[static_cast<std::size_t>(k)].estimate;
       EXPECT_NEAR(e.value, truth[k], 0.1 * truth[k]);
       covered[k] += e.low <= truth[k] && truth[k] <= e.high;
     }
@@ -191,10 +201,11 @@ TEST(ModelChoice, ParametersComeBackWithIntervalsThatCover) {
 }
 
 TEST(ModelChoice, ASweepOffersNoStribeckEffect) {
-  const auto c = choose_curve_model(curve(stribeck, noise_Nm, 1), true);
+  const auto c = method::viscous::choose_curve_model(curve(stribeck, noise_Nm, 1), true);
   ASSERT_TRUE(c.chosen_any);
-  EXPECT_NE(c.chosen.law, CurveLaw::stribeck);
-  EXPECT_NE(c.find(CurveLaw::waiboer)->excluded_because.find("sweep"), std::string::npos);
+  EXPECT_NE(c.chosen.law, method::viscous::CurveLaw::stribeck);
+  EXPECT_NE(c.find(method::viscous::CurveLaw::waiboer)->excluded_because.find("sweep"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace tribolog {
 namespace {
 
-Recording sampled(const Motion& motion, double duration_s, double rate_Hz) {
-  Recording r;
+joint::Recording sampled(const simulate::Motion& motion, double duration_s, double rate_Hz) {
+  joint::Recording r;
   const auto n = static_cast<int>(duration_s * rate_Hz) + 1;
   for (int i = 0; i < n; ++i) {
     r.t_s.push_back(100 + i / rate_Hz);  // logs do not start at zero
@@ -21,13 +21,13 @@ Recording sampled(const Motion& motion, double duration_s, double rate_Hz) {
 }
 
 TEST(OscillationMotion, FindsFrequencyAndHarmonics) {
-  const HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
-  const auto m = fit_oscillation_motion(sampled(truth, 7.3, 500));
+  const simulate::HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
+  const auto m = method::motion::fit_oscillation_motion(sampled(truth, 7.3, 500));
   ASSERT_TRUE(m);
   EXPECT_NEAR(m->frequency_Hz, 1.37, 1e-9);
   EXPECT_NEAR(m->centre_rad, 0.7, 1e-12);
   EXPECT_NEAR(m->amplitude_rad, std::hypot(0.002, 0.010), 1e-12);
-  const HarmonicMotion motor = m->motor_motion(100);
+  const simulate::HarmonicMotion motor = m->motor_motion(100);
   for (double t = 0; t < 7; t += 0.1) {
     EXPECT_NEAR(motor.angle(t), 100 * truth.angle(t), 1e-9);
     EXPECT_NEAR(motor.speed(t), 100 * truth.speed(t), 1e-7);
@@ -35,45 +35,45 @@ TEST(OscillationMotion, FindsFrequencyAndHarmonics) {
 }
 
 TEST(OscillationMotion, OfALongRecordingTheLastRoundsSeeEverySample) {
-  const HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
-  Recording r = sampled(truth, 120, 2000);
-  const auto clean = fit_oscillation_motion(r);
+  const simulate::HarmonicMotion truth(0.7, 1.37, {{0.002, 0.010}, {0.0005, 0}, {0, -0.0003}});
+  joint::Recording r = sampled(truth, 120, 2000);
+  const auto clean = method::motion::fit_oscillation_motion(r);
   ASSERT_TRUE(clean);
   EXPECT_NEAR(clean->frequency_Hz, 1.37, 1e-11);
   EXPECT_NEAR(clean->centre_rad, 0.7, 1e-12);
   EXPECT_NEAR(clean->amplitude_rad, std::hypot(0.002, 0.010), 1e-12);
   // Between the samples that the first rounds see.
   for (std::size_t i = 1; i < r.size(); i += 4) r.q_rad[i] += 1e-4;
-  EXPECT_NEAR(fit_oscillation_motion(r)->centre_rad, 0.7 + 0.25e-4, 1e-9);
+  EXPECT_NEAR(method::motion::fit_oscillation_motion(r)->centre_rad, 0.7 + 0.25e-4, 1e-9);
 }
 
 TEST(OscillationMotion, OneCycleIsEnoughHalfIsNot) {
-  const auto truth = HarmonicMotion::sine(0, 1e-4, 1);
-  EXPECT_TRUE(fit_oscillation_motion(sampled(truth, 1.0, 1000)));
-  EXPECT_FALSE(fit_oscillation_motion(sampled(truth, 0.45, 1000)));
+  const auto truth = simulate::HarmonicMotion::sine(0, 1e-4, 1);
+  EXPECT_TRUE(method::motion::fit_oscillation_motion(sampled(truth, 1.0, 1000)));
+  EXPECT_FALSE(method::motion::fit_oscillation_motion(sampled(truth, 0.45, 1000)));
 }
 
 TEST(OscillationMotion, ADriftingLoopIsNotFollowed) {
-  const auto sine = HarmonicMotion::sine(0, 1e-4, 1);
-  Recording steady = sampled(sine, 5.0, 200);
-  EXPECT_TRUE(fit_oscillation_motion(steady)->follows_the_angle(0));
+  const auto sine = simulate::HarmonicMotion::sine(0, 1e-4, 1);
+  joint::Recording steady = sampled(sine, 5.0, 200);
+  EXPECT_TRUE(method::motion::fit_oscillation_motion(steady)->follows_the_angle(0));
   for (std::size_t i = 0; i < steady.size(); ++i) {
     steady.q_rad[i] += 1e-4 * std::exp(-static_cast<double>(i) / 200);
   }
-  const auto motion = fit_oscillation_motion(steady);
+  const auto motion = method::motion::fit_oscillation_motion(steady);
   ASSERT_TRUE(motion);
   EXPECT_FALSE(motion->follows_the_angle(5e-6));
   EXPECT_TRUE(motion->follows_the_angle(1e-4)) << "within a step of the encoder nothing is known";
 }
 
 TEST(OscillationMotion, AStandingJointDoesNotSwing) {
-  Recording r;
+  joint::Recording r;
   for (int i = 0; i < 100; ++i) {
     r.t_s.push_back(i);
     r.q_rad.push_back(1);
     r.torque_Nm.push_back(0);
   }
-  EXPECT_FALSE(fit_oscillation_motion(r));
+  EXPECT_FALSE(method::motion::fit_oscillation_motion(r));
 }
 
 }  // namespace

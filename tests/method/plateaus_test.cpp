@@ -11,8 +11,9 @@
 namespace tribolog {
 namespace {
 
-Recording record(const Motion& motion, double duration_s, double rate_Hz, double step_rad = 0) {
-  Recording r;
+joint::Recording record(const simulate::Motion& motion, double duration_s, double rate_Hz,
+                        double step_rad = 0) {
+  joint::Recording r;
   for (double t = 0; t <= duration_s; t += 1 / rate_Hz) {
     const double q = motion.angle(t);
     r.t_s.push_back(t);
@@ -22,7 +23,7 @@ Recording record(const Motion& motion, double duration_s, double rate_Hz, double
   return r;
 }
 
-void expect_counts_add_up(const MotionSegments& m, const Recording& r) {
+void expect_counts_add_up(const method::motion::MotionSegments& m, const joint::Recording& r) {
   EXPECT_EQ(m.samples_on_plateaus + m.samples_trimmed + m.samples_accelerating + m.samples_at_rest,
             r.size());
 }
@@ -30,13 +31,13 @@ void expect_counts_add_up(const MotionSegments& m, const Recording& r) {
 TEST(Plateaus, FindsBothStrokesOfATravelWithoutTheirRamps) {
   for (const double step : {0.0, 1e-5, 1e-4}) {
     for (const double speed : {0.02, 0.2, 2.0}) {
-      const TravelMotion motion({-1, 0.8, speed, 20, true, 0.3});
-      const Recording r = record(motion, motion.duration_s(), 1000, step);
-      const MotionSegments m = find_plateaus(r);
+      const simulate::TravelMotion motion({-1, 0.8, speed, 20, true, 0.3});
+      const joint::Recording r = record(motion, motion.duration_s(), 1000, step);
+      const method::motion::MotionSegments m = method::motion::find_plateaus(r);
       ASSERT_EQ(m.plateaus.size(), 2U) << "speed " << speed << " step " << step;
       EXPECT_NEAR(m.plateaus[0].speed_rad_s, speed, 0.002 * speed);
       EXPECT_NEAR(m.plateaus[1].speed_rad_s, -speed, 0.002 * speed);
-      for (const Plateau& p : m.plateaus) {
+      for (const method::motion::Plateau& p : m.plateaus) {
         for (std::size_t i = p.first; i < p.last; ++i) {
           ASSERT_NEAR(std::abs(motion.speed(r.t_s[i])), speed, 1e-9) << "at " << r.t_s[i];
         }
@@ -48,26 +49,26 @@ TEST(Plateaus, FindsBothStrokesOfATravelWithoutTheirRamps) {
 }
 
 TEST(Plateaus, ASineIsNoConstantSpeed) {
-  const Recording r = record(HarmonicMotion::sine(0, 1.04, 0.1), 55, 100, 1e-4);
-  const MotionSegments m = find_plateaus(r);
+  const joint::Recording r = record(simulate::HarmonicMotion::sine(0, 1.04, 0.1), 55, 100, 1e-4);
+  const method::motion::MotionSegments m = method::motion::find_plateaus(r);
   EXPECT_LT(m.plateau_share(), 0.4);
   expect_counts_add_up(m, r);
 }
 
 TEST(Plateaus, AStandingJointHasNone) {
-  Recording r;
+  joint::Recording r;
   for (int i = 0; i < 500; ++i) {
     r.t_s.push_back(i * 1e-3);
     r.q_rad.push_back(0.3);
     r.torque_Nm.push_back(1);
   }
-  const MotionSegments m = find_plateaus(r);
+  const method::motion::MotionSegments m = method::motion::find_plateaus(r);
   EXPECT_TRUE(m.plateaus.empty());
   EXPECT_EQ(m.samples_at_rest, 500U);
 }
 
 TEST(Plateaus, AStaircaseOfSpeedsHasOneForEach) {
-  Recording r;
+  joint::Recording r;
   double q = 0;
   for (int i = 0; i < 40'000; ++i) {
     const double speed = 0.1 * (1 + i / 10'000);
@@ -76,7 +77,7 @@ TEST(Plateaus, AStaircaseOfSpeedsHasOneForEach) {
     r.torque_Nm.push_back(0);
     q += speed * 1e-3;
   }
-  const MotionSegments m = find_plateaus(r);
+  const method::motion::MotionSegments m = method::motion::find_plateaus(r);
   ASSERT_EQ(m.plateaus.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(m.plateaus[k].speed_rad_s, 0.1 * static_cast<double>(k + 1), 1e-4);
@@ -85,11 +86,11 @@ TEST(Plateaus, AStaircaseOfSpeedsHasOneForEach) {
 }
 
 TEST(Plateaus, FewSamplesAreNoMotion) {
-  Recording r;
-  EXPECT_TRUE(find_plateaus(r).plateaus.empty());
+  joint::Recording r;
+  EXPECT_TRUE(method::motion::find_plateaus(r).plateaus.empty());
   r.t_s = {0, 1, 2};
   r.q_rad = {0, 1, 2};
-  EXPECT_TRUE(find_plateaus(r).plateaus.empty());
+  EXPECT_TRUE(method::motion::find_plateaus(r).plateaus.empty());
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-Estimate reading(double value, double half_width = 1e-6) {
-  return symmetric_estimate(value, half_width, "cycles");
+statistics::Estimate reading(double value, double half_width = 1e-6) {
+  return statistics::symmetric_estimate(value, half_width, "cycles");
 }
 
-Ripple two_lines() {
-  Ripple ripple;
+method::gravity::Ripple two_lines() {
+  method::gravity::Ripple ripple;
   ripple.lines = {{1, 0.02, 0.3}, {6, 0.015, 2.0}};
   return ripple;
 }
@@ -32,17 +32,17 @@ std::vector<double> evenly_over_a_turn(int positions) {
 }
 
 TEST(PositionMean, PositionsCountOnceWhereTheySeeTheSameRipple) {
-  EXPECT_EQ(distinct_positions({0, 0, 0}, {}), 1U);
-  EXPECT_EQ(distinct_positions({0, turn / 8, turn / 4}, {}), 3U);
-  EXPECT_EQ(distinct_positions({0, 0.1, 0.2}, {}), 1U);
-  EXPECT_EQ(distinct_positions({}, {}), 0U);
+  EXPECT_EQ(method::hysteresis::distinct_positions({0, 0, 0}, {}), 1U);
+  EXPECT_EQ(method::hysteresis::distinct_positions({0, turn / 8, turn / 4}, {}), 3U);
+  EXPECT_EQ(method::hysteresis::distinct_positions({0, 0.1, 0.2}, {}), 1U);
+  EXPECT_EQ(method::hysteresis::distinct_positions({}, {}), 0U);
   // Ripple of a hundred periods a turn changes within a tenth of a radian.
-  EXPECT_EQ(distinct_positions({0, 0.1, 0.2}, {{{100, 0.02, 0}}, 0}), 3U);
+  EXPECT_EQ(method::hysteresis::distinct_positions({0, 0.1, 0.2}, {{{100, 0.02, 0}}, 0}), 3U);
 }
 
 TEST(PositionMean, ScatterOfThreeMakesTheInterval) {
-  const PositionMean mean =
-      mean_over_positions({reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
+  const method::hysteresis::PositionMean mean = method::hysteresis::mean_over_positions(
+      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
   EXPECT_DOUBLE_EQ(mean.gravity_Nm.value, 2);
   EXPECT_EQ(mean.freedom, 2);
   // Standard error 1/sqrt(3), Student's t of two degrees of freedom 4.303.
@@ -52,38 +52,41 @@ TEST(PositionMean, ScatterOfThreeMakesTheInterval) {
 }
 
 TEST(PositionMean, RepeatsOfAPositionTellNothingNewOfTheRipple) {
-  const PositionMean once =
-      mean_over_positions({reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
-  const PositionMean thrice =
-      mean_over_positions({reading(1), reading(1), reading(1), reading(2), reading(2), reading(2),
-                           reading(3), reading(3), reading(3)},
-                          {0, 1e-3, 2e-3, 1, 1, 1, 2, 2, 2}, {}, "cycles");
+  const method::hysteresis::PositionMean once = method::hysteresis::mean_over_positions(
+      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
+  const method::hysteresis::PositionMean thrice = method::hysteresis::mean_over_positions(
+      {reading(1), reading(1), reading(1), reading(2), reading(2), reading(2), reading(3),
+       reading(3), reading(3)},
+      {0, 1e-3, 2e-3, 1, 1, 1, 2, 2, 2}, {}, "cycles");
   EXPECT_EQ(thrice.freedom, once.freedom);
   EXPECT_NEAR(thrice.gravity_Nm.half_width(), once.gravity_Nm.half_width(), 1e-9);
 }
 
 TEST(PositionMean, FewerThanThreeDistinctPositionsSayNothingOfTheRipple) {
-  const Estimate one = reading(1, 0.1);
-  EXPECT_EQ(mean_over_positions({one}, {0}, {}, "cycles").gravity_Nm.half_width(),
-            one.half_width());
-  EXPECT_THROW(mean_over_positions({}, {}, {}, "cycles"), std::invalid_argument);
+  const statistics::Estimate one = reading(1, 0.1);
+  EXPECT_EQ(
+      method::hysteresis::mean_over_positions({one}, {0}, {}, "cycles").gravity_Nm.half_width(),
+      one.half_width());
+  EXPECT_THROW(method::hysteresis::mean_over_positions({}, {}, {}, "cycles"),
+               std::invalid_argument);
   // Two that agree keep their own intervals.
-  const PositionMean two =
-      mean_over_positions({reading(1, 0.3), reading(1, 0.4)}, {0, 1}, {}, "cycles");
+  const method::hysteresis::PositionMean two = method::hysteresis::mean_over_positions(
+      {reading(1, 0.3), reading(1, 0.4)}, {0, 1}, {}, "cycles");
   EXPECT_NEAR(two.gravity_Nm.half_width(), 0.25, 1e-12);
   EXPECT_EQ(two.freedom, 0);
-  const PositionMean together =
-      mean_over_positions({reading(1), reading(1), reading(1)}, {0, 0.1, 0.2}, {}, "cycles");
+  const method::hysteresis::PositionMean together = method::hysteresis::mean_over_positions(
+      {reading(1), reading(1), reading(1)}, {0, 0.1, 0.2}, {}, "cycles");
   EXPECT_EQ(together.freedom, 0);
   EXPECT_TRUE(together.residuals_Nm.empty());
 }
 
 TEST(PositionMean, EightPositionsOverATurnLeaveNothingOfTheRipple) {
-  const Ripple ripple = two_lines();
+  const method::gravity::Ripple ripple = two_lines();
   const std::vector<double> angle = evenly_over_a_turn(8);
-  std::vector<Estimate> gravity;
+  std::vector<statistics::Estimate> gravity;
   for (const double a : angle) gravity.push_back(reading(3.88 + ripple.torque_Nm(a)));
-  const PositionMean mean = mean_over_positions(gravity, angle, ripple, "cycles");
+  const method::hysteresis::PositionMean mean =
+      method::hysteresis::mean_over_positions(gravity, angle, ripple, "cycles");
   EXPECT_NEAR(mean.gravity_Nm.value, 3.88, 1e-12);
   EXPECT_LT(mean.gravity_Nm.half_width(), 1e-12);
   EXPECT_EQ(mean.freedom, 3);
@@ -91,24 +94,27 @@ TEST(PositionMean, EightPositionsOverATurnLeaveNothingOfTheRipple) {
 
 TEST(PositionMean, RippleOfUnknownPeriodsOverAnEvenTurnIsNoError) {
   const double small[] = {1, -2, 0.5, 1.5, -1, 0, 2, -2};
-  const Ripple ripple = two_lines();
+  const method::gravity::Ripple ripple = two_lines();
   std::vector<double> angle = evenly_over_a_turn(8);
-  std::vector<Estimate> gravity;
+  std::vector<statistics::Estimate> gravity;
   for (std::size_t k = 0; k < 8; ++k) {
     gravity.push_back(reading(3.88 + ripple.torque_Nm(angle[k]) + 1e-4 * small[k]));
   }
-  const PositionMean mean = mean_over_positions(gravity, angle, {}, "cycles");
+  const method::hysteresis::PositionMean mean =
+      method::hysteresis::mean_over_positions(gravity, angle, {}, "cycles");
   EXPECT_NEAR(mean.gravity_Nm.value, 3.88, 1e-4);
   EXPECT_LT(mean.gravity_Nm.half_width(), 1e-3);
   // The same readings from one half of the turn say nothing of the other.
   for (double& a : angle) a /= 2;
-  EXPECT_GT(mean_over_positions(gravity, angle, {}, "cycles").gravity_Nm.half_width(), 5e-3);
+  EXPECT_GT(
+      method::hysteresis::mean_over_positions(gravity, angle, {}, "cycles").gravity_Nm.half_width(),
+      5e-3);
 }
 
 TEST(PositionMean, KeepsALineThatRepeatsFromPositionToPosition) {
   const std::vector<double> angle = evenly_over_a_turn(8);
-  EXPECT_NEAR(share_left_in_mean({8, 1, 0}, angle), 1, 1e-12);
-  EXPECT_NEAR(share_left_in_mean({6, 1, 0}, angle), 0, 1e-12);
+  EXPECT_NEAR(method::hysteresis::share_left_in_mean({8, 1, 0}, angle), 1, 1e-12);
+  EXPECT_NEAR(method::hysteresis::share_left_in_mean({6, 1, 0}, angle), 0, 1e-12);
 }
 
 }  // namespace

@@ -11,15 +11,16 @@ namespace tribolog {
 namespace {
 
 TEST(QualityErrors, HandWorkedPercentages) {
-  ViscousCurvesResult v;
-  ConstantSpeedRun run;
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ConstantSpeedRun run;
   run.torque_Nm = 4.0;
   run.speed_rad_s = 10;
   run.direction_difference_Nm = 0.5;
   v.runs = {run, run};
   v.runs[1].torque_Nm = 2.0;
   v.curves = {{"X", {0.54, 0.48}}};
-  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
+  const method::selection::QualityErrorsResult q =
+      method::selection::identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.reference, "direction_difference");
   ASSERT_EQ(q.errors.size(), 1U);
   EXPECT_NEAR(q.errors[0].percent[0], 1.0, 1e-12);
@@ -28,29 +29,30 @@ TEST(QualityErrors, HandWorkedPercentages) {
 }
 
 TEST(QualityErrors, DirectionDifferenceRanksTheCandidatesAsTheTruthDoes) {
-  Dataset d = test::simulated_dataset(test::paper_joint());
-  const Calibration with_truth = identify(d);
+  joint::Dataset d = simulate::simulated_dataset(test::paper_joint());
+  const calibration::Calibration with_truth = identify::identify(d);
   d.manifest.reference.reset();
-  const Calibration without = identify(d);
+  const calibration::Calibration without = identify::identify(d);
   EXPECT_EQ(with_truth.quality.reference, "analytic");
   EXPECT_EQ(without.quality.reference, "direction_difference");
   EXPECT_EQ(without.selection.paper_rule, "B");
-  for (const QualityError& e : with_truth.quality.errors) {
+  for (const method::selection::QualityError& e : with_truth.quality.errors) {
     ASSERT_NE(without.quality.find(e.estimator), nullptr);
     EXPECT_NEAR(without.quality.find(e.estimator)->rms_percent, e.rms_percent, 0.02);
   }
 }
 
 TEST(QualityErrors, RunsWithoutReferenceAreCountedAsLeftOut) {
-  ViscousCurvesResult v;
-  ConstantSpeedRun run;
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ConstantSpeedRun run;
   run.torque_Nm = 4.0;
   run.direction_difference_Nm = 0.5;
   v.runs = {run, run, run};
   v.runs[1].direction_difference_Nm = std::nan("");
   v.runs[2].torque_Nm = 0.01;  // a percentage of almost nothing
   v.curves = {{"X", {0.54, 0.54, 0.54}}};
-  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
+  const method::selection::QualityErrorsResult q =
+      method::selection::identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.runs_left_out, 2U);
   EXPECT_TRUE(std::isnan(q.errors[0].percent[1]));
   EXPECT_TRUE(std::isnan(q.errors[0].percent[2]));
@@ -58,14 +60,15 @@ TEST(QualityErrors, RunsWithoutReferenceAreCountedAsLeftOut) {
 }
 
 TEST(QualityErrors, WithoutAnyReferenceItSaysWhatToRecord) {
-  ViscousCurvesResult v;
-  ConstantSpeedRun run;
+  method::viscous::ViscousCurvesResult v;
+  method::viscous::ConstantSpeedRun run;
   run.torque_Nm = 4.0;
   run.direction_difference_Nm = std::nan("");
   v.runs = {run};
   v.curves = {{"X", {0.54}}};
-  const QualityErrorsResult q = identify_quality_errors(v, nullptr);
-  EXPECT_EQ(q.stage.state, StageState::not_identifiable);
+  const method::selection::QualityErrorsResult q =
+      method::selection::identify_quality_errors(v, nullptr);
+  EXPECT_EQ(q.stage.state, statistics::StageState::not_identifiable);
   EXPECT_NE(q.stage.reason.find("both directions"), std::string::npos);
 }
 

@@ -14,22 +14,23 @@ namespace {
 
 using std::numbers::pi;
 
-Ripple two_lines() {
-  Ripple ripple;
+method::gravity::Ripple two_lines() {
+  method::gravity::Ripple ripple;
   ripple.lines = {{1, 0.02, 0.3}, {6, 0.015, 2.0}};
   return ripple;
 }
 
 TEST(RippleSpectrum, FindsPeriodsAmplitudesAndPhasesInNoise) {
-  const Ripple truth = two_lines();
-  RandomStream random(1, 1);
+  const method::gravity::Ripple truth = two_lines();
+  statistics::RandomStream random(1, 1);
   std::vector<double> angle, residual;
   for (int i = 0; i < 60000; ++i) {
     angle.push_back(-100 + 0.004 * i);  // 38 turns
     residual.push_back(truth.torque_Nm(angle.back()) + 0.02 * random.normal());
   }
   const double sd = std::sqrt((0.02 * 0.02 + 0.015 * 0.015) / 2);
-  const Ripple found = find_ripple(angle, residual, sd, 0.02 * 0.02);
+  const method::gravity::Ripple found =
+      method::gravity::find_ripple(angle, residual, sd, 0.02 * 0.02);
   ASSERT_EQ(found.lines.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_NEAR(found.lines[k].periods_per_turn, truth.lines[k].periods_per_turn, 1e-3);
@@ -44,20 +45,21 @@ TEST(RippleSpectrum, FindsPeriodsAmplitudesAndPhasesInNoise) {
 
 TEST(RippleSpectrum, FindsNothingInWhiteNoise) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    RandomStream random(seed, 2);
+    statistics::RandomStream random(seed, 2);
     std::vector<double> angle, residual;
     for (int i = 0; i < 20000; ++i) {
       angle.push_back(0.01 * i);
       residual.push_back(0.02 * random.normal());
     }
-    EXPECT_TRUE(find_ripple(angle, residual, 0.005, 0.02 * 0.02).lines.empty()) << seed;
+    EXPECT_TRUE(method::gravity::find_ripple(angle, residual, 0.005, 0.02 * 0.02).lines.empty())
+        << seed;
   }
 }
 
 TEST(RippleSpectrum, HalfWidthOfOneLineIsNearlyItsAmplitude) {
   // |cos u| < cos(0.025 pi) for 95 % of all u.
-  EXPECT_NEAR(random_phase_half_width({2.0}, 0), 2 * std::cos(0.025 * pi), 0.01);
-  EXPECT_NEAR(random_phase_half_width({}, 1.0), 1.96, 1e-3);
+  EXPECT_NEAR(method::gravity::random_phase_half_width({2.0}, 0), 2 * std::cos(0.025 * pi), 0.01);
+  EXPECT_NEAR(method::gravity::random_phase_half_width({}, 1.0), 1.96, 1e-3);
 }
 
 }  // namespace

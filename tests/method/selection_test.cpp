@@ -9,18 +9,18 @@ namespace {
 
 /// A to F around a mid-line of 80 kg, B the nearest.
 struct Candidates {
-  SurrogateMassesResult masses;
-  QualityErrorsResult errors;
+  method::hysteresis::SurrogateMassesResult masses;
+  method::selection::QualityErrorsResult errors;
 
   void add(const std::string& estimator, double mass_kg, double half_width_kg) {
-    SurrogateMass mass;
+    method::hysteresis::SurrogateMass mass;
     mass.estimator = estimator;
-    mass.mass_kg = symmetric_estimate(mass_kg, half_width_kg, "by hand");
+    mass.mass_kg = statistics::symmetric_estimate(mass_kg, half_width_kg, "by hand");
     masses.masses.push_back(mass);
     errors.errors.push_back({estimator, {}, std::abs(mass_kg - 80.0)});
   }
-  [[nodiscard]] SelectionResult selected() const {
-    return select_estimator(masses, errors, {}, std::nullopt);
+  [[nodiscard]] method::selection::SelectionResult selected() const {
+    return method::selection::select_estimator(masses, errors, {}, std::nullopt);
   }
 };
 
@@ -37,7 +37,7 @@ Candidates candidates(double half_width_kg) {
 }
 
 TEST(Selection, OfSharpReadingsThePaperHasOneChoice) {
-  const SelectionResult s = candidates(0.1).selected();
+  const method::selection::SelectionResult s = candidates(0.1).selected();
   EXPECT_EQ(s.paper_rule, "B");
   EXPECT_EQ(s.recommended, "midline");
   EXPECT_TRUE(s.paper_rule_rivals.empty());
@@ -47,7 +47,7 @@ TEST(Selection, OfSharpReadingsThePaperHasOneChoice) {
 // B is 0.8 kg away and A 1.5 kg: they cannot be told apart once each may be 0.35 kg off.
 TEST(Selection, NamesThoseThatNoiseCouldHaveMadeTheChoice) {
   EXPECT_TRUE(candidates(0.34).selected().paper_rule_rivals.empty());
-  const SelectionResult s = candidates(0.36).selected();
+  const method::selection::SelectionResult s = candidates(0.36).selected();
   EXPECT_EQ(s.paper_rule_rivals, std::vector<std::string>{"A"});
   EXPECT_NE(s.why.find("could have chosen A instead of B"), std::string::npos);
   EXPECT_EQ(candidates(2.0).selected().paper_rule_rivals,
@@ -57,10 +57,10 @@ TEST(Selection, NamesThoseThatNoiseCouldHaveMadeTheChoice) {
 TEST(Selection, WithoutALoopTheSweepIsRecommendedAndThePaperHasNoChoice) {
   Candidates c;
   c.add("sweep", 80.0, 0.1);
-  const SelectionResult s = c.selected();
+  const method::selection::SelectionResult s = c.selected();
   EXPECT_EQ(s.recommended, "sweep");
   EXPECT_EQ(s.paper_rule, "");
-  EXPECT_EQ(s.stage.state, StageState::partial);
+  EXPECT_EQ(s.stage.state, statistics::StageState::partial);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ constexpr double frequency = 0.7;
 
 /// An ellipse 2e-5 rad and 0.4 N·m wide and high about (centre, 3.9), after a cycle of something
 /// else, with noise.
-LoopTrace ellipse(double noise, double cycles) {
-  LoopTrace trace;
-  RandomStream random(1, 1);
+method::hysteresis::LoopTrace ellipse(double noise, double cycles) {
+  method::hysteresis::LoopTrace trace;
+  statistics::RandomStream random(1, 1);
   for (int i = 0; i < static_cast<int>(cycles * 1000 / frequency); ++i) {
     const double t = 1e-3 * i;
     const double phase = 2 * std::numbers::pi * frequency * t;
@@ -31,12 +31,12 @@ LoopTrace ellipse(double noise, double cycles) {
   return trace;
 }
 
-Oscillation oscillation(double steady_cycles) {
+method::hysteresis::Oscillation oscillation(double steady_cycles) {
   return {centre, amplitude, frequency, steady_cycles + 1, steady_cycles, 0, false};
 }
 
 TEST(SteadyLoop, IsTheMeanOfTheSteadyCycles) {
-  const auto loop = steady_loop(ellipse(0.02, 11), oscillation(10), 200);
+  const auto loop = method::hysteresis::steady_loop(ellipse(0.02, 11), oscillation(10), 200);
   ASSERT_TRUE(loop);
   ASSERT_EQ(loop->torque_Nm.size(), 200U);
   EXPECT_EQ(loop->centre_rad, centre);
@@ -49,32 +49,32 @@ TEST(SteadyLoop, IsTheMeanOfTheSteadyCycles) {
 }
 
 TEST(SteadyLoop, IsThinnedOutWhereNothingRepeats) {
-  const LoopTrace trace = ellipse(0, 1.99);
-  const auto loop = steady_loop(trace, oscillation(0), 50);
+  const method::hysteresis::LoopTrace trace = ellipse(0, 1.99);
+  const auto loop = method::hysteresis::steady_loop(trace, oscillation(0), 50);
   ASSERT_TRUE(loop);
   EXPECT_LE(loop->torque_Nm.size(), 50U);
   EXPECT_GE(loop->torque_Nm.size(), 40U);
 }
 
 TEST(SteadyLoop, NeedsALoop) {
-  EXPECT_FALSE(steady_loop({}, oscillation(5), 200));
-  LoopTrace still = ellipse(0, 3);
+  EXPECT_FALSE(method::hysteresis::steady_loop({}, oscillation(5), 200));
+  method::hysteresis::LoopTrace still = ellipse(0, 3);
   for (double& t : still.t_s) t = 1;
-  EXPECT_FALSE(steady_loop(still, oscillation(2), 200));
-  Oscillation no_period = oscillation(2);
+  EXPECT_FALSE(method::hysteresis::steady_loop(still, oscillation(2), 200));
+  method::hysteresis::Oscillation no_period = oscillation(2);
   no_period.frequency_Hz = 0;
-  EXPECT_FALSE(steady_loop(ellipse(0, 3), no_period, 200));
+  EXPECT_FALSE(method::hysteresis::steady_loop(ellipse(0, 3), no_period, 200));
 }
 
 TEST(SteadyLoop, HasNoEmptyBinsWhereSamplesAreFew) {
-  LoopTrace coarse;
-  const LoopTrace fine = ellipse(0, 6);
+  method::hysteresis::LoopTrace coarse;
+  const method::hysteresis::LoopTrace fine = ellipse(0, 6);
   for (std::size_t i = 0; i < fine.t_s.size(); i += 37) {
     coarse.t_s.push_back(fine.t_s[i]);
     coarse.q_rad.push_back(fine.q_rad[i]);
     coarse.torque_Nm.push_back(fine.torque_Nm[i]);
   }
-  const auto loop = steady_loop(coarse, oscillation(5), 200);
+  const auto loop = method::hysteresis::steady_loop(coarse, oscillation(5), 200);
   ASSERT_TRUE(loop);
   EXPECT_GE(loop->torque_Nm.size(), 36U);
   EXPECT_LE(loop->torque_Nm.size(), 40U);

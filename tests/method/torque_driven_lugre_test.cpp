@@ -22,14 +22,14 @@ namespace {
 constexpr double duration_s = 8;
 constexpr double rate_Hz = 1000;
 
-double error_of(const LuGreFit& f, const char* name) {
+double error_of(const method::hysteresis::LuGreFit& f, const char* name) {
   const auto e = f.shown(name);
   return e ? std::abs(e->value / test::true_parameters(test::paper_joint()).at(name) - 1)
            : INFINITY;
 }
 
-std::vector<Recording> clean_loops() {
-  std::vector<Recording> loops;
+std::vector<joint::Recording> clean_loops() {
+  std::vector<joint::Recording> loops;
   for (const test::DrivingTorque& torque : {test::growing_sine(0.3, 0.8, 0.5, duration_s),
                                             test::growing_triangle(0.3, 0.8, 0.5, duration_s),
                                             test::growing_sine(0.2, 0.7, 0.6, duration_s),
@@ -40,8 +40,8 @@ std::vector<Recording> clean_loops() {
 }
 
 TEST(TorqueDrivenLuGre, CleanLoopsGiveStiffnessLevelAndGravity) {
-  for (const Recording& loop : clean_loops()) {
-    const LuGreFit f = test::fit_traced({loop});
+  for (const joint::Recording& loop : clean_loops()) {
+    const method::hysteresis::LuGreFit f = test::fit_traced({loop});
     ASSERT_TRUE(f.converged) << f.reason;
     EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-4);
     EXPECT_LT(error_of(f, "static_Nm"), 1e-4);
@@ -57,31 +57,33 @@ TEST(TorqueDrivenLuGre, CleanLoopsGiveStiffnessLevelAndGravity) {
 }
 
 TEST(TorqueDrivenLuGre, ARecordingMayBeginAnywhereInALoop) {
-  Recording loop = clean_loops().front();
+  joint::Recording loop = clean_loops().front();
   for (std::vector<double>* signal : {&loop.t_s, &loop.q_rad, &loop.torque_Nm}) {
     signal->erase(signal->begin(), signal->begin() + 3300);
   }
-  const LuGreFit f = test::fit_traced({loop});
+  const method::hysteresis::LuGreFit f = test::fit_traced({loop});
   EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-3);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-3);
   EXPECT_GT(std::abs(f.loops.front().start_deflection_rad), 1e-5);
 }
 
 TEST(TorqueDrivenLuGre, SmallLoopsSayThatSlidingIsNotReached) {
-  const Recording loop = test::torque_driven_loop(
+  const joint::Recording loop = test::torque_driven_loop(
       test::paper_joint(), test::growing_sine(0.1, 0.25, 0.5, duration_s), duration_s, rate_Hz);
-  const LuGreFit f = test::fit_traced({loop});
+  const method::hysteresis::LuGreFit f = test::fit_traced({loop});
   EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-3);
   EXPECT_NE(f.reason.find("of the way to sliding"), std::string::npos) << f.reason;
   EXPECT_FALSE(f.shown("coulomb_Nm"));
 }
 
 TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
-  const std::vector<Recording> loops = clean_loops();
-  const std::vector<Recording> sine = test::oscillations_of(test::noisy_paper_joint(1));
-  const CogSweepResult no_sweep;
-  const Estimate peak = symmetric_estimate(test::true_q_peak_rad(), 0, "stated");
-  const HysteresisResult h = identify_hysteresis({&loops[0], &sine[0]}, no_sweep, 100, peak);
+  const std::vector<joint::Recording> loops = clean_loops();
+  const std::vector<joint::Recording> sine = test::oscillations_of(test::noisy_paper_joint(1));
+  const method::gravity::CogSweepResult no_sweep;
+  const statistics::Estimate peak =
+      statistics::symmetric_estimate(test::true_q_peak_rad(), 0, "stated");
+  const method::hysteresis::HysteresisResult h =
+      method::hysteresis::identify_hysteresis({&loops[0], &sine[0]}, no_sweep, 100, peak);
   ASSERT_TRUE(h.found) << h.stage.reason;
   ASSERT_TRUE(h.lugre && h.lugre->converged);
   ASSERT_EQ(h.lugre->loops.size(), 2U);
@@ -92,10 +94,10 @@ TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
 
 TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {
   // Stiffness that falls with the torque more than LuGre's does: the angle of a hardening spring.
-  Recording loop = clean_loops().front();
+  joint::Recording loop = clean_loops().front();
   const double centre = test::true_q_peak_rad();
   for (double& q : loop.q_rad) q += 3e5 * std::pow(q - centre, 2);
-  const LuGreFit f = test::fit_traced({loop});
+  const method::hysteresis::LuGreFit f = test::fit_traced({loop});
   EXPECT_NE(f.reason.find("not LuGre's"), std::string::npos) << f.reason;
 }
 
@@ -103,23 +105,23 @@ TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
   // White noise of the torque and an encoder whose step is a hundredth of the loop's width.
   constexpr std::size_t seeds = 100;
   constexpr std::array<const char*, 2> names{"bristle_stiffness_Nm_rad", "static_Nm"};
-  const std::vector<Recording> clean = clean_loops();
+  const std::vector<joint::Recording> clean = clean_loops();
   const auto truth = test::true_parameters(test::paper_joint());
   std::array<int, 2> covered{};
   int gravity = 0;
   int misfits = 0;
   std::mutex guard;
   parallel_for(seeds, [&](std::size_t k) {
-    Recording r = clean[k % clean.size()];
-    Noise noise;
+    joint::Recording r = clean[k % clean.size()];
+    simulate::Noise noise;
     noise.torque_white_Nm = 0.02;
     noise.encoder_counts_per_turn = 131072;
     noise.seed = k + 1;
     const double step = 2 * std::numbers::pi / noise.encoder_counts_per_turn / 100;
     // The encoder's phase is another one each time.
     for (double& q : r.q_rad) q += step * std::fmod(0.618034 * static_cast<double>(k), 1.0);
-    add_drive_noise(r, noise, 100, rate_Hz, 1);
-    const LuGreFit f = test::fit_traced({r});
+    simulate::add_drive_noise(r, noise, 100, rate_Hz, 1);
+    const method::hysteresis::LuGreFit f = test::fit_traced({r});
     const std::lock_guard lock(guard);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto e = f.shown(names[i]);

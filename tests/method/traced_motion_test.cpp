@@ -13,10 +13,10 @@ namespace {
 /// A joint that swings with growing amplitude about 0.7 rad.
 double growing(double t) { return 0.7 + 1e-4 * (1 + 0.3 * t) * std::sin(3 * t); }
 
-Recording recorded(double (*angle)(double), double duration_s, double rate_Hz, double step = 0,
-                   double noise = 0) {
-  Recording r;
-  RandomStream random(1, 0);
+joint::Recording recorded(double (*angle)(double), double duration_s, double rate_Hz,
+                          double step = 0, double noise = 0) {
+  joint::Recording r;
+  statistics::RandomStream random(1, 0);
   const auto n = static_cast<int>(duration_s * rate_Hz) + 1;
   for (int i = 0; i < n; ++i) {
     const double q = angle(i / rate_Hz) + noise * random.normal();
@@ -28,7 +28,8 @@ Recording recorded(double (*angle)(double), double duration_s, double rate_Hz, d
 }
 
 TEST(TracedMotion, CleanAngleComesBackWithItsSpeed) {
-  const MotionTrace trace = trace_motion(recorded(growing, 10, 500));
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(growing, 10, 500));
   ASSERT_TRUE(trace.motion) << trace.refusal;
   const auto motor = trace.motion->motor_motion(100);
   for (double t = 0.5; t < 9.5; t += 0.171) {
@@ -41,7 +42,8 @@ TEST(TracedMotion, CleanAngleComesBackWithItsSpeed) {
 
 TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
   constexpr double step = 4e-6;  // a fiftieth of the first loop
-  const MotionTrace trace = trace_motion(recorded(growing, 10, 500, step));
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(growing, 10, 500, step));
   ASSERT_TRUE(trace.motion) << trace.refusal;
   EXPECT_NEAR(trace.motion->noise_rad, step / std::sqrt(12.0), 1e-3 * step);
   EXPECT_NEAR(trace.motion->residual_rad / trace.motion->noise_rad, 1, 0.05);
@@ -57,7 +59,8 @@ TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
 }
 
 TEST(TracedMotion, WhiteNoiseIsFoundAndSmoothed) {
-  const MotionTrace trace = trace_motion(recorded(growing, 10, 500, 0, 1e-6));
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(growing, 10, 500, 0, 1e-6));
   ASSERT_TRUE(trace.motion) << trace.refusal;
   EXPECT_NEAR(trace.motion->noise_rad / 1e-6, 1, 0.1);
   EXPECT_NEAR(trace.motion->residual_rad / 1e-6, 1, 0.1);
@@ -65,7 +68,8 @@ TEST(TracedMotion, WhiteNoiseIsFoundAndSmoothed) {
 }
 
 TEST(TracedMotion, RoughAngleIsRefusedWithItsNoise) {
-  const MotionTrace trace = trace_motion(recorded(growing, 10, 500, 0, 2e-5));
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(growing, 10, 500, 0, 2e-5));
   EXPECT_FALSE(trace.motion);
   EXPECT_NE(trace.refusal.find("too rough to give a speed"), std::string::npos) << trace.refusal;
   EXPECT_NE(trace.refusal.find("2e-05 rad"), std::string::npos) << trace.refusal;
@@ -73,13 +77,16 @@ TEST(TracedMotion, RoughAngleIsRefusedWithItsNoise) {
 
 TEST(TracedMotion, ShakingWithinAStrokeIsRefused) {
   const auto shaking = [](double t) { return growing(t) + 2e-6 * std::sin(600 * t); };
-  const MotionTrace trace = trace_motion(recorded(+shaking, 10, 6000, 0, 5e-7));
+  const method::motion::MotionTrace trace =
+      method::motion::trace_motion(recorded(+shaking, 10, 6000, 0, 5e-7));
   EXPECT_FALSE(trace.motion);
   EXPECT_NE(trace.refusal.find("to and fro by"), std::string::npos) << trace.refusal;
 }
 
 TEST(TracedMotion, RefusesWhatIsNoLoop) {
-  const auto refusal = [](const Recording& r) { return trace_motion(r).refusal; };
+  const auto refusal = [](const joint::Recording& r) {
+    return method::motion::trace_motion(r).refusal;
+  };
   EXPECT_NE(refusal(recorded(growing, 0.05, 500)).find("26 samples"), std::string::npos);
   EXPECT_NE(refusal(recorded([](double) { return 1.0; }, 10, 100)).find("does not change"),
             std::string::npos);

@@ -12,31 +12,33 @@ namespace tribolog {
 namespace {
 
 struct Chain {
-  Dataset dataset;
-  CogSweepResult rough;
-  SurrogateMassesResult masses;
-  ViscousCurvesResult viscous;
+  joint::Dataset dataset;
+  method::gravity::CogSweepResult rough;
+  method::hysteresis::SurrogateMassesResult masses;
+  method::viscous::ViscousCurvesResult viscous;
 };
 
-Chain run(const Scenario& s) {
+Chain run(const simulate::Scenario& s) {
   Chain c;
-  c.dataset = test::simulated_dataset(s);
-  c.rough = identify_cog_sweep("cog_rough", c.dataset.with_role(Role::rough_sweep), 100);
-  c.masses = identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100, 0.5, 9.81);
-  c.viscous = identify_viscous_curves(c.dataset.with_role(Role::constant_speed), c.rough, c.masses,
-                                      c.rough.q_peak_rad, 100);
+  c.dataset = simulate::simulated_dataset(s);
+  c.rough = method::gravity::identify_cog_sweep("cog_rough",
+                                                c.dataset.with_role(joint::Role::rough_sweep), 100);
+  c.masses = method::hysteresis::identify_surrogate_masses(c.rough, {}, c.rough.q_peak_rad, 100,
+                                                           0.5, 9.81);
+  c.viscous = method::viscous::identify_viscous_curves(
+      c.dataset.with_role(joint::Role::constant_speed), c.rough, c.masses, c.rough.q_peak_rad, 100);
   return c;
 }
 
 TEST(ViscousCurves, EveryRunGivesTheTrueFriction) {
-  const Scenario s = test::paper_joint();
+  const simulate::Scenario s = test::paper_joint();
   const Chain c = run(s);
-  EXPECT_EQ(c.viscous.stage.state, StageState::done);
+  EXPECT_EQ(c.viscous.stage.state, statistics::StageState::done);
   ASSERT_EQ(c.viscous.runs.size(), 40U);
-  const ViscousCurve* curve = c.viscous.find("sweep");
+  const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
   ASSERT_NE(curve, nullptr);
   for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
-    const ConstantSpeedRun& r = c.viscous.runs[i];
+    const method::viscous::ConstantSpeedRun& r = c.viscous.runs[i];
     const double truth = s.sliding->torque_Nm(r.speed_rad_s);
     EXPECT_NEAR(curve->friction_Nm[i], truth, 1e-8) << r.speed_rad_s;
     // The half difference of the directions needs no mass at all.
@@ -49,15 +51,16 @@ TEST(ViscousCurves, EveryRunGivesTheTrueFriction) {
 
 // The other static laws of the paper, discontinuous at rest or nearly so.
 TEST(ViscousCurves, FollowEveryStaticLaw) {
-  Scenario s = test::paper_joint();
-  const std::vector<std::shared_ptr<const StaticFriction>> laws{
-      std::make_shared<StribeckFriction>(StribeckFriction::Parameters{{0.45, 0.88, 5, 2}, 0.002}),
-      std::make_shared<ThresholdSpeedFriction>(
-          ThresholdSpeedFriction::Parameters{0.45, 0.88, 0.2, 0.002, 1e-4})};
+  simulate::Scenario s = test::paper_joint();
+  const std::vector<std::shared_ptr<const friction::StaticFriction>> laws{
+      std::make_shared<friction::StribeckFriction>(
+          friction::StribeckFriction::Parameters{{0.45, 0.88, 5, 2}, 0.002}),
+      std::make_shared<friction::ThresholdSpeedFriction>(
+          friction::ThresholdSpeedFriction::Parameters{0.45, 0.88, 0.2, 0.002, 1e-4})};
   for (const auto& law : laws) {
     s.sliding = law;
     const Chain c = run(s);
-    const ViscousCurve* curve = c.viscous.find("sweep");
+    const method::viscous::ViscousCurve* curve = c.viscous.find("sweep");
     ASSERT_TRUE(curve != nullptr && c.viscous.runs.size() == 40) << law->name();
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       const double speed = c.viscous.runs[i].speed_rad_s;
@@ -76,28 +79,29 @@ TEST(ViscousCurves, RunsAreSortedAndCounted) {
     samples += c.viscous.runs[i].samples;
   }
   std::size_t recorded = 0;
-  for (const Recording* r : c.dataset.with_role(Role::constant_speed)) recorded += r->size();
+  for (const joint::Recording* r : c.dataset.with_role(joint::Role::constant_speed))
+    recorded += r->size();
   EXPECT_EQ(c.viscous.samples_used, samples);
   EXPECT_EQ(c.viscous.samples_used + c.viscous.samples_left_out, recorded);
 }
 
 TEST(ViscousCurves, OneDirectionHasNoPartner) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.constant_speed->both_directions = false;
   const Chain c = run(s);
   ASSERT_EQ(c.viscous.runs.size(), 20U);
-  for (const ConstantSpeedRun& r : c.viscous.runs) {
+  for (const method::viscous::ConstantSpeedRun& r : c.viscous.runs) {
     EXPECT_EQ(r.partner, -1);
     EXPECT_TRUE(std::isnan(r.direction_difference_Nm));
   }
 }
 
 TEST(ViscousCurves, WithoutRunsOrVaryingSweepThereIsNone) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.constant_speed.reset();
   const Chain c = run(s);
   EXPECT_TRUE(c.viscous.runs.empty());
-  EXPECT_EQ(c.viscous.stage.state, StageState::skipped);
+  EXPECT_EQ(c.viscous.stage.state, statistics::StageState::skipped);
 }
 
 }  // namespace

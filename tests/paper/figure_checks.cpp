@@ -12,7 +12,7 @@
 namespace tribolog::test {
 namespace {
 
-void save(const render::DrawnFigure& drawn) {
+void save(const render::workers::DrawnFigure& drawn) {
   const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
   if (folder == nullptr) return;
   std::ofstream file(std::string(folder) + "/" + drawn.id + ".png", std::ios::binary);
@@ -22,10 +22,10 @@ void save(const render::DrawnFigure& drawn) {
 
 }  // namespace
 
-void expect_complete_in_words(const std::vector<ReportFigure>& figures) {
+void expect_complete_in_words(const std::vector<figures::ReportFigure>& figures) {
   const std::string safe = "abcdefghijklmnopqrstuvwxyz0123456789-";
   std::set<std::string> ids;
-  for (const ReportFigure& one : figures) {
+  for (const figures::ReportFigure& one : figures) {
     SCOPED_TRACE(one.id);
     EXPECT_TRUE(ids.insert(one.id).second);
     EXPECT_EQ(one.id.find_first_not_of(safe), std::string::npos);
@@ -41,10 +41,11 @@ void expect_complete_in_words(const std::vector<ReportFigure>& figures) {
   }
 }
 
-void expect_drawn_whole(const std::vector<ReportFigure>& figures) {
-  std::vector<render::Figure> pictures;
-  for (const ReportFigure& one : figures) pictures.push_back(one.figure);
-  for (const render::DrawnFigure& drawn : render::FigureRenderer().draw(pictures)) {
+void expect_drawn_whole(const std::vector<figures::ReportFigure>& figures) {
+  std::vector<render::figure::Figure> pictures;
+  for (const figures::ReportFigure& one : figures) pictures.push_back(one.figure);
+  for (const render::workers::DrawnFigure& drawn :
+       render::workers::FigureRenderer().draw(pictures)) {
     EXPECT_EQ(drawn.error, "") << drawn.id;
     EXPECT_FALSE(drawn.png.empty()) << drawn.id;
     for (const std::string& warning : drawn.warnings) ADD_FAILURE() << drawn.id << ": " << warning;

@@ -8,10 +8,10 @@
 namespace tribolog::test {
 
 /// Ids are distinct and safe as file names, titles short, texts whole sentences without markup.
-void expect_complete_in_words(const std::vector<ReportFigure>& figures);
+void expect_complete_in_words(const std::vector<figures::ReportFigure>& figures);
 
 /// Every picture is drawn without an error or a warning. Where TRIBOLOG_SAVE_DRAWINGS names a
 /// folder, the pictures are left there to be looked at.
-void expect_drawn_whole(const std::vector<ReportFigure>& figures);
+void expect_drawn_whole(const std::vector<figures::ReportFigure>& figures);
 
 }  // namespace tribolog::test

@@ -14,21 +14,22 @@
 namespace tribolog::paper {
 namespace {
 
-const std::vector<ReportFigure>& charts() {
-  static const std::vector<ReportFigure> all{static_friction_figure(stribeck_at_joint_scale()),
-                                             linear_zone_figure(linear_zone_at_joint_scale()),
-                                             presliding_hysteresis_figure(presliding_loops({}))};
+const std::vector<figures::ReportFigure>& charts() {
+  static const std::vector<figures::ReportFigure> all{
+      charts::static_friction_figure(charts::stribeck_at_joint_scale()),
+      charts::linear_zone_figure(charts::linear_zone_at_joint_scale()),
+      charts::presliding_hysteresis_figure(simulate::presliding_loops({}))};
   return all;
 }
 
 // Torques of these figures are of the order of 1 N·m; both sides round a few operations.
 constexpr double rounding = 1e-9;
 
-using Direction = render::ReferenceLine::Direction;
+using Direction = render::figure::ReferenceLine::Direction;
 
-std::vector<double> lines_at(const render::Panel& panel, Direction direction) {
+std::vector<double> lines_at(const render::figure::Panel& panel, Direction direction) {
   std::vector<double> out;
-  for (const render::ReferenceLine& line : panel.reference_lines) {
+  for (const render::figure::ReferenceLine& line : panel.reference_lines) {
     if (line.direction == direction) out.push_back(line.at);
   }
   std::sort(out.begin(), out.end());
@@ -36,16 +37,16 @@ std::vector<double> lines_at(const render::Panel& panel, Direction direction) {
 }
 
 /// All points of the solid curves.
-std::vector<std::pair<double, double>> curve_of(const render::Panel& panel) {
+std::vector<std::pair<double, double>> curve_of(const render::figure::Panel& panel) {
   std::vector<std::pair<double, double>> out;
-  for (const render::Series& series : panel.series) {
-    if (series.style != render::LineStyle::solid) continue;
+  for (const render::figure::Series& series : panel.series) {
+    if (series.style != render::figure::LineStyle::solid) continue;
     for (std::size_t i = 0; i < series.x.size(); ++i) out.emplace_back(series.x[i], series.y[i]);
   }
   return out;
 }
 
-void expect_odd(const render::Panel& panel) {
+void expect_odd(const render::figure::Panel& panel) {
   const auto curve = curve_of(panel);
   ASSERT_FALSE(curve.empty());
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -56,16 +57,18 @@ void expect_odd(const render::Panel& panel) {
   }
 }
 
-const render::Series& styled(const render::Panel& panel, render::LineStyle style) {
-  const auto found = std::find_if(panel.series.begin(), panel.series.end(),
-                                  [&](const render::Series& one) { return one.style == style; });
+const render::figure::Series& styled(const render::figure::Panel& panel,
+                                     render::figure::LineStyle style) {
+  const auto found =
+      std::find_if(panel.series.begin(), panel.series.end(),
+                   [&](const render::figure::Series& one) { return one.style == style; });
   if (found == panel.series.end()) throw std::runtime_error("there is no such line");
   return *found;
 }
 
 TEST(PaperCharts, AreThePapersFigures) {
   std::vector<int> numbers;
-  for (const ReportFigure& one : charts()) numbers.push_back(one.number);
+  for (const figures::ReportFigure& one : charts()) numbers.push_back(one.number);
   EXPECT_EQ(numbers, (std::vector<int>{1, 2, 5}));
 }
 
@@ -80,8 +83,8 @@ TEST(PaperCharts, SayWhoseTheParametersAre) {
 }
 
 TEST(PaperCharts, HaveUnitsOnTheirAxes) {
-  for (const ReportFigure& one : charts()) {
-    for (const render::Panel& panel : one.figure.panels) {
+  for (const figures::ReportFigure& one : charts()) {
+    for (const render::figure::Panel& panel : one.figure.panels) {
       EXPECT_EQ(panel.x.title.back(), ']') << panel.x.title;
       EXPECT_EQ(panel.y.title.back(), ']') << panel.y.title;
     }
@@ -89,10 +92,10 @@ TEST(PaperCharts, HaveUnitsOnTheirAxes) {
 }
 
 // Any law, so that nothing in the figure can be a constant of the paper's joint.
-const StribeckFriction stribeck({{1.0, 1.6, 0.5, 2.0}, 0.2});
+const friction::StribeckFriction stribeck({{1.0, 1.6, 0.5, 2.0}, 0.2});
 
 TEST(StaticFrictionFigure, JumpsAtRestFromBreakAwayToBreakAway) {
-  const render::Panel panel = static_friction_figure(stribeck).figure.panels.at(0);
+  const render::figure::Panel panel = charts::static_friction_figure(stribeck).figure.panels.at(0);
   expect_odd(panel);
   double before = -1e9;
   double after = 1e9;
@@ -106,24 +109,24 @@ TEST(StaticFrictionFigure, JumpsAtRestFromBreakAwayToBreakAway) {
     EXPECT_GT(x * y, 0) << "friction resists";
   }
   EXPECT_LT(after - before, 1e-6);
-  const render::Series& rest = styled(panel, render::LineStyle::dot);
+  const render::figure::Series& rest = styled(panel, render::figure::LineStyle::dot);
   EXPECT_EQ(rest.x, (std::vector<double>{0, 0}));
   EXPECT_EQ(rest.y, (std::vector<double>{-1.6, 1.6}));
-  EXPECT_NE(rest.marker, render::Marker::none);
+  EXPECT_NE(rest.marker, render::figure::Marker::none);
 }
 
 TEST(StaticFrictionFigure, MarksItsLevels) {
-  const render::Panel panel = static_friction_figure(stribeck).figure.panels.at(0);
+  const render::figure::Panel panel = charts::static_friction_figure(stribeck).figure.panels.at(0);
   EXPECT_EQ(lines_at(panel, Direction::horizontal), (std::vector<double>{-1.6, -1.0, 1.0, 1.6}));
   EXPECT_EQ(lines_at(panel, Direction::vertical), (std::vector<double>{-0.5, 0.5}));
 }
 
 // The dashed line is what is left of the curve far from rest.
 TEST(StaticFrictionFigure, TendsToTheViscousLine) {
-  const render::Panel panel = static_friction_figure(stribeck).figure.panels.at(0);
+  const render::figure::Panel panel = charts::static_friction_figure(stribeck).figure.panels.at(0);
   const auto curve = curve_of(panel);
-  for (const render::Series& line : panel.series) {
-    if (line.style != render::LineStyle::dash) continue;
+  for (const render::figure::Series& line : panel.series) {
+    if (line.style != render::figure::LineStyle::dash) continue;
     const double slope = (line.y[1] - line.y[0]) / (line.x[1] - line.x[0]);
     EXPECT_NEAR(slope, 0.2, rounding);
     EXPECT_NEAR(std::abs(line.y[0]), 1.0, rounding);
@@ -133,20 +136,20 @@ TEST(StaticFrictionFigure, TendsToTheViscousLine) {
   }
 }
 
-const ThresholdSpeedFriction threshold({1.0, 1.6, 2.0, 0.2, 1e-3});
+const friction::ThresholdSpeedFriction threshold({1.0, 1.6, 2.0, 0.2, 1e-3});
 
 TEST(LinearZoneFigure, HasTheSameLevelsAndNoJump) {
-  const render::Panel panel = linear_zone_figure(threshold).figure.panels.at(0);
+  const render::figure::Panel panel = charts::linear_zone_figure(threshold).figure.panels.at(0);
   expect_odd(panel);
   EXPECT_EQ(lines_at(panel, Direction::horizontal), (std::vector<double>{-1.6, -1.0, 1.0, 1.6}));
   EXPECT_EQ(lines_at(panel, Direction::vertical), (std::vector<double>{-0.5, 0.5}));
-  const render::Series& line = styled(panel, render::LineStyle::solid);
+  const render::figure::Series& line = styled(panel, render::figure::LineStyle::solid);
   EXPECT_LT(line.x.front(), -1);  // one line from end to end
   EXPECT_GT(line.x.back(), 1);
 }
 
 TEST(LinearZoneFigure, ShowsTheLinearZoneEnlarged) {
-  const render::Panel panel = linear_zone_figure(threshold).figure.panels.at(1);
+  const render::figure::Panel panel = charts::linear_zone_figure(threshold).figure.panels.at(1);
   expect_odd(panel);
   EXPECT_NE(panel.x.title.find("[mrad/s]"), std::string::npos) << panel.x.title;
   EXPECT_EQ(lines_at(panel, Direction::vertical), (std::vector<double>{-1, 1}));
@@ -163,14 +166,15 @@ TEST(LinearZoneFigure, ShowsTheLinearZoneEnlarged) {
 }
 
 TEST(LinearZoneFigure, NeedsAStribeckEffect) {
-  EXPECT_THROW(linear_zone_figure(ThresholdSpeedFriction({1.0, 1.6, 0.0, 0.2, 1e-3})),
-               std::invalid_argument);
+  EXPECT_THROW(
+      charts::linear_zone_figure(friction::ThresholdSpeedFriction({1.0, 1.6, 0.0, 0.2, 1e-3})),
+      std::invalid_argument);
 }
 
 // Both laws at the paper's joint are of one contact.
 TEST(JointScale, HasTheSameContactInBothLaws) {
-  const StribeckFriction one = stribeck_at_joint_scale();
-  const ThresholdSpeedFriction two = linear_zone_at_joint_scale();
+  const friction::StribeckFriction one = charts::stribeck_at_joint_scale();
+  const friction::ThresholdSpeedFriction two = charts::linear_zone_at_joint_scale();
   EXPECT_NEAR(one.torque_Nm(1e-9), 0.884, 1e-6);
   EXPECT_NEAR(one.torque_Nm(300), 1.17, 0.01);
   EXPECT_NEAR(two.torque_Nm(300), one.torque_Nm(300), rounding);
@@ -178,12 +182,12 @@ TEST(JointScale, HasTheSameContactInBothLaws) {
 }
 
 TEST(PreslidingFigure, ShowsOneClosedLoopAPanelOnOneAxisOfForce) {
-  const render::Figure& figure = charts().at(2).figure;
+  const render::figure::Figure& figure = charts().at(2).figure;
   ASSERT_EQ(figure.panels.size(), 3U);
-  for (const render::Panel& panel : figure.panels) {
+  for (const render::figure::Panel& panel : figure.panels) {
     EXPECT_EQ(panel.y.minimum, figure.panels[0].y.minimum);
     EXPECT_EQ(panel.y.maximum, figure.panels[0].y.maximum);
-    const render::Series& loop = styled(panel, render::LineStyle::solid);
+    const render::figure::Series& loop = styled(panel, render::figure::LineStyle::solid);
     const auto [left, right] = std::minmax_element(loop.x.begin(), loop.x.end());
     EXPECT_NEAR(loop.x.front(), loop.x.back(), 1e-6 * (*right - *left));
     EXPECT_NEAR(*left, -*right, 1e-9 * *right);
@@ -194,12 +198,12 @@ TEST(PreslidingFigure, ShowsOneClosedLoopAPanelOnOneAxisOfForce) {
 
 // The same widths in the axes' units and in the words above them.
 TEST(PreslidingFigure, HasThePrefixOfEachWidth) {
-  const render::Figure& figure = charts().at(2).figure;
+  const render::figure::Figure& figure = charts().at(2).figure;
   const double widths[] = {8.18, 172.6, 34.5};
   const char* units[] = {"[mm]", "[µm]", "[µm]"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const render::Panel& panel = figure.panels[i];
-    const render::Series& loop = styled(panel, render::LineStyle::solid);
+    const render::figure::Panel& panel = figure.panels[i];
+    const render::figure::Series& loop = styled(panel, render::figure::LineStyle::solid);
     const auto [left, right] = std::minmax_element(loop.x.begin(), loop.x.end());
     EXPECT_NEAR(*right - *left, widths[i], 1e-3 * widths[i]);
     EXPECT_NE(panel.x.title.find(units[i]), std::string::npos) << panel.x.title;
@@ -208,8 +212,8 @@ TEST(PreslidingFigure, HasThePrefixOfEachWidth) {
 }
 
 TEST(PreslidingFigure, SaysWhetherItIsPreSliding) {
-  const auto caption = [](const std::vector<SinusoidalForce>& forces) {
-    return presliding_hysteresis_figure(presliding_loops({}, forces)).caption;
+  const auto caption = [](const std::vector<simulate::SinusoidalForce>& forces) {
+    return charts::presliding_hysteresis_figure(simulate::presliding_loops({}, forces)).caption;
   };
   const auto says = [](const std::string& text, const char* what) {
     return text.find(what) != std::string::npos;
@@ -221,7 +225,7 @@ TEST(PreslidingFigure, SaysWhetherItIsPreSliding) {
 }
 
 TEST(PreslidingFigure, NeedsALoop) {
-  EXPECT_THROW(presliding_hysteresis_figure({}), std::invalid_argument);
+  EXPECT_THROW(charts::presliding_hysteresis_figure({}), std::invalid_argument);
 }
 
 }  // namespace

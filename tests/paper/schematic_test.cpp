@@ -7,40 +7,46 @@
 namespace tribolog::paper {
 namespace {
 
-using render::BlockKind;
-using render::BlockSide;
-using render::DiagramPoint;
+using render::figure::BlockKind;
+using render::figure::BlockSide;
+using render::figure::DiagramPoint;
 
-SignalGraph sum_graph() {
-  SignalGraph graph;
-  graph.nodes = {{"a", "a", Operation::input},
-                 {"twice", "2", Operation::gain, 2},
-                 {"sum", "", Operation::sum},
-                 {"out", "b", Operation::output}};
+drawings::SignalGraph sum_graph() {
+  drawings::SignalGraph graph;
+  graph.nodes = {{"a", "a", drawings::Operation::input},
+                 {"twice", "2", drawings::Operation::gain, 2},
+                 {"sum", "", drawings::Operation::sum},
+                 {"out", "b", drawings::Operation::output}};
   graph.edges = {{"a", "twice"}, {"twice", "sum", '+'}, {"a", "sum", '-'}, {"sum", "out"}};
   return graph;
 }
 
-std::map<std::string, NodePlace> sum_places() {
+std::map<std::string, drawings::NodePlace> sum_places() {
   return {{"a", {{10, 20}, 10, 10}},
           {"twice", {{40, 20}, 15, 14}},
           {"sum", {{70, 20}, 10, 10}},
           {"out", {{100, 20}, 10, 10}}};
 }
 
-std::vector<WireRoute> sum_routes() {
-  const Port left{BlockSide::left, 0};
-  const Port right{BlockSide::right, 0};
+std::vector<drawings::WireRoute> sum_routes() {
+  const drawings::Port left{render::figure::BlockSide::left, 0};
+  const drawings::Port right{render::figure::BlockSide::right, 0};
   return {{"a", "twice", right, left},
           {"twice", "sum", right, left},
-          {"a", "sum", {BlockSide::bottom, 0}, {BlockSide::bottom, 0}, {40}, {{22, 20}}},
+          {"a",
+           "sum",
+           {render::figure::BlockSide::bottom, 0},
+           {render::figure::BlockSide::bottom, 0},
+           {40},
+           {{22, 20}}},
           {"sum", "out", right, left}};
 }
 
-std::string refusal(const SignalGraph& graph, const std::map<std::string, NodePlace>& places,
-                    const std::vector<WireRoute>& routes) {
+std::string refusal(const drawings::SignalGraph& graph,
+                    const std::map<std::string, drawings::NodePlace>& places,
+                    const std::vector<drawings::WireRoute>& routes) {
   try {
-    draw_schematic(graph, places, routes);
+    drawings::draw_schematic(graph, places, routes);
   } catch (const std::invalid_argument& problem) {
     return problem.what();
   }
@@ -48,31 +54,35 @@ std::string refusal(const SignalGraph& graph, const std::map<std::string, NodePl
 }
 
 TEST(Schematic, EveryNodeIsABlockAndEveryEdgeAWire) {
-  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
+  const render::figure::Diagram drawn =
+      drawings::draw_schematic(sum_graph(), sum_places(), sum_routes());
   ASSERT_EQ(drawn.blocks.size(), 4U);
-  EXPECT_EQ(drawn.blocks[0].kind, BlockKind::terminal);
-  EXPECT_EQ(drawn.blocks[1].kind, BlockKind::gain);
+  EXPECT_EQ(drawn.blocks[0].kind, render::figure::BlockKind::terminal);
+  EXPECT_EQ(drawn.blocks[1].kind, render::figure::BlockKind::gain);
   EXPECT_EQ(drawn.blocks[1].lines, std::vector<std::string>{"2"});
-  EXPECT_EQ(drawn.blocks[2].kind, BlockKind::summing_junction);
+  EXPECT_EQ(drawn.blocks[2].kind, render::figure::BlockKind::summing_junction);
   EXPECT_EQ(drawn.wires.size(), 4U);
 }
 
 TEST(Schematic, SignsStandWhereTheWireEnters) {
-  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
+  const render::figure::Diagram drawn =
+      drawings::draw_schematic(sum_graph(), sum_places(), sum_routes());
   const auto& signs = drawn.blocks[2].signs;
   ASSERT_EQ(signs.size(), 2U);
   EXPECT_EQ(signs[0].text, "+");
-  EXPECT_EQ(signs[0].side, BlockSide::left);
+  EXPECT_EQ(signs[0].side, render::figure::BlockSide::left);
   EXPECT_EQ(signs[1].text, "−");
-  EXPECT_EQ(signs[1].side, BlockSide::bottom);
+  EXPECT_EQ(signs[1].side, render::figure::BlockSide::bottom);
 }
 
 TEST(Schematic, WiresRunAlongTheAxesFromPortToPort) {
-  const render::Diagram drawn = draw_schematic(sum_graph(), sum_places(), sum_routes());
-  EXPECT_EQ(drawn.wires[0].points, (std::vector<DiagramPoint>{{15, 20}, {32.5, 20}}));
+  const render::figure::Diagram drawn =
+      drawings::draw_schematic(sum_graph(), sum_places(), sum_routes());
+  EXPECT_EQ(drawn.wires[0].points,
+            (std::vector<render::figure::DiagramPoint>{{15, 20}, {32.5, 20}}));
   EXPECT_EQ(drawn.wires[2].points,
-            (std::vector<DiagramPoint>{{22, 20}, {22, 40}, {70, 40}, {70, 25}}));
-  EXPECT_EQ(drawn.wires[2].branch_dots, (std::vector<DiagramPoint>{{22, 20}}));
+            (std::vector<render::figure::DiagramPoint>{{22, 20}, {22, 40}, {70, 40}, {70, 25}}));
+  EXPECT_EQ(drawn.wires[2].branch_dots, (std::vector<render::figure::DiagramPoint>{{22, 20}}));
 }
 
 TEST(Schematic, RefusesADrawingThatIsNotTheGraph) {

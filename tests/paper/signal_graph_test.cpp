@@ -9,29 +9,31 @@ namespace tribolog::paper {
 namespace {
 
 /// dx/dt = a - x², with an output.
-SignalGraph falling_body() {
-  SignalGraph graph;
-  graph.nodes = {{"a", "a", Operation::input},
-                 {"x", "", Operation::integrator},
-                 {"square", "", Operation::function, 0, [](double x) { return x * x; }},
-                 {"rate", "", Operation::sum},
-                 {"out", "x", Operation::output}};
+drawings::SignalGraph falling_body() {
+  drawings::SignalGraph graph;
+  graph.nodes = {{"a", "a", drawings::Operation::input},
+                 {"x", "", drawings::Operation::integrator},
+                 {"square", "", drawings::Operation::function, 0, [](double x) { return x * x; }},
+                 {"rate", "", drawings::Operation::sum},
+                 {"out", "x", drawings::Operation::output}};
   graph.edges = {
       {"a", "rate"}, {"x", "square"}, {"square", "rate", '-'}, {"rate", "x"}, {"x", "out"}};
   return graph;
 }
 
-SignalGraph two_inputs(Operation operation, char first, char second) {
-  SignalGraph graph;
-  graph.nodes = {{"a", "a", Operation::input}, {"b", "b", Operation::input}, {"c", "c", operation}};
+drawings::SignalGraph two_inputs(drawings::Operation operation, char first, char second) {
+  drawings::SignalGraph graph;
+  graph.nodes = {{"a", "a", drawings::Operation::input},
+                 {"b", "b", drawings::Operation::input},
+                 {"c", "c", operation}};
   graph.edges = {{"a", "c", first}, {"b", "c", second}};
   return graph;
 }
 
-std::string refusal(const SignalGraph& graph, const SignalValues& inputs,
-                    const SignalValues& states = {}) {
+std::string refusal(const drawings::SignalGraph& graph, const drawings::SignalValues& inputs,
+                    const drawings::SignalValues& states = {}) {
   try {
-    evaluate(graph, inputs, states);
+    drawings::evaluate(graph, inputs, states);
   } catch (const std::invalid_argument& problem) {
     return problem.what();
   }
@@ -39,22 +41,22 @@ std::string refusal(const SignalGraph& graph, const SignalValues& inputs,
 }
 
 TEST(SignalGraph, ALoopThroughAnIntegratorHasAValue) {
-  const SignalValues values = evaluate(falling_body(), {{"a", 10}}, {{"x", 3}});
+  const drawings::SignalValues values = drawings::evaluate(falling_body(), {{"a", 10}}, {{"x", 3}});
   EXPECT_EQ(values.at("rate"), 1);
   EXPECT_EQ(values.at("x"), 3);
   EXPECT_EQ(values.at("out"), 3);
 }
 
 TEST(SignalGraph, OperationsDoWhatTheirSignsSay) {
-  const SignalValues ab{{"a", 12}, {"b", 4}};
-  EXPECT_EQ(evaluate(two_inputs(Operation::sum, '+', '-'), ab).at("c"), 8);
-  EXPECT_EQ(evaluate(two_inputs(Operation::sum, '-', '-'), ab).at("c"), -16);
-  EXPECT_EQ(evaluate(two_inputs(Operation::product, '*', '*'), ab).at("c"), 48);
-  EXPECT_EQ(evaluate(two_inputs(Operation::product, '*', '/'), ab).at("c"), 3);
-  SignalGraph choice = two_inputs(Operation::selector, '+', '+');
-  EXPECT_EQ(evaluate(choice, ab).at("c"), 12);
+  const drawings::SignalValues ab{{"a", 12}, {"b", 4}};
+  EXPECT_EQ(drawings::evaluate(two_inputs(drawings::Operation::sum, '+', '-'), ab).at("c"), 8);
+  EXPECT_EQ(drawings::evaluate(two_inputs(drawings::Operation::sum, '-', '-'), ab).at("c"), -16);
+  EXPECT_EQ(drawings::evaluate(two_inputs(drawings::Operation::product, '*', '*'), ab).at("c"), 48);
+  EXPECT_EQ(drawings::evaluate(two_inputs(drawings::Operation::product, '*', '/'), ab).at("c"), 3);
+  drawings::SignalGraph choice = two_inputs(drawings::Operation::selector, '+', '+');
+  EXPECT_EQ(drawings::evaluate(choice, ab).at("c"), 12);
   choice.nodes[2].selected = 1;
-  EXPECT_EQ(evaluate(choice, ab).at("c"), 4);
+  EXPECT_EQ(drawings::evaluate(choice, ab).at("c"), 4);
 }
 
 TEST(SignalGraph, RefusesValuesThatAreMissingOrForNothing) {
@@ -66,9 +68,9 @@ TEST(SignalGraph, RefusesValuesThatAreMissingOrForNothing) {
 }
 
 TEST(SignalGraph, RefusesGraphsThatMakeNoSense) {
-  const SignalValues ab{{"a", 1}, {"b", 1}};
-  SignalGraph graph = falling_body();
-  graph.nodes[1].operation = Operation::output;
+  const drawings::SignalValues ab{{"a", 1}, {"b", 1}};
+  drawings::SignalGraph graph = falling_body();
+  graph.nodes[1].operation = drawings::Operation::output;
   EXPECT_NE(refusal(graph, {{"a", 1}}).find("depends on itself"), std::string::npos);
   graph = falling_body();
   graph.nodes.push_back(graph.nodes.front());
@@ -82,10 +84,10 @@ TEST(SignalGraph, RefusesGraphsThatMakeNoSense) {
   graph = falling_body();
   graph.nodes[2].function = nullptr;
   EXPECT_EQ(refusal(graph, {{"a", 1}}, {{"x", 1}}), "signal 'square' has no function");
-  EXPECT_EQ(refusal(two_inputs(Operation::sum, '+', '*'), ab),
+  EXPECT_EQ(refusal(two_inputs(drawings::Operation::sum, '+', '*'), ab),
             "signal 'c' has an input with the sign '*'");
-  EXPECT_NE(refusal(two_inputs(Operation::product, '*', '-'), ab), "");
-  graph = two_inputs(Operation::selector, '+', '+');
+  EXPECT_NE(refusal(two_inputs(drawings::Operation::product, '*', '-'), ab), "");
+  graph = two_inputs(drawings::Operation::selector, '+', '+');
   graph.nodes[2].selected = 2;
   EXPECT_NE(refusal(graph, ab), "");
 }

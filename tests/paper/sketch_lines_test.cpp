@@ -8,8 +8,8 @@ namespace tribolog::paper {
 namespace {
 
 TEST(BentBristle, IsClampedAtItsRootAndDeflectedAtItsTip) {
-  const auto points = bent_bristle({10, 20}, 8, -3);
-  EXPECT_EQ(points.front(), (render::DiagramPoint{10, 20}));
+  const auto points = drawings::bent_bristle({10, 20}, 8, -3);
+  EXPECT_EQ(points.front(), (render::figure::DiagramPoint{10, 20}));
   EXPECT_DOUBLE_EQ(points.back().x, 7);
   EXPECT_DOUBLE_EQ(points.back().y, 28);
   const double first_slope = (points[1].x - points[0].x) / (points[1].y - points[0].y);
@@ -19,7 +19,7 @@ TEST(BentBristle, IsClampedAtItsRootAndDeflectedAtItsTip) {
 }
 
 TEST(BentBristle, IsStraightAtRest) {
-  for (const auto& point : bent_bristle({10, 20}, 8, 0)) EXPECT_EQ(point.x, 10);
+  for (const auto& point : drawings::bent_bristle({10, 20}, 8, 0)) EXPECT_EQ(point.x, 10);
 }
 
 }  // namespace

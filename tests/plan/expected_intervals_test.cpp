@@ -17,33 +17,38 @@ namespace tribolog::test {
 namespace {
 
 /// The paper's joint as its scenario has it, with its own friction and ripple, following the plan.
-std::vector<std::vector<Reading>> independent_runs(const ExperimentPlan& plan, std::size_t runs) {
-  const Scenario joint =
-      read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/scenario_ripple.toml");
-  const std::vector<IdealRecording> ideal =
-      cut_by_plan(plan, simulate_plan(plan, joint, 1000), 1000);
-  std::vector<std::vector<Reading>> found(runs);
+std::vector<std::vector<truth::Reading>> independent_runs(const plan::ExperimentPlan& plan,
+                                                          std::size_t runs) {
+  const simulate::Scenario joint = ingest::manifest::read_scenario(
+      std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/scenario_ripple.toml");
+  const std::vector<simulate::IdealRecording> ideal =
+      plan::cut_by_plan(plan, plan::simulate_plan(plan, joint, 1000), 1000);
+  std::vector<std::vector<truth::Reading>> found(runs);
   parallel_for(
       runs,
       [&](std::size_t run) {
         constexpr std::uint64_t far_seed = 7'000'000;
-        Noise noise = joint.noise;
+        simulate::Noise noise = joint.noise;
         noise.seed = far_seed + run;
-        for (Noise::Ripple& r : noise.ripple) r.phase_rad += 2.399 * static_cast<double>(run + 1);
-        IdentifyOptions once;
+        for (simulate::Noise::Ripple& r : noise.ripple)
+          r.phase_rad += 2.399 * static_cast<double>(run + 1);
+        identify::IdentifyOptions once;
         once.resamples = 0;
         once.threads = 1;
-        found[run] = readings_of(
-            identify(simulated_dataset(joint, with_noise(ideal, noise, joint.gear_ratio)), once));
+        found[run] = truth::readings_of(
+            identify::identify(simulate::simulated_dataset(
+                                   joint, simulate::with_noise(ideal, noise, joint.gear_ratio)),
+                               once));
       },
       0);
   return found;
 }
 
-double scatter_of(const std::vector<std::vector<Reading>>& runs, const std::string& name) {
+double scatter_of(const std::vector<std::vector<truth::Reading>>& runs, const std::string& name) {
   std::vector<double> values;
   for (const auto& readings : runs) {
-    if (const Reading* r = find_reading(readings, name)) values.push_back(r->estimate.value);
+    if (const truth::Reading* r = truth::find_reading(readings, name))
+      values.push_back(r->estimate.value);
   }
   double mean = 0;
   double squares = 0;
@@ -57,11 +62,11 @@ double scatter_of(const std::vector<std::vector<Reading>>& runs, const std::stri
 constexpr double agreement = 3.5;
 
 TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
-  const ExperimentPlan plan = plan_experiment(paper_facts());
-  const ExpectedIntervals expected = expect_intervals(plan, {8});
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
+  const plan::ExpectedIntervals expected = plan::expect_intervals(plan, {8});
   EXPECT_NEAR(expected.find("midline")->truth, 3.88318571, 1e-9);
   ASSERT_NE(expected.find("break_away"), nullptr);
-  for (const ExpectedInterval& e : expected.quantities) {
+  for (const plan::ExpectedInterval& e : expected.quantities) {
     // Of eight intervals of 95 %, fewer than five hold the truth once in 2,700 times.
     EXPECT_GE(e.inside, 5U) << e.name;
   }
@@ -69,7 +74,7 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
   for (const char* name :
        {"midline", "fit", "sweep", "q_peak", "bristle_stiffness", "static_torque", "sweep_friction",
         "stribeck_speed", "viscous_coefficient", "viscous_power", "asperity_torque"}) {
-    const ExpectedInterval* e = expected.find(name);
+    const plan::ExpectedInterval* e = expected.find(name);
     ASSERT_NE(e, nullptr) << name;
     EXPECT_EQ(e->found, 8U) << name;
     const double scatter = 1.96 * scatter_of(runs, name);
@@ -79,17 +84,19 @@ TEST(ExpectedIntervals, HoldTheTruthAndAgreeWithIndependentSimulations) {
 }
 
 TEST(ExpectedIntervals, MoreTimeNarrowsThem) {
-  const ExpectedIntervals little = expect_intervals(plan_experiment(paper_facts(), {0.3}), {4});
-  const ExpectedIntervals much = expect_intervals(plan_experiment(paper_facts(), {1.5}), {4});
+  const plan::ExpectedIntervals little =
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {0.3}), {4});
+  const plan::ExpectedIntervals much =
+      plan::expect_intervals(plan::plan_experiment(paper_facts(), {1.5}), {4});
   for (const char* name : {"midline", "sweep", "q_peak", "bristle_stiffness", "sweep_friction"}) {
     EXPECT_LT(much.find(name)->half_width, 0.9 * little.find(name)->half_width) << name;
   }
 }
 
 TEST(ExpectedIntervals, AreTheSameOnAnyNumberOfCores) {
-  const ExperimentPlan plan = plan_experiment(paper_facts(), {0.25});
-  const ExpectedIntervals one = expect_intervals(plan, {3, 5, 1});
-  const ExpectedIntervals two = expect_intervals(plan, {3, 5, 2});
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  const plan::ExpectedIntervals one = plan::expect_intervals(plan, {3, 5, 1});
+  const plan::ExpectedIntervals two = plan::expect_intervals(plan, {3, 5, 2});
   ASSERT_EQ(one.quantities.size(), two.quantities.size());
   for (std::size_t i = 0; i < one.quantities.size(); ++i) {
     EXPECT_EQ(one.quantities[i].half_width, two.quantities[i].half_width);
@@ -98,7 +105,8 @@ TEST(ExpectedIntervals, AreTheSameOnAnyNumberOfCores) {
 }
 
 TEST(ExpectedIntervals, AFirstPlanExpectsWhatItCanShow) {
-  const ExpectedIntervals expected = expect_intervals(plan_experiment(bare_facts(), {0.25}), {2});
+  const plan::ExpectedIntervals expected =
+      plan::expect_intervals(plan::plan_experiment(bare_facts(), {0.25}), {2});
   EXPECT_NE(expected.find("q_peak"), nullptr);
   EXPECT_NE(expected.find("stribeck_speed"), nullptr);
   EXPECT_EQ(expected.find("midline"), nullptr);
@@ -106,7 +114,7 @@ TEST(ExpectedIntervals, AFirstPlanExpectsWhatItCanShow) {
 }
 
 TEST(ExpectedIntervals, NoneWithoutRunsOrRecordings) {
-  EXPECT_TRUE(expect_intervals(plan_experiment(paper_facts()), {0}).quantities.empty());
+  EXPECT_TRUE(plan::expect_intervals(plan::plan_experiment(paper_facts()), {0}).quantities.empty());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace tribolog::test {
 namespace {
 
-double lowest(const PlannedSegment& s) {
+double lowest(const plan::PlannedSegment& s) {
   double low = 1e9;
   for (int i = 0; i <= 1000; ++i) {
     low = std::min(low, s.motion->angle(s.motion->duration_s() * i / 1000));
@@ -22,30 +22,32 @@ double lowest(const PlannedSegment& s) {
   return low;
 }
 
-const PlannedSegment& first_of(const ExperimentPlan& plan, Role role) {
-  for (const PlannedSegment& s : plan.segments) {
+const plan::PlannedSegment& first_of(const plan::ExperimentPlan& plan, joint::Role role) {
+  for (const plan::PlannedSegment& s : plan.segments) {
     if (s.role == role) return s;
   }
   throw std::logic_error("no such segment");
 }
 
 TEST(PaperPlan, IsThePapersExperiment) {
-  const ExperimentPlan plan = plan_experiment(paper_facts());
-  for (const PlannedPart& part : plan.parts) {
-    EXPECT_EQ(part.state, PartState::planned) << to_string(part.role) << ": " << part.why;
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
+  for (const plan::PlannedPart& part : plan.parts) {
+    EXPECT_EQ(part.state, plan::PartState::planned)
+        << joint::to_string(part.role) << ": " << part.why;
   }
   EXPECT_TRUE(plan.remarks.empty());
   EXPECT_FALSE(plan.is_first_of_two());
   // Precise: one degree either side of the peak, as in the paper.
-  const double peak = -22.23187 * rad_per_degree;
-  EXPECT_NEAR(lowest(first_of(plan, Role::precise_sweep)), peak - rad_per_degree, 1e-9);
+  const double peak = -22.23187 * joint::rad_per_degree;
+  EXPECT_NEAR(lowest(first_of(plan, joint::Role::precise_sweep)), peak - joint::rad_per_degree,
+              1e-9);
   // The amplitude that reproduces its Table 2: 1e-4 rad.
   EXPECT_NEAR(plan.amplitude_rad, 1e-4, 1e-6);
   EXPECT_DOUBLE_EQ(plan.frequency_Hz, 1);
 }
 
 TEST(PaperPlan, PositionsSpreadOverTheRipple) {
-  const ExperimentPlan plan = plan_experiment(paper_facts());
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   ASSERT_GE(plan.positions_rad.size(), 8U);
   // The mean of a sine of each known period over the positions, at any phase, is nothing.
   for (const double periods : {1.0, 6.0}) {
@@ -61,9 +63,9 @@ TEST(PaperPlan, PositionsSpreadOverTheRipple) {
 
 // Eight positions would see ripple of eight periods as a constant.
 TEST(PaperPlan, PositionsDoNotShareAPeriodOfTheRipple) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.ripple_periods_per_turn = {1, 2, 4, 8, 24};
-  const ExperimentPlan plan = plan_experiment(f);
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
   EXPECT_LT(plan.ripple_left_share, 0.01);
   for (const double periods : f.ripple_periods_per_turn) {
     EXPECT_NE(std::fmod(periods, static_cast<double>(plan.positions_rad.size())), 0);
@@ -71,62 +73,63 @@ TEST(PaperPlan, PositionsDoNotShareAPeriodOfTheRipple) {
 }
 
 TEST(Plan, WithoutThePeakHoldsTheRoughSweepAndTheRuns) {
-  const ExperimentPlan plan = plan_experiment(bare_facts());
+  const plan::ExperimentPlan plan = plan::plan_experiment(bare_facts());
   EXPECT_TRUE(plan.is_first_of_two());
-  EXPECT_EQ(plan.part(Role::rough_sweep).state, PartState::planned);
-  EXPECT_EQ(plan.part(Role::constant_speed).state, PartState::planned);
-  for (const Role role : {Role::precise_sweep, Role::oscillation, Role::break_away}) {
-    EXPECT_EQ(plan.part(role).state, PartState::later);
+  EXPECT_EQ(plan.part(joint::Role::rough_sweep).state, plan::PartState::planned);
+  EXPECT_EQ(plan.part(joint::Role::constant_speed).state, plan::PartState::planned);
+  for (const joint::Role role :
+       {joint::Role::precise_sweep, joint::Role::oscillation, joint::Role::break_away}) {
+    EXPECT_EQ(plan.part(role).state, plan::PartState::later);
     EXPECT_EQ(plan.part(role).recordings, 0U);
   }
 }
 
 TEST(Plan, NamesWhatItAssumes) {
-  const auto known = [](const ExperimentPlan& plan) {
+  const auto known = [](const plan::ExperimentPlan& plan) {
     return std::count_if(plan.joint.assumptions.begin(), plan.joint.assumptions.end(),
-                         [](const Assumption& a) { return a.is_known; });
+                         [](const plan::Assumption& a) { return a.is_known; });
   };
-  EXPECT_EQ(known(plan_experiment(bare_facts())), 0);
-  const ExperimentPlan paper = plan_experiment(paper_facts());
+  EXPECT_EQ(known(plan::plan_experiment(bare_facts())), 0);
+  const plan::ExperimentPlan paper = plan::plan_experiment(paper_facts());
   // All but the viscous coefficient, which no key states.
   EXPECT_EQ(known(paper), static_cast<long>(paper.joint.assumptions.size()) - 1);
 }
 
 // Where the deflection at break-away is a guess, one amplitude would be another.
 TEST(Plan, TriesSeveralAmplitudesWhereTheStiffnessIsAssumed) {
-  JointFacts f = paper_facts();
-  const std::size_t sure = plan_experiment(f).part(Role::oscillation).recordings;
+  joint::JointFacts f = paper_facts();
+  const std::size_t sure = plan::plan_experiment(f).part(joint::Role::oscillation).recordings;
   f.bristle_stiffness_Nm_rad.reset();
-  EXPECT_EQ(plan_experiment(f).part(Role::oscillation).recordings, sure + 2);
+  EXPECT_EQ(plan::plan_experiment(f).part(joint::Role::oscillation).recordings, sure + 2);
 }
 
 TEST(Plan, EffortTakesTime) {
   double before = 0;
   for (const double effort : {0.25, 0.5, 1.0, 2.0, 4.0}) {
-    const double duration = plan_experiment(paper_facts(), {effort}).duration_s();
+    const double duration = plan::plan_experiment(paper_facts(), {effort}).duration_s();
     EXPECT_GT(duration, 1.2 * before) << effort;
     before = duration;
   }
-  EXPECT_THROW(plan_experiment(paper_facts(), {0.0}), std::invalid_argument);
+  EXPECT_THROW(plan::plan_experiment(paper_facts(), {0.0}), std::invalid_argument);
 }
 
 TEST(Plan, FillsTheTimeBudget) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   for (const double budget : {300.0, 600.0, 1200.0}) {
     f.time_budget_s = budget;
-    const double duration = plan_experiment(f).duration_s();
+    const double duration = plan::plan_experiment(f).duration_s();
     EXPECT_LE(duration, budget);
     EXPECT_GT(duration, 0.5 * budget);
   }
 }
 
 TEST(Plan, RefusesImpossibleFacts) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.highest_rad = f.lowest_rad;
-  EXPECT_THROW(plan_experiment(f), std::invalid_argument);
+  EXPECT_THROW(plan::plan_experiment(f), std::invalid_argument);
   f = paper_facts();
   f.torque_limit_Nm = -1;
-  EXPECT_THROW(plan_experiment(f), std::invalid_argument);
+  EXPECT_THROW(plan::plan_experiment(f), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,90 +9,94 @@
 namespace tribolog::test {
 namespace {
 
-void expect_words(const PlannedPart& part, PartState state, const std::string& why,
+void expect_words(const plan::PlannedPart& part, plan::PartState state, const std::string& why,
                   const std::string& help) {
   EXPECT_EQ(part.state, state) << part.why;
   EXPECT_NE(part.why.find(why), std::string::npos) << part.why;
   EXPECT_NE(part.help.find(help), std::string::npos) << part.help;
-  EXPECT_EQ(part.recordings == 0, state == PartState::impossible);
+  EXPECT_EQ(part.recordings == 0, state == plan::PartState::impossible);
 }
 
 TEST(ImpossibleParts, RangeTooSmallForASweep) {
-  JointFacts f = paper_facts();
-  f.lowest_rad = -30 * rad_per_degree;
-  f.highest_rad = -15 * rad_per_degree;
-  const ExperimentPlan plan = plan_experiment(f);
-  expect_words(plan.part(Role::rough_sweep), PartState::impossible, "14.7°", "wider angle limits");
-  EXPECT_EQ(plan.part(Role::oscillation).state, PartState::planned);
+  joint::JointFacts f = paper_facts();
+  f.lowest_rad = -30 * joint::rad_per_degree;
+  f.highest_rad = -15 * joint::rad_per_degree;
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
+  expect_words(plan.part(joint::Role::rough_sweep), plan::PartState::impossible, "14.7°",
+               "wider angle limits");
+  EXPECT_EQ(plan.part(joint::Role::oscillation).state, plan::PartState::planned);
 }
 
 TEST(ImpossibleParts, EncoderTooCoarseForPresliding) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.encoder_counts_per_turn = 4096;
-  const ExperimentPlan plan = plan_experiment(f);
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
   // 0.02 rad of the motor in steps of 2 pi/4096: 13.
-  expect_words(plan.part(Role::oscillation), PartState::impossible,
+  expect_words(plan.part(joint::Role::oscillation), plan::PartState::impossible,
                "4096 counts a motor turn give 13 steps", "counts or more");
-  expect_words(plan.part(Role::break_away), PartState::impossible, "steps of the encoder",
-               "finer encoder");
-  EXPECT_EQ(plan.part(Role::rough_sweep).state, PartState::planned);
+  expect_words(plan.part(joint::Role::break_away), plan::PartState::impossible,
+               "steps of the encoder", "finer encoder");
+  EXPECT_EQ(plan.part(joint::Role::rough_sweep).state, plan::PartState::planned);
   // What is said to help does.
   f.encoder_counts_per_turn = 4096 * 50 / 13.0 * 1.01;
-  EXPECT_EQ(plan_experiment(f).part(Role::oscillation).state, PartState::planned);
+  EXPECT_EQ(plan::plan_experiment(f).part(joint::Role::oscillation).state,
+            plan::PartState::planned);
 }
 
 TEST(ImpossibleParts, SpeedLimitBelowTheStribeckRange) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.speed_limit_rad_s = 0.08;  // 8 rad/s at the motor, ws is 5
-  expect_words(plan_experiment(f).part(Role::constant_speed), PartState::limited,
+  expect_words(plan::plan_experiment(f).part(joint::Role::constant_speed), plan::PartState::limited,
                "1.5 times the Stribeck velocity of 5 rad/s", "15 rad/s");
   f.speed_limit_rad_s = 0.01;  // below a fifth of it, twice
-  expect_words(plan_experiment(f).part(Role::constant_speed), PartState::impossible,
-               "0.95 rad/s at the motor", "speed limit");
+  expect_words(plan::plan_experiment(f).part(joint::Role::constant_speed),
+               plan::PartState::impossible, "0.95 rad/s at the motor", "speed limit");
 }
 
 TEST(ImpossibleParts, TorqueLimitBelowGravity) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.torque_limit_Nm = 3;
-  const ExperimentPlan plan = plan_experiment(f);
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
   ASSERT_FALSE(plan.remarks.empty());
   EXPECT_NE(plan.remarks.front().find("the torque limit of 3 N·m"), std::string::npos);
-  for (const Role role : {Role::precise_sweep, Role::oscillation, Role::break_away}) {
-    expect_words(plan.part(role), PartState::impossible, "−22.23°", "a lighter load");
+  for (const joint::Role role :
+       {joint::Role::precise_sweep, joint::Role::oscillation, joint::Role::break_away}) {
+    expect_words(plan.part(role), plan::PartState::impossible, "−22.23°", "a lighter load");
   }
 }
 
 TEST(ImpossibleParts, TorqueLimitTooSmallForARamp) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.torque_limit_Nm = 5.1;  // gravity 3.88, break-away 0.88: 0.96 N·m are left
-  const ExperimentPlan plan = plan_experiment(f);
-  EXPECT_EQ(plan.part(Role::oscillation).state, PartState::planned);
-  expect_words(plan.part(Role::break_away), PartState::impossible, "leaves 0.962 N·m",
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
+  EXPECT_EQ(plan.part(joint::Role::oscillation).state, plan::PartState::planned);
+  expect_words(plan.part(joint::Role::break_away), plan::PartState::impossible, "leaves 0.962 N·m",
                "a lighter load");
 }
 
 TEST(ImpossibleParts, PeakOutsideTheRange) {
-  JointFacts f = paper_facts();
-  f.q_peak_rad = 80 * rad_per_degree;
-  const ExperimentPlan plan = plan_experiment(f);
-  expect_words(plan.part(Role::rough_sweep), PartState::limited, "80.00°", "holds the peak");
-  expect_words(plan.part(Role::precise_sweep), PartState::impossible, "outside the range",
-               "wider angle limits");
+  joint::JointFacts f = paper_facts();
+  f.q_peak_rad = 80 * joint::rad_per_degree;
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
+  expect_words(plan.part(joint::Role::rough_sweep), plan::PartState::limited, "80.00°",
+               "holds the peak");
+  expect_words(plan.part(joint::Role::precise_sweep), plan::PartState::impossible,
+               "outside the range", "wider angle limits");
 }
 
 TEST(ImpossibleParts, DirectDriveCannotSpreadOverAMotorTurn) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.gear_ratio = 1;
   f.speed_limit_rad_s = 20;
-  const ExperimentPlan plan = plan_experiment(f);
-  expect_words(plan.part(Role::oscillation), PartState::limited, "stays in the mean",
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
+  expect_words(plan.part(joint::Role::oscillation), plan::PartState::limited, "stays in the mean",
                "wider range");
 }
 
 TEST(ImpossibleParts, TooLittleTimeIsSaid) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.time_budget_s = 60;
-  const ExperimentPlan plan = plan_experiment(f);
+  const plan::ExperimentPlan plan = plan::plan_experiment(f);
   ASSERT_EQ(plan.remarks.size(), 1U);
   EXPECT_NE(plan.remarks.front().find("more than the time budget of 60 s"), std::string::npos);
 }

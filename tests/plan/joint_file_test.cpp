@@ -28,7 +28,7 @@ joint_torque_limit_Nm = 200
 )";
 
 std::string refusal(const std::string& text) {
-  return refusal_of<InputError>([&] { return parse_joint(text, "j.toml"); });
+  return refusal_of<InputError>([&] { return ingest::manifest::parse_joint(text, "j.toml"); });
 }
 
 std::string with(const std::string& piece, const std::string& other) {
@@ -39,7 +39,7 @@ std::string with(const std::string& piece, const std::string& other) {
 }
 
 TEST(JointFile, LimitsAreTakenToRadiansAndTheMotor) {
-  const JointFacts f = parse_joint(smallest, "j.toml");
+  const joint::JointFacts f = ingest::manifest::parse_joint(smallest, "j.toml");
   EXPECT_NEAR(f.lowest_rad, -1.5707963, 1e-7);
   EXPECT_NEAR(f.speed_limit_rad_s, 1.7453293, 1e-7);
   EXPECT_NEAR(f.acceleration_limit_rad_s2, 8.7266463, 1e-7);
@@ -49,7 +49,7 @@ TEST(JointFile, LimitsAreTakenToRadiansAndTheMotor) {
 }
 
 TEST(JointFile, TheExampleStatesThePapersJoint) {
-  const JointFacts f = paper_facts();
+  const joint::JointFacts f = paper_facts();
   EXPECT_NEAR(*f.gravity_Nm, 3.88318571, 1e-12);
   EXPECT_NEAR(*f.q_peak_rad, -0.388019, 1e-6);
   EXPECT_NEAR(*f.inertia_kgm2, 1e-4 + 15.83358e-4, 1e-12);
@@ -58,7 +58,7 @@ TEST(JointFile, TheExampleStatesThePapersJoint) {
 
 TEST(JointFile, RipplePeriodsFollowFromTheBuild) {
   const std::string build = "[ripple]\npole_pairs = 4\nwave_generator = true\n";
-  EXPECT_EQ(parse_joint(smallest + build, "j.toml").ripple_periods_per_turn,
+  EXPECT_EQ(ingest::manifest::parse_joint(smallest + build, "j.toml").ripple_periods_per_turn,
             (std::vector<double>{1, 2, 4, 8, 24}));
 }
 
@@ -89,7 +89,8 @@ constexpr const char* calibration = R"({"schema": "tribolog-calibration-1",
                           "asperity_torque_Nm": {"motor": {"estimate": 0.3}}}, "lugre": null}})";
 
 TEST(JointCalibration, AddsWhatWasIdentified) {
-  const JointFacts f = with_calibration(parse_joint(smallest, "j.toml"), calibration, "c.json");
+  const joint::JointFacts f = ingest::manifest::with_calibration(
+      ingest::manifest::parse_joint(smallest, "j.toml"), calibration, "c.json");
   EXPECT_EQ(f.q_peak_rad, 0.25);
   EXPECT_EQ(f.gravity_Nm, 1.5);
   EXPECT_EQ(f.stribeck_speed_rad_s, 7);
@@ -100,17 +101,19 @@ TEST(JointCalibration, AddsWhatWasIdentified) {
 }
 
 TEST(JointCalibration, StatedFrictionWins) {
-  const JointFacts f = with_calibration(
-      parse_joint(std::string(smallest) + "[friction]\nstatic_Nm = 0.5\n", "j.toml"), calibration,
-      "c.json");
+  const joint::JointFacts f = ingest::manifest::with_calibration(
+      ingest::manifest::parse_joint(std::string(smallest) + "[friction]\nstatic_Nm = 0.5\n",
+                                    "j.toml"),
+      calibration, "c.json");
   EXPECT_EQ(f.static_Nm, 0.5);
   EXPECT_EQ(f.identified.count("static_Nm"), 0U);
 }
 
 TEST(JointCalibration, RefusesWhatIsNone) {
-  const JointFacts f = parse_joint(smallest, "j.toml");
+  const joint::JointFacts f = ingest::manifest::parse_joint(smallest, "j.toml");
   const auto refused = [&](const std::string& text) {
-    return refusal_of<InputError>([&] { return with_calibration(f, text, "c.json"); });
+    return refusal_of<InputError>(
+        [&] { return ingest::manifest::with_calibration(f, text, "c.json"); });
   };
   EXPECT_NE(refused("{}").find("c.json: is no calibration"), std::string::npos);
   EXPECT_NE(refused("{").find("c.json:1:"), std::string::npos);

@@ -5,14 +5,14 @@
 
 namespace tribolog::test {
 
-JointFacts paper_facts() {
+joint::JointFacts paper_facts() {
   const std::string file = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/joint.toml";
-  return parse_joint(read_file(file), file);
+  return ingest::manifest::parse_joint(read_file(file), file);
 }
 
-JointFacts bare_facts() {
-  const JointFacts all = paper_facts();
-  JointFacts f;
+joint::JointFacts bare_facts() {
+  const joint::JointFacts all = paper_facts();
+  joint::JointFacts f;
   f.robot = all.robot;
   f.joint = all.joint;
   f.gear_ratio = all.gear_ratio;

@@ -6,9 +6,9 @@
 namespace tribolog::test {
 
 /// examples/plan/joint.toml
-JointFacts paper_facts();
+joint::JointFacts paper_facts();
 
 /// The same with what only limits and gear tell.
-JointFacts bare_facts();
+joint::JointFacts bare_facts();
 
 }  // namespace tribolog::test

@@ -14,10 +14,10 @@ namespace tribolog::test {
 namespace {
 
 TEST(PlanFigure, NamesEveryPart) {
-  const auto figures = plan_figures(plan_experiment(paper_facts()));
+  const auto figures = figures::plan_figures(plan::plan_experiment(paper_facts()));
   ASSERT_EQ(figures.size(), 2U);
   std::set<std::string> labels;
-  for (const render::Series& s : figures[0].figure.panels[0].series) labels.insert(s.label);
+  for (const render::figure::Series& s : figures[0].figure.panels[0].series) labels.insert(s.label);
   for (const char* name : {"rough sweep", "precise sweep", "micro-oscillations",
                            "runs at constant speed", "break-away ramps", "travel and rest"}) {
     EXPECT_EQ(labels.count(name), 1U) << name;
@@ -25,11 +25,11 @@ TEST(PlanFigure, NamesEveryPart) {
 }
 
 TEST(PlanFigure, ShowsTheRangeTheSpeedsAndTheRamps) {
-  const ExperimentPlan plan = plan_experiment(paper_facts());
-  const auto figures = plan_figures(plan);
-  const auto highest = [](const render::Panel& panel) {
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
+  const auto figures = figures::plan_figures(plan);
+  const auto highest = [](const render::figure::Panel& panel) {
     double high = 0;
-    for (const render::Series& s : panel.series) {
+    for (const render::figure::Series& s : panel.series) {
       for (const double y : s.y) {
         EXPECT_TRUE(std::isfinite(y));
         high = std::max(high, y);
@@ -46,12 +46,12 @@ TEST(PlanFigure, ShowsTheRangeTheSpeedsAndTheRamps) {
 }
 
 TEST(PlanFigure, LeavesOutWhatIsNotPlanned) {
-  const auto figures = plan_figures(plan_experiment(bare_facts()));
+  const auto figures = figures::plan_figures(plan::plan_experiment(bare_facts()));
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].figure.panels.size(), 2U);
-  ExperimentPlan nothing = plan_experiment(bare_facts());
+  plan::ExperimentPlan nothing = plan::plan_experiment(bare_facts());
   nothing.segments.clear();
-  EXPECT_TRUE(plan_figures(nothing).empty());
+  EXPECT_TRUE(figures::plan_figures(nothing).empty());
 }
 
 }  // namespace

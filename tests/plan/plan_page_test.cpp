@@ -5,17 +5,17 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "export/plan/plan_files.h"
-#include "export/plan/plan_table.h"
+#include "exports/experiment/plan_files.h"
+#include "exports/experiment/plan_table.h"
 #include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {
 
-PlanReport report_of(const JointFacts& facts, std::size_t runs = 0) {
-  PlanReport report;
-  report.plan = plan_experiment(facts, {0.25});
-  report.expected = expect_intervals(report.plan, {runs});
+report::PlanReport report_of(const joint::JointFacts& facts, std::size_t runs = 0) {
+  report::PlanReport report;
+  report.plan = plan::plan_experiment(facts, {0.25});
+  report.expected = plan::expect_intervals(report.plan, {runs});
   report.joint_file = "joint.toml";
   report.joint_text = "schema = \"<tribolog>\"";
   return report;
@@ -26,7 +26,7 @@ bool holds(const std::string& html, const std::string& text) {
 }
 
 TEST(PlanPage, SaysWhatToDoAndWhatToExpect) {
-  const std::string html = plan_page(report_of(paper_facts(), 2), {}, {});
+  const std::string html = report::plan_page(report_of(paper_facts(), 2), {}, {});
   for (const char* text : {"Rough sweep", "Micro-oscillations", "−22.23", "id=\"table-expected\"",
                            "id=\"table-positions\"", "&lt;tribolog&gt;", "torque_mode"}) {
     EXPECT_TRUE(holds(html, text)) << text;
@@ -36,7 +36,7 @@ TEST(PlanPage, SaysWhatToDoAndWhatToExpect) {
 }
 
 TEST(PlanPage, AFirstPlanSaysSo) {
-  const std::string html = plan_page(report_of(bare_facts()), {}, {});
+  const std::string html = report::plan_page(report_of(bare_facts()), {}, {});
   EXPECT_TRUE(holds(html, "FIRST PART OF TWO"));
   EXPECT_TRUE(holds(html, "--calibration"));
   EXPECT_TRUE(holds(html, "assumed: 10 % of the torque limit"));
@@ -44,19 +44,19 @@ TEST(PlanPage, AFirstPlanSaysSo) {
 }
 
 TEST(PlanPage, NothingPossibleIsSaidWithItsReason) {
-  JointFacts f = paper_facts();
+  joint::JointFacts f = paper_facts();
   f.torque_limit_Nm = 0.5;
-  PlanReport report = report_of(f);
+  report::PlanReport report = report_of(f);
   EXPECT_TRUE(report.plan.segments.empty());
-  const std::string html = plan_page(report, {}, {});
+  const std::string html = report::plan_page(report, {}, {});
   EXPECT_TRUE(holds(html, "NOT POSSIBLE"));
   EXPECT_TRUE(holds(html, "nowhere within the angle limits"));
 }
 
 TEST(PlanJson, HoldsThePlan) {
-  const PlanReport report = report_of(paper_facts(), 2);
-  const auto json =
-      nlohmann::json::parse(plan_json(report.plan, report.expected, report.provenance));
+  const report::PlanReport report = report_of(paper_facts(), 2);
+  const auto json = nlohmann::json::parse(
+      exports::experiment::plan_json(report.plan, report.expected, report.provenance));
   EXPECT_EQ(json["schema"], "tribolog-plan-1");
   EXPECT_EQ(json["parts"].size(), 5U);
   EXPECT_EQ(json["segments"].size(), report.plan.segments.size());
@@ -65,11 +65,14 @@ TEST(PlanJson, HoldsThePlan) {
 }
 
 TEST(PlanTable, NumbersEndWhereTheirIntervalBegins) {
-  EXPECT_EQ(interval_text(3.8831857, 2.13e-4, ReadingKind::gravity), "3.88319 ± 0.00021 N·m");
-  EXPECT_EQ(interval_text(465.42, 12.3, ReadingKind::stiffness), "465 ± 12 N·m/rad");
-  EXPECT_EQ(interval_text(-0.388, 1e-4, ReadingKind::peak_angle), "−22.2308° ± 0.0057°");
-  EXPECT_EQ(interval_text(1, std::nan(""), ReadingKind::gravity), "–");
-  EXPECT_EQ(duration_text(59.6), "1 min 0 s");
+  EXPECT_EQ(exports::experiment::interval_text(3.8831857, 2.13e-4, truth::ReadingKind::gravity),
+            "3.88319 ± 0.00021 N·m");
+  EXPECT_EQ(exports::experiment::interval_text(465.42, 12.3, truth::ReadingKind::stiffness),
+            "465 ± 12 N·m/rad");
+  EXPECT_EQ(exports::experiment::interval_text(-0.388, 1e-4, truth::ReadingKind::peak_angle),
+            "−22.2308° ± 0.0057°");
+  EXPECT_EQ(exports::experiment::interval_text(1, std::nan(""), truth::ReadingKind::gravity), "–");
+  EXPECT_EQ(exports::experiment::duration_text(59.6), "1 min 0 s");
 }
 
 }  // namespace

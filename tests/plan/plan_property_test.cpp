@@ -19,11 +19,11 @@ double somewhere(double from, double to) {
   return from * std::pow(to / from, share);
 }
 
-JointFacts any_joint() {
-  JointFacts f;
+joint::JointFacts any_joint() {
+  joint::JointFacts f;
   f.gear_ratio = somewhere(1, 300);
-  const double range = somewhere(0.5, 700) * rad_per_degree;
-  f.lowest_rad = *rc::gen::inRange(-400, 400) * rad_per_degree;
+  const double range = somewhere(0.5, 700) * joint::rad_per_degree;
+  f.lowest_rad = *rc::gen::inRange(-400, 400) * joint::rad_per_degree;
   f.highest_rad = f.lowest_rad + range;
   f.speed_limit_rad_s = somewhere(1e-3, 30);
   f.acceleration_limit_rad_s2 = somewhere(1e-3, 1000);
@@ -44,7 +44,7 @@ JointFacts any_joint() {
 
 constexpr double rounding = 1e-9;  // of angles of some rad and rates built from them
 
-void check_segment(const JointFacts& f, const PlannedSegment& s) {
+void check_segment(const joint::JointFacts& f, const plan::PlannedSegment& s) {
   const double duration = s.motion->duration_s();
   constexpr int samples = 150;
   const double h = std::min(1e-5, duration / (4 * samples));
@@ -66,23 +66,23 @@ void check_segment(const JointFacts& f, const PlannedSegment& s) {
 
 TEST(PlanProperty, NoSetPointLeavesTheLimits) {
   EXPECT_TRUE(rc::check([] {
-    const JointFacts f = any_joint();
-    const ExperimentPlan plan = plan_experiment(f);
-    for (const PlannedSegment& s : plan.segments) check_segment(f, s);
+    const joint::JointFacts f = any_joint();
+    const plan::ExperimentPlan plan = plan::plan_experiment(f);
+    for (const plan::PlannedSegment& s : plan.segments) check_segment(f, s);
   }));
 }
 
 TEST(PlanProperty, TheMotionHasNoGapsAndTheRecordingsTheirOrder) {
   EXPECT_TRUE(rc::check([] {
-    const ExperimentPlan plan = plan_experiment(any_joint());
+    const plan::ExperimentPlan plan = plan::plan_experiment(any_joint());
     double end_s = 0;
     int last_role = -1;
     for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-      const PlannedSegment& s = plan.segments[i];
+      const plan::PlannedSegment& s = plan.segments[i];
       RC_ASSERT(s.start_s == end_s);
       end_s = s.end_s();
       if (i > 0) {
-        const PlannedSegment& before = plan.segments[i - 1];
+        const plan::PlannedSegment& before = plan.segments[i - 1];
         RC_ASSERT(std::abs(before.motion->angle(before.motion->duration_s()) - s.motion->angle(0)) <
                   rounding);
       }
@@ -93,15 +93,16 @@ TEST(PlanProperty, TheMotionHasNoGapsAndTheRecordingsTheirOrder) {
       RC_ASSERT(static_cast<int>(*s.role) >= last_role);
       last_role = static_cast<int>(*s.role);
     }
-    for (const PlannedPart& part : plan.parts) {
+    for (const plan::PlannedPart& part : plan.parts) {
       const auto planned = static_cast<std::size_t>(
           std::count_if(plan.segments.begin(), plan.segments.end(),
-                        [&](const PlannedSegment& s) { return s.role == part.role; }));
+                        [&](const plan::PlannedSegment& s) { return s.role == part.role; }));
       RC_ASSERT(planned == part.recordings);
-      const bool is_there = part.state == PartState::planned || part.state == PartState::limited;
+      const bool is_there =
+          part.state == plan::PartState::planned || part.state == plan::PartState::limited;
       RC_ASSERT(is_there == (part.recordings > 0));
       // What is not simply planned has its reason and what would help.
-      RC_ASSERT((part.state == PartState::planned) == part.why.empty());
+      RC_ASSERT((part.state == plan::PartState::planned) == part.why.empty());
       RC_ASSERT(part.why.empty() == part.help.empty());
     }
   }));
@@ -109,10 +110,10 @@ TEST(PlanProperty, TheMotionHasNoGapsAndTheRecordingsTheirOrder) {
 
 TEST(PlanProperty, TheDriveCanHoldTheArmWhereverThePlanGoes) {
   EXPECT_TRUE(rc::check([] {
-    const ExperimentPlan plan = plan_experiment(any_joint());
-    const AssumedJoint& j = plan.joint;
+    const plan::ExperimentPlan plan = plan::plan_experiment(any_joint());
+    const plan::AssumedJoint& j = plan.joint;
     if (!j.peak_is_known) return;
-    for (const PlannedSegment& s : plan.segments) {
+    for (const plan::PlannedSegment& s : plan.segments) {
       for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0}) {
         const double q = s.motion->angle(share * s.motion->duration_s());
         const double held = j.gravity_Nm * std::abs(std::cos(q - j.q_peak_rad)) + j.static_Nm;
@@ -129,10 +130,10 @@ TEST(PlanProperty, TheDriveCanHoldTheArmWhereverThePlanGoes) {
 
 TEST(PlanProperty, ABudgetThatSufficesIsKept) {
   EXPECT_TRUE(rc::check([] {
-    JointFacts f = any_joint();
+    joint::JointFacts f = any_joint();
     f.time_budget_s = somewhere(10, 10'000);
-    const ExperimentPlan plan = plan_experiment(f);
-    const ExperimentPlan shortest = plan_experiment(f, {0.25});
+    const plan::ExperimentPlan plan = plan::plan_experiment(f);
+    const plan::ExperimentPlan shortest = plan::plan_experiment(f, {0.25});
     if (shortest.duration_s() <= *f.time_budget_s) {
       RC_ASSERT(plan.duration_s() <= *f.time_budget_s);
     } else {

@@ -18,10 +18,10 @@ constexpr double amplitude = 1e-4;
 constexpr double frequency = 2;
 constexpr double ease = 0.04;
 
-EasedSine sine() { return {0.3, amplitude, frequency, 5, ease}; }
+plan::EasedSine sine() { return {0.3, amplitude, frequency, 5, ease}; }
 
 TEST(EasedSine, SpeedAndAccelerationAreTheDerivatives) {
-  const EasedSine m = sine();
+  const plan::EasedSine m = sine();
   constexpr double h = 1e-6;
   const double speed_scale = 2 * pi * frequency * amplitude;
   for (double t = 2 * h; t < m.duration_s() - 2 * h; t += 0.00731) {
@@ -33,7 +33,7 @@ TEST(EasedSine, SpeedAndAccelerationAreTheDerivatives) {
 }
 
 TEST(EasedSine, StartsAndEndsAtRest) {
-  const EasedSine m = sine();
+  const plan::EasedSine m = sine();
   for (const double t : {-1.0, 0.0, m.duration_s(), m.duration_s() + 1}) EXPECT_EQ(m.speed(t), 0);
   EXPECT_DOUBLE_EQ(m.angle(0), m.start_rad());
   EXPECT_DOUBLE_EQ(m.angle(m.duration_s()), m.end_rad());
@@ -42,7 +42,7 @@ TEST(EasedSine, StartsAndEndsAtRest) {
 }
 
 TEST(EasedSine, IsTheSineBetweenItsTransitions) {
-  const EasedSine m = sine();
+  const plan::EasedSine m = sine();
   for (double t = ease; t < m.duration_s() - ease; t += 0.0123) {
     const double x = 2 * pi * frequency * (t - ease);
     EXPECT_NEAR(m.angle(t), 0.3 + amplitude * std::sin(x), 1e-15);
@@ -52,7 +52,7 @@ TEST(EasedSine, IsTheSineBetweenItsTransitions) {
 
 // Read backwards about its centre it is the same motion.
 TEST(EasedSine, IsOddAboutItsMiddle) {
-  const EasedSine m = sine();
+  const plan::EasedSine m = sine();
   for (double t = 0; t < m.duration_s(); t += 0.0171) {
     EXPECT_NEAR(m.angle(t) - 0.3, 0.3 - m.angle(m.duration_s() - t), 1e-15) << t;
   }
@@ -60,8 +60,8 @@ TEST(EasedSine, IsOddAboutItsMiddle) {
 
 TEST(EasedSine, KeepsTheStatedAcceleration) {
   for (const double e : {0.001, 0.02, 0.1}) {
-    const EasedSine m(0, amplitude, frequency, 2, e);
-    const double bound = EasedSine::largest_acceleration_rad_s2(amplitude, frequency, e);
+    const plan::EasedSine m(0, amplitude, frequency, 2, e);
+    const double bound = plan::EasedSine::largest_acceleration_rad_s2(amplitude, frequency, e);
     double largest = 0;
     for (double t = 0; t < m.duration_s(); t += 1e-4) {
       largest = std::max(largest, std::abs(m.acceleration(t)));
@@ -72,13 +72,13 @@ TEST(EasedSine, KeepsTheStatedAcceleration) {
 }
 
 TEST(EasedSine, RefusesWhatItCannotBe) {
-  EXPECT_THROW(EasedSine(0, 0, 1, 1, 0.01), std::invalid_argument);
-  EXPECT_THROW(EasedSine(0, 1, 1, 0, 0.01), std::invalid_argument);
-  EXPECT_THROW(EasedSine(0, 1, 1, 1, 0.3), std::invalid_argument);
+  EXPECT_THROW(plan::EasedSine(0, 0, 1, 1, 0.01), std::invalid_argument);
+  EXPECT_THROW(plan::EasedSine(0, 1, 1, 0, 0.01), std::invalid_argument);
+  EXPECT_THROW(plan::EasedSine(0, 1, 1, 1, 0.3), std::invalid_argument);
 }
 
 TEST(PlannedTravel, GoesSlowerWhereTheWayIsShort) {
-  const auto m = travel(0.1, 0.1001, 2, 1, false, 0.1);
+  const auto m = plan::travel(0.1, 0.1001, 2, 1, false, 0.1);
   double fastest = 0;
   double hardest = 0;
   for (double t = 0; t < m->duration_s(); t += 1e-5) {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "base/temporary_directory.h"
-#include "export/dataset/simulation_files.h"
-#include "export/plan/plan_files.h"
+#include "exports/experiment/plan_files.h"
+#include "exports/simulation/simulation_files.h"
 #include "identify/identify.h"
 #include "ingest/dataset/dataset_file.h"
 #include "ingest/manifest/scenario_file.h"
@@ -22,30 +22,32 @@ namespace {
 
 constexpr double rate_Hz = 1000;
 
-Scenario paper_joint_with_noise() {
-  return read_scenario(std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/scenario_ripple.toml");
+simulate::Scenario paper_joint_with_noise() {
+  return ingest::manifest::read_scenario(std::string(TRIBOLOG_SOURCE_DIR) +
+                                         "/examples/paper/scenario_ripple.toml");
 }
 
 /// The log of the joint following the plan, on disk beside the plan's manifest.
-Dataset recorded(const ExperimentPlan& plan, const Scenario& joint,
-                 const TemporaryDirectory& directory) {
-  Recording log = simulate_plan(plan, joint, rate_Hz);
-  add_drive_noise(log, joint.noise, joint.gear_ratio, rate_Hz, 0);
-  (void)directory.file(planned_log_name, recording_csv(log));
-  return read_dataset(directory.file("dataset.toml", plan_dataset_toml(plan)));
+joint::Dataset recorded(const plan::ExperimentPlan& plan, const simulate::Scenario& joint,
+                        const TemporaryDirectory& directory) {
+  joint::Recording log = plan::simulate_plan(plan, joint, rate_Hz);
+  simulate::add_drive_noise(log, joint.noise, joint.gear_ratio, rate_Hz, 0);
+  (void)directory.file(plan::planned_log_name, exports::simulation::recording_csv(log));
+  return ingest::dataset::read_dataset(
+      directory.file("dataset.toml", exports::experiment::plan_dataset_toml(plan)));
 }
 
 TEST(RecordedPlan, EveryRecordingIsCutOutOfTheLog) {
   const TemporaryDirectory directory;
-  const ExperimentPlan plan = plan_experiment(paper_facts(), {0.25});
-  const Dataset dataset = recorded(plan, paper_joint_with_noise(), directory);
-  for (const PlannedPart& part : plan.parts) {
-    EXPECT_EQ(dataset.with_role(part.role).size(), part.recordings) << to_string(part.role);
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  const joint::Dataset dataset = recorded(plan, paper_joint_with_noise(), directory);
+  for (const plan::PlannedPart& part : plan.parts) {
+    EXPECT_EQ(dataset.with_role(part.role).size(), part.recordings) << joint::to_string(part.role);
   }
   std::size_t k = 0;
-  for (const PlannedSegment& s : plan.segments) {
+  for (const plan::PlannedSegment& s : plan.segments) {
     if (!s.role) continue;
-    const Recording& r = dataset.recordings[k++];
+    const joint::Recording& r = dataset.recordings[k++];
     EXPECT_NEAR(r.t_s.front(), s.from_s, 1 / rate_Hz);
     EXPECT_NEAR(r.t_s.back(), s.to_s, 1 / rate_Hz);
   }
@@ -58,7 +60,7 @@ struct Truth {
   double value;
 };
 
-std::vector<Truth> truths_of(const Scenario& joint) {
+std::vector<Truth> truths_of(const simulate::Scenario& joint) {
   constexpr double gravity_Nm = 3.88318571;
   constexpr double static_Nm = 0.88437633;
   return {{"midline", gravity_Nm},       {"fit", gravity_Nm},
@@ -69,20 +71,20 @@ std::vector<Truth> truths_of(const Scenario& joint) {
 }
 
 TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
-  const ExperimentPlan plan = plan_experiment(paper_facts());
-  Scenario joint = paper_joint_with_noise();
-  IdentifyOptions options;
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
+  simulate::Scenario joint = paper_joint_with_noise();
+  identify::IdentifyOptions options;
   options.resamples = 0;
   std::size_t stated = 0;
   std::size_t held = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const TemporaryDirectory directory;
     joint.noise.seed = seed;
-    const Dataset dataset = recorded(plan, joint, directory);
-    const Calibration c = identify(dataset, options);
-    const std::vector<Reading> found = readings_of(c);
+    const joint::Dataset dataset = recorded(plan, joint, directory);
+    const calibration::Calibration c = identify::identify(dataset, options);
+    const std::vector<truth::Reading> found = truth::readings_of(c);
     for (const Truth& truth : truths_of(joint)) {
-      const Reading* r = find_reading(found, truth.name);
+      const truth::Reading* r = truth::find_reading(found, truth.name);
       ASSERT_NE(r, nullptr) << truth.name << ", seed " << seed;
       ++stated;
       held += r->estimate.low <= truth.value && truth.value <= r->estimate.high ? 1 : 0;
@@ -95,7 +97,7 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
     // The moment of break-away lies 0.7 % below the static torque (method/hysteresis/break_away.h).
     EXPECT_NEAR(c.break_away.mean_Nm->value, 0.993 * 0.88437633,
                 1.5 * c.break_away.mean_Nm->half_width());
-    EXPECT_NE(c.judgement.verdict, Verdict::not_identifiable) << c.judgement.sentence;
+    EXPECT_NE(c.judgement.verdict, calibration::Verdict::not_identifiable) << c.judgement.sentence;
   }
   EXPECT_EQ(stated, 30U);
   // Of 30 intervals of 95 %, fewer than 25 hold the truth once in 300 times.
@@ -105,11 +107,11 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
 // A log starts somewhere in the motion of a contact that has slid: the manifest's windows hold the
 // whole cycles alone.
 TEST(RecordedPlan, OscillationsAreWholeCyclesOfASine) {
-  const ExperimentPlan plan = plan_experiment(paper_facts(), {0.25});
-  const Recording log = simulate_plan(plan, paper_joint_with_noise(), rate_Hz);
-  for (const IdealRecording& one : cut_by_plan(plan, log, rate_Hz)) {
-    const Recording& r = one.recording;
-    if (r.role != Role::oscillation) continue;
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  const joint::Recording log = plan::simulate_plan(plan, paper_joint_with_noise(), rate_Hz);
+  for (const simulate::IdealRecording& one : plan::cut_by_plan(plan, log, rate_Hz)) {
+    const joint::Recording& r = one.recording;
+    if (r.role != joint::Role::oscillation) continue;
     const double cycles = (r.t_s.back() - r.t_s.front()) * plan.frequency_Hz;
     EXPECT_NEAR(cycles, std::round(cycles), 2 * plan.frequency_Hz / rate_Hz);
     EXPECT_NEAR(r.q_rad.back(), r.q_rad.front(), 0.02 * plan.amplitude_rad);
@@ -117,9 +119,9 @@ TEST(RecordedPlan, OscillationsAreWholeCyclesOfASine) {
 }
 
 TEST(RecordedPlan, NeedsAContactThatYields) {
-  Scenario rigid = paper_joint_with_noise();
+  simulate::Scenario rigid = paper_joint_with_noise();
   rigid.sliding = nullptr;
-  EXPECT_THROW(simulate_plan(plan_experiment(paper_facts()), rigid, rate_Hz),
+  EXPECT_THROW(plan::simulate_plan(plan::plan_experiment(paper_facts()), rigid, rate_Hz),
                std::invalid_argument);
 }
 

@@ -5,21 +5,22 @@
 
 #include <gtest/gtest.h>
 
-#include "export/plan/plan_files.h"
+#include "exports/experiment/plan_files.h"
 #include "ingest/text/csv_reader.h"
 #include "plan/paper_facts.h"
 
 namespace tribolog::test {
 namespace {
 
-LogTable read_back(const ExperimentPlan& plan) {
-  return read_csv(set_points_csv(plan), "setpoints.csv",
-                  {{"t_s"}, {"q_rad"}, {"dq_rad_s"}, {"torque_mode"}, {"ramp_torque_Nm"}});
+ingest::log::LogTable read_back(const plan::ExperimentPlan& plan) {
+  return ingest::text::read_csv(
+      exports::experiment::set_points_csv(plan), "setpoints.csv",
+      {{"t_s"}, {"q_rad"}, {"dq_rad_s"}, {"torque_mode"}, {"ramp_torque_Nm"}});
 }
 
 TEST(SetPoints, ComeBackAsThePlansMotion) {
-  const ExperimentPlan plan = plan_experiment(paper_facts(), {0.25});
-  const LogTable table = read_back(plan);
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  const ingest::log::LogTable table = read_back(plan);
   const auto& t = table.columns[0].values;
   ASSERT_GT(table.rows, 1000U);
   EXPECT_EQ(t.front(), 0);
@@ -28,13 +29,13 @@ TEST(SetPoints, ComeBackAsThePlansMotion) {
     EXPECT_EQ(table.columns[1].values[i], plan.angle_rad(t[i]));
     EXPECT_EQ(table.columns[2].values[i], plan.speed_rad_s(t[i]));
   }
-  for (const LogColumn& column : table.columns) EXPECT_EQ(column.gaps, 0U);
+  for (const ingest::log::LogColumn& column : table.columns) EXPECT_EQ(column.gaps, 0U);
 }
 
 TEST(SetPoints, KeepTheLimitsFromRowToRow) {
-  const JointFacts f = paper_facts();
-  const ExperimentPlan plan = plan_experiment(f, {0.25});
-  const LogTable table = read_back(plan);
+  const joint::JointFacts f = paper_facts();
+  const plan::ExperimentPlan plan = plan::plan_experiment(f, {0.25});
+  const ingest::log::LogTable table = read_back(plan);
   const auto& t = table.columns[0].values;
   const auto& q = table.columns[1].values;
   const auto& dq = table.columns[2].values;
@@ -54,8 +55,8 @@ TEST(SetPoints, KeepTheLimitsFromRowToRow) {
 }
 
 TEST(SetPoints, TheTorqueLeadsInTheRampsAlone) {
-  const ExperimentPlan plan = plan_experiment(paper_facts(), {0.25});
-  const LogTable table = read_back(plan);
+  const plan::ExperimentPlan plan = plan::plan_experiment(paper_facts(), {0.25});
+  const ingest::log::LogTable table = read_back(plan);
   std::size_t ramps = 0;
   double largest = 0;
   for (std::size_t i = 1; i < table.rows; ++i) {
@@ -68,16 +69,17 @@ TEST(SetPoints, TheTorqueLeadsInTheRampsAlone) {
     }
     largest = std::max(largest, std::abs(table.columns[4].values[i]));
   }
-  EXPECT_EQ(ramps, plan.part(Role::break_away).recordings);
+  EXPECT_EQ(ramps, plan.part(joint::Role::break_away).recordings);
   // Past the break-away torque of 0.884 N·m, within what the limit leaves.
   EXPECT_GT(largest, 1.2 * 0.884);
   EXPECT_LT(largest, 12 - 3.883);
 }
 
 TEST(SetPoints, OfNothingAreAHeader) {
-  ExperimentPlan plan = plan_experiment(paper_facts());
+  plan::ExperimentPlan plan = plan::plan_experiment(paper_facts());
   plan.segments.clear();
-  EXPECT_EQ(set_points_csv(plan), "t_s,q_rad,dq_rad_s,torque_mode,ramp_torque_Nm\n");
+  EXPECT_EQ(exports::experiment::set_points_csv(plan),
+            "t_s,q_rad,dq_rad_s,torque_mode,ramp_torque_Nm\n");
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace {
 constexpr double new_year_2026 =
     20454;  // days since 1970-01-01, as `date -d 2026-01-01 +%s` / 86400
 
-std::vector<std::string> labels(const AxisRange& range, int most) {
+std::vector<std::string> labels(const layout::AxisRange& range, int most) {
   std::vector<std::string> out;
-  for (const Tick& tick : date_ticks(range, most).major) out.push_back(tick.label);
+  for (const layout::Tick& tick : layout::date_ticks(range, most).major) out.push_back(tick.label);
   return out;
 }
 
@@ -32,13 +32,13 @@ TEST(DateTicks, AreTheBeginningsOfYearsMonthsDaysAndHours) {
 TEST(DateTicks, LieInsideTheRangeAndAreFewAndDistinctAtEveryScale) {
   for (double span = 0.1; span < 2e6; span *= 1.7) {
     for (double low = -200000; low < 800000; low += 33333.3) {
-      const AxisRange range{low, low + span};
+      const layout::AxisRange range{low, low + span};
       for (const int most : {2, 5, 12}) {
-        const TickSet ticks = date_ticks(range, most);
+        const layout::TickSet ticks = layout::date_ticks(range, most);
         EXPECT_LE(static_cast<int>(ticks.major.size()), most) << low << " " << span;
         EXPECT_GE(ticks.major.size(), 1U) << low << " " << span << " " << most;
         std::set<std::string> seen;
-        for (const Tick& tick : ticks.major) {
+        for (const layout::Tick& tick : ticks.major) {
           EXPECT_GE(tick.value, range.low);
           EXPECT_LE(tick.value, range.high);
           EXPECT_TRUE(seen.insert(tick.label).second) << tick.label;
@@ -50,7 +50,7 @@ TEST(DateTicks, LieInsideTheRangeAndAreFewAndDistinctAtEveryScale) {
 
 TEST(DateTicks, BeyondTheCalendarAreNumbers) {
   EXPECT_EQ(labels({-1e9, 1e9}, 5), (std::vector<std::string>{"−1.0", "−0.5", "0", "0.5", "1.0"}));
-  EXPECT_FALSE(date_ticks({0, 1e-6}, 5).major.empty());
+  EXPECT_FALSE(layout::date_ticks({0, 1e-6}, 5).major.empty());
 }
 
 }  // namespace

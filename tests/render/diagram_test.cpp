@@ -13,28 +13,31 @@
 namespace tribolog::render {
 namespace {
 
-DrawList laid_out(const Figure& figure) {
-  static const Font font;
-  return lay_out(figure, font);
+figure::DrawList laid_out(const figure::Figure& figure) {
+  static const text::Font font;
+  return composition::lay_out(figure, font);
 }
 
-DrawnFigure drawn(const Figure& figure) { return FigureRenderer(1).draw({figure}).at(0); }
+workers::DrawnFigure drawn(const figure::Figure& figure) {
+  return workers::FigureRenderer(1).draw({figure}).at(0);
+}
 
 /// Some warning holds each of the words.
-void expect_warning(const Figure& figure, const std::string& words) {
-  const DrawList list = laid_out(figure);
+void expect_warning(const figure::Figure& figure, const std::string& words) {
+  const figure::DrawList list = laid_out(figure);
   EXPECT_TRUE(
       std::any_of(list.warnings.begin(), list.warnings.end(),
                   [&](const std::string& one) { return one.find(words) != std::string::npos; }))
       << words << (list.warnings.empty() ? "; there is none" : "; but " + list.warnings.front());
 }
 
-PixelBox bounds_of(const Primitive& primitive) {
-  if (const auto* run = std::get_if<TextRun>(&primitive)) return run->box;
-  const auto* line = std::get_if<Polyline>(&primitive);
-  const auto& points = line != nullptr ? line->points : std::get<Polygon>(primitive).outline;
-  PixelBox box{1e9, 1e9, -1e9, -1e9};
-  for (const PixelPoint& p : points) {
+figure::PixelBox bounds_of(const figure::Primitive& primitive) {
+  if (const auto* run = std::get_if<figure::TextRun>(&primitive)) return run->box;
+  const auto* line = std::get_if<figure::Polyline>(&primitive);
+  const auto& points =
+      line != nullptr ? line->points : std::get<figure::Polygon>(primitive).outline;
+  figure::PixelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const figure::PixelPoint& p : points) {
     box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x),
            std::max(box.bottom, p.y)};
   }
@@ -42,65 +45,71 @@ PixelBox bounds_of(const Primitive& primitive) {
 }
 
 TEST(Diagram, OneOfEachKindHasNothingToComplainOf) {
-  const DrawnFigure result = drawn(examples::diagram());
+  const workers::DrawnFigure result = drawn(examples::diagram());
   EXPECT_EQ(result.error, "");
   EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
 }
 
 TEST(Diagram, StaysInsideThePicture) {
-  const DrawList list = laid_out(examples::diagram());
-  const PixelBox picture{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
-  for (const Primitive& one : list.primitives) EXPECT_TRUE(picture.contains(bounds_of(one)));
+  const figure::DrawList list = laid_out(examples::diagram());
+  const figure::PixelBox picture{0, 0, static_cast<double>(list.width),
+                                 static_cast<double>(list.height)};
+  for (const figure::Primitive& one : list.primitives)
+    EXPECT_TRUE(picture.contains(bounds_of(one)));
 }
 
 TEST(Diagram, DrawsEveryBlockAndWire) {
-  const Figure figure = examples::diagram();
-  const DrawList list = laid_out(figure);
-  const auto has = [&](Role role, std::size_t index) {
-    return std::any_of(list.primitives.begin(), list.primitives.end(), [&](const Primitive& one) {
-      return owner_of(one) == Owner{role, 0, static_cast<int>(index)};
-    });
+  const figure::Figure figure = examples::diagram();
+  const figure::DrawList list = laid_out(figure);
+  const auto has = [&](figure::Role role, std::size_t index) {
+    return std::any_of(
+        list.primitives.begin(), list.primitives.end(), [&](const figure::Primitive& one) {
+          return figure::owner_of(one) == figure::Owner{role, 0, static_cast<int>(index)};
+        });
   };
-  for (std::size_t i = 0; i < figure.diagram->blocks.size(); ++i) EXPECT_TRUE(has(Role::block, i));
+  for (std::size_t i = 0; i < figure.diagram->blocks.size(); ++i)
+    EXPECT_TRUE(has(figure::Role::block, i));
   for (std::size_t i = 0; i < figure.diagram->wires.size(); ++i) {
-    EXPECT_TRUE(has(Role::wire, i));
-    EXPECT_TRUE(has(Role::wire_head, i));
+    EXPECT_TRUE(has(figure::Role::wire, i));
+    EXPECT_TRUE(has(figure::Role::wire_head, i));
   }
-  EXPECT_TRUE(has(Role::branch_dot, 4));
+  EXPECT_TRUE(has(figure::Role::branch_dot, 4));
 }
 
 TEST(Diagram, GrowsAndShrinksAsAWhole) {
-  Figure figure = examples::diagram();
-  const DrawList large = laid_out(figure);
+  figure::Figure figure = examples::diagram();
+  const figure::DrawList large = laid_out(figure);
   figure.width_px /= 2;
   figure.height_px /= 2;
-  const DrawList small = laid_out(figure);
+  const figure::DrawList small = laid_out(figure);
   ASSERT_EQ(small.primitives.size(), large.primitives.size());
   const double rounding_px = 3.0;  // of letters and baselines to whole pixels, twice
   for (std::size_t i = 0; i < small.primitives.size(); ++i) {
-    const PixelBox a = bounds_of(small.primitives[i]);
-    const PixelBox b = bounds_of(large.primitives[i]);
+    const figure::PixelBox a = bounds_of(small.primitives[i]);
+    const figure::PixelBox b = bounds_of(large.primitives[i]);
     EXPECT_NEAR(2 * a.centre().x, b.centre().x, 2 * rounding_px) << i;
     EXPECT_NEAR(2 * a.centre().y, b.centre().y, 2 * rounding_px) << i;
   }
 }
 
 TEST(Diagram, HeadsTouchWhatTheyPointAt) {
-  const Figure figure = examples::diagram();
-  const DrawList list = laid_out(figure);
-  const auto bounds = [&](Owner owner) {
-    for (const Primitive& one : list.primitives) {
-      if (owner_of(one) == owner) return bounds_of(one);
+  const figure::Figure figure = examples::diagram();
+  const figure::DrawList list = laid_out(figure);
+  const auto bounds = [&](figure::Owner owner) {
+    for (const figure::Primitive& one : list.primitives) {
+      if (figure::owner_of(one) == owner) return bounds_of(one);
     }
-    return PixelBox{};
+    return figure::PixelBox{};
   };
   const double line_px = 2.5;
-  EXPECT_NEAR(bounds({Role::wire_head, 0, 1}).right, bounds({Role::block, 0, 2}).left, line_px);
-  EXPECT_NEAR(bounds({Role::wire_head, 0, 4}).top, bounds({Role::block, 0, 1}).bottom, line_px);
+  EXPECT_NEAR(bounds({figure::Role::wire_head, 0, 1}).right,
+              bounds({figure::Role::block, 0, 2}).left, line_px);
+  EXPECT_NEAR(bounds({figure::Role::wire_head, 0, 4}).top,
+              bounds({figure::Role::block, 0, 1}).bottom, line_px);
 }
 
 TEST(Diagram, ReportsTextThatDoesNotFit) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.diagram->blocks[5].lines = {"much longer than the block"};
   expect_warning(figure, "'much longer than the block' does not fit into its block");
   figure = examples::diagram();
@@ -109,8 +118,8 @@ TEST(Diagram, ReportsTextThatDoesNotFit) {
 }
 
 TEST(Diagram, ReportsTextsThatCollide) {
-  Figure figure = examples::diagram();
-  figure.diagram->texts.push_back({"other", {142, 75}, TextPlace::centre});
+  figure::Figure figure = examples::diagram();
+  figure.diagram->texts.push_back({"other", {142, 75}, figure::TextPlace::centre});
   expect_warning(figure, "'free text' overlaps 'other'");
   figure = examples::diagram();
   figure.diagram->texts[0].at = {60, 26};
@@ -119,15 +128,16 @@ TEST(Diagram, ReportsTextsThatCollide) {
   expect_warning(figure, "collides with block 'frame'");
   figure.diagram->texts[0].at = {55, 40};
   expect_warning(figure, "lies on a wire");
-  for (const DiagramPoint& on_a_line :
-       {DiagramPoint{60, 68}, DiagramPoint{140, 60}, DiagramPoint{80, 70}}) {
+  for (const figure::DiagramPoint& on_a_line :
+       {figure::DiagramPoint{60, 68}, figure::DiagramPoint{140, 60},
+        figure::DiagramPoint{80, 70}}) {
     figure.diagram->texts[0].at = on_a_line;
     expect_warning(figure, "lies on a line");
   }
 }
 
 TEST(Diagram, ReportsWiresThatGoWrong) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.diagram->wires[0].points[1].x = 29;
   expect_warning(figure, "wire 1 ends at nothing");
   figure = examples::diagram();
@@ -141,7 +151,7 @@ TEST(Diagram, ReportsWiresThatGoWrong) {
 }
 
 TEST(Diagram, ReportsWhatLiesOutsideOrOnTop) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.diagram->blocks[0].centre.x = 3;
   expect_warning(figure, "block 'ω' lies outside the canvas");
   figure = examples::diagram();
@@ -153,13 +163,13 @@ TEST(Diagram, ReportsWhatLiesOutsideOrOnTop) {
 }
 
 TEST(Diagram, ReportsLettersThatAreTooSmall) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.height_px = 500;
   expect_warning(figure, "too small to read");
 }
 
 TEST(Diagram, IsDrawnInsteadOfPanels) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.panels.resize(2);
   EXPECT_EQ(laid_out(figure).primitives.size(), laid_out(examples::diagram()).primitives.size());
   EXPECT_TRUE(laid_out(figure).plots.empty());
@@ -167,7 +177,7 @@ TEST(Diagram, IsDrawnInsteadOfPanels) {
 }
 
 TEST(Diagram, ThePictureIsRefusedIfABlockOrWireCannotBeSeen) {
-  Figure figure = examples::diagram();
+  figure::Figure figure = examples::diagram();
   figure.diagram->blocks[5].colour = {255, 255, 255};
   EXPECT_EQ(drawn(figure).error, "block 'two' cannot be told from the background");
   figure = examples::diagram();
@@ -176,22 +186,22 @@ TEST(Diagram, ThePictureIsRefusedIfABlockOrWireCannotBeSeen) {
 }
 
 TEST(Diagram, ThePictureShowsLinesWhereTheyBelong) {
-  Figure figure = examples::diagram();
-  figure.diagram->wires[1].colour = palette::vermilion;
-  const DrawnFigure result = drawn(figure);
+  figure::Figure figure = examples::diagram();
+  figure.diagram->wires[1].colour = figure::palette::vermilion;
+  const workers::DrawnFigure result = drawn(figure);
   ASSERT_EQ(result.error, "");
-  const Picture picture = read_png(result.png);
-  for (const Primitive& one : laid_out(figure).primitives) {
-    const auto* line = std::get_if<Polyline>(&one);
-    if (line == nullptr || !(line->owner == Owner{Role::wire, 0, 1})) continue;
-    const PixelPoint middle{(line->points[0].x + line->points[1].x) / 2, line->points[0].y};
+  const figure::Picture picture = read_png(result.png);
+  for (const figure::Primitive& one : laid_out(figure).primitives) {
+    const auto* line = std::get_if<figure::Polyline>(&one);
+    if (line == nullptr || !(line->owner == figure::Owner{figure::Role::wire, 0, 1})) continue;
+    const figure::PixelPoint middle{(line->points[0].x + line->points[1].x) / 2, line->points[0].y};
     EXPECT_EQ(picture.at(static_cast<int>(middle.x), static_cast<int>(std::floor(middle.y))),
-              palette::vermilion);
+              figure::palette::vermilion);
   }
 }
 
 TEST(Diagram, SurvivesEmptyAndImpossibleSizes) {
-  Figure figure;
+  figure::Figure figure;
   figure.diagram.emplace();
   EXPECT_TRUE(laid_out(figure).primitives.empty());
   figure = examples::diagram();

@@ -25,13 +25,13 @@ class Setting {
   const char* name_;
 };
 
-std::vector<Figure> five() {
+std::vector<figure::Figure> five() {
   return {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
           examples::noisy_sweep()};
 }
 
-std::vector<DrawnFigure> draw(const std::vector<Figure>& figures, int processes) {
-  return FigureRenderer(processes).draw(figures);
+std::vector<workers::DrawnFigure> draw(const std::vector<figure::Figure>& figures, int processes) {
+  return workers::FigureRenderer(processes).draw(figures);
 }
 
 void expect_no_child_left() {
@@ -56,17 +56,17 @@ TEST(DrawFigures, GivesTheSameBytesForAnyNumberOfProcessesAndOrder) {
 
 TEST(DrawFigures, ReportsProgressInTheCallersThread) {
   std::vector<std::size_t> steps;
-  DrawOptions options;
+  workers::DrawOptions options;
   options.progress = [&](std::size_t done, std::size_t all) {
     EXPECT_EQ(all, 5U);
     steps.push_back(done);
   };
-  FigureRenderer().draw(five(), options);
+  workers::FigureRenderer().draw(five(), options);
   EXPECT_EQ(steps, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
 }
 
 TEST(DrawFigures, DrawsAgainWithTheSameProcesses) {
-  FigureRenderer renderer;
+  workers::FigureRenderer renderer;
   const auto first = renderer.draw(five());
   const auto second = renderer.draw(five());
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(DrawFigures, GivesTheSameBytesWithADriverThatHasThreads) {
 
 TEST(DrawFigures, SaysSoAtEachFigureWhereTheGraphicsStackIsLostAtItsStart) {
   const Setting setting("TRIBOLOG_TEST_CRASH_FIGURE", "warm-up");
-  for (const DrawnFigure& one : draw(five(), 2)) {
+  for (const workers::DrawnFigure& one : draw(five(), 2)) {
     EXPECT_NE(one.error.find("the drawing process was lost: it was stopped by signal 11"),
               std::string::npos)
         << one.error;
@@ -99,10 +99,11 @@ TEST(DrawFigures, SaysSoAtEachFigureWhereTheGraphicsStackIsLostAtItsStart) {
 
 TEST(DrawFigures, GivesUpOnAGraphicsStackThatHangsAtItsStart) {
   const Setting setting("TRIBOLOG_TEST_HANG_FIGURE", "warm-up");
-  DrawOptions options;
+  workers::DrawOptions options;
   options.most_per_figure = 200ms;
-  const auto all = FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
-  for (const DrawnFigure& one : all) {
+  const auto all =
+      workers::FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
+  for (const workers::DrawnFigure& one : all) {
     EXPECT_NE(one.error.find("took too long to start"), std::string::npos) << one.error;
   }
   expect_no_child_left();
@@ -114,7 +115,7 @@ TEST(DrawFigures, LosesOnlyTheFigureAtWhichAWorkerCrashes) {
   for (const char* way : {"TRIBOLOG_TEST_CRASH_FIGURE", "TRIBOLOG_TEST_EXIT_FIGURE"}) {
     const Setting setting(way, "stacked");
     for (const int processes : {1, 2}) {
-      for (const DrawnFigure& one : draw(five(), processes)) {
+      for (const workers::DrawnFigure& one : draw(five(), processes)) {
         if (one.id == "stacked") {
           EXPECT_NE(one.error.find("the drawing process was lost"), std::string::npos) << one.error;
           EXPECT_TRUE(one.png.empty());
@@ -129,31 +130,32 @@ TEST(DrawFigures, LosesOnlyTheFigureAtWhichAWorkerCrashes) {
 
 TEST(DrawFigures, StopsAWorkerThatHangs) {
   const Setting setting("TRIBOLOG_TEST_HANG_FIGURE", "plain");
-  DrawOptions options;
+  workers::DrawOptions options;
   options.most_per_figure = 5000ms;
-  const auto all = FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
+  const auto all =
+      workers::FigureRenderer().draw({examples::plain(), examples::hysteresis()}, options);
   EXPECT_NE(all[0].error.find("took too long"), std::string::npos);
   EXPECT_EQ(all[1].error, "");
   expect_no_child_left();
 }
 
 TEST(DrawFigures, LeavesNoChildWhenProgressThrows) {
-  DrawOptions options;
+  workers::DrawOptions options;
   options.progress = [](std::size_t, std::size_t) { throw std::runtime_error("stop"); };
-  EXPECT_THROW(FigureRenderer().draw(five(), options), std::runtime_error);
+  EXPECT_THROW(workers::FigureRenderer().draw(five(), options), std::runtime_error);
   expect_no_child_left();
 }
 
 TEST(DrawFigures, ReportsAMissingFontPerFigure) {
   const Setting setting("TRIBOLOG_FONT_DIR", "/nonexistent");
-  for (const DrawnFigure& one : draw(five(), 2)) {
+  for (const workers::DrawnFigure& one : draw(five(), 2)) {
     EXPECT_NE(one.error.find("fonts-dejavu-core"), std::string::npos);
   }
-  EXPECT_THROW(renderer_info(), FigureError);
+  EXPECT_THROW(workers::renderer_info(), FigureError);
 }
 
 TEST(RendererInfo, NamesEverythingThatMakesAPicture) {
-  const RendererInfo info = renderer_info();
+  const figure::RendererInfo info = workers::renderer_info();
   EXPECT_NE(info.gl_renderer.find("llvmpipe"), std::string::npos) << info.gl_renderer;
   EXPECT_NE(info.gl_version.find("Mesa"), std::string::npos);
   EXPECT_FALSE(info.vtk_version.empty());
@@ -164,7 +166,7 @@ TEST(RendererInfo, NamesEverythingThatMakesAPicture) {
 // With another OpenGL library ahead of OSMesa every picture would be white. The program under test
 // must be started anew for that, so this test runs another test of its own executable.
 TEST(RendererInfo, RefusesAForeignOpenGlLibrary) {
-  if (renderer_info().back_end != "OSMesa") GTEST_SKIP() << "only OSMesa can be shadowed";
+  if (workers::renderer_info().back_end != "OSMesa") GTEST_SKIP() << "only OSMesa can be shadowed";
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   const std::string command = "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=libGL.so.1 '" +
                               self +

@@ -14,21 +14,21 @@
 namespace tribolog::render {
 namespace {
 
-const Font& font() {
-  static const Font the_font;
+const text::Font& font() {
+  static const text::Font the_font;
   return the_font;
 }
 
 struct Placed {
-  Owner owner;
-  PixelBox box;
+  figure::Owner owner;
+  figure::PixelBox box;
   std::string text;
 };
 
-std::vector<Placed> texts(const DrawList& list) {
+std::vector<Placed> texts(const figure::DrawList& list) {
   std::vector<Placed> out;
-  for (const Primitive& one : list.primitives) {
-    if (const auto* run = std::get_if<TextRun>(&one)) {
+  for (const figure::Primitive& one : list.primitives) {
+    if (const auto* run = std::get_if<figure::TextRun>(&one)) {
       out.push_back({run->owner, run->box, run->text});
     }
   }
@@ -36,17 +36,19 @@ std::vector<Placed> texts(const DrawList& list) {
 }
 
 void expect_none(const legibility::Findings& findings, const std::string& id) {
-  for (const legibility::Finding& one : findings) ADD_FAILURE() << id << ": " << in_words(one);
+  for (const legibility::Finding& one : findings)
+    ADD_FAILURE() << id << ": " << legibility::in_words(one);
 }
 
 TEST(Layout, KeepsTextsApartAndInsideThePicture) {
-  std::vector<Figure> all = examples::nasty();
-  for (const Figure& figure : {examples::plain(), examples::hysteresis(), examples::stacked(),
-                               examples::many_curves(10), examples::noisy_sweep()}) {
+  std::vector<figure::Figure> all = examples::nasty();
+  for (const figure::Figure& figure :
+       {examples::plain(), examples::hysteresis(), examples::stacked(), examples::many_curves(10),
+        examples::noisy_sweep()}) {
     all.push_back(figure);
   }
-  for (const Figure& figure : all) {
-    const DrawList list = lay_out(figure, font());
+  for (const figure::Figure& figure : all) {
+    const figure::DrawList list = composition::lay_out(figure, font());
     expect_none(legibility::overlapping_texts(list), figure.id);
     expect_none(legibility::texts_off_the_picture(list), figure.id);
     expect_none(legibility::data_under_legends(list), figure.id);
@@ -54,16 +56,16 @@ TEST(Layout, KeepsTextsApartAndInsideThePicture) {
 }
 
 TEST(Layout, KeepsDataInsideTheAxes) {
-  for (const Figure& figure : examples::nasty()) {
-    expect_none(legibility::data_outside_axes(lay_out(figure, font())), figure.id);
+  for (const figure::Figure& figure : examples::nasty()) {
+    expect_none(legibility::data_outside_axes(composition::lay_out(figure, font())), figure.id);
   }
 }
 
 TEST(Layout, PutsALegendWithoutRoomBelow) {
-  const DrawList list = lay_out(examples::many_curves(12), font());
+  const figure::DrawList list = composition::lay_out(examples::many_curves(12), font());
   int entries = 0;
   for (const Placed& one : texts(list)) {
-    if (one.owner.role != Role::legend_text) continue;
+    if (one.owner.role != figure::Role::legend_text) continue;
     ++entries;
     EXPECT_GT(one.box.top, list.plots[0].bottom);
   }
@@ -71,16 +73,16 @@ TEST(Layout, PutsALegendWithoutRoomBelow) {
 }
 
 TEST(Layout, LabelsSixPointsOfWhichThreeAreClose) {
-  const DrawList list = lay_out(examples::hysteresis(), font());
-  std::map<int, PixelPoint> points;
-  std::map<int, PixelBox> names;
-  for (const Primitive& one : list.primitives) {
-    if (const auto* marker = std::get_if<Markers>(&one);
-        marker != nullptr && marker->owner.role == Role::label_marker) {
+  const figure::DrawList list = composition::lay_out(examples::hysteresis(), font());
+  std::map<int, figure::PixelPoint> points;
+  std::map<int, figure::PixelBox> names;
+  for (const figure::Primitive& one : list.primitives) {
+    if (const auto* marker = std::get_if<figure::Markers>(&one);
+        marker != nullptr && marker->owner.role == figure::Role::label_marker) {
       points[marker->owner.index] = marker->centres.at(0);
     }
-    if (const auto* run = std::get_if<TextRun>(&one);
-        run != nullptr && run->owner.role == Role::label_text) {
+    if (const auto* run = std::get_if<figure::TextRun>(&one);
+        run != nullptr && run->owner.role == figure::Role::label_text) {
       names[run->owner.index] = run->box;
     }
   }
@@ -94,14 +96,14 @@ TEST(Layout, LabelsSixPointsOfWhichThreeAreClose) {
 }
 
 TEST(Layout, BreaksTheLineAtMissingSamplesAndCountsThem) {
-  Figure figure = examples::plain();
+  figure::Figure figure = examples::plain();
   auto& series = figure.panels[0].series[0];
   series.x = {0, 1, 2, 3, 4, 5};
   series.y = {0, 1, std::nan(""), 1, 2, INFINITY};
-  const DrawList list = lay_out(figure, font());
+  const figure::DrawList list = composition::lay_out(figure, font());
   int lines = 0;
-  for (const Primitive& one : list.primitives) {
-    lines += owner_of(one).role == Role::series ? 1 : 0;
+  for (const figure::Primitive& one : list.primitives) {
+    lines += figure::owner_of(one).role == figure::Role::series ? 1 : 0;
   }
   EXPECT_EQ(lines, 2);
   ASSERT_EQ(list.warnings.size(), 1U);
@@ -109,42 +111,43 @@ TEST(Layout, BreaksTheLineAtMissingSamplesAndCountsThem) {
 }
 
 TEST(Layout, SaysNoDataAndWarnsOfASeriesWithoutAny) {
-  Figure figure = examples::plain();
+  figure::Figure figure = examples::plain();
   figure.panels[0].series[0].y.assign(4, std::nan(""));
-  const DrawList list = lay_out(figure, font());
+  const figure::DrawList list = composition::lay_out(figure, font());
   bool said = false;
   for (const Placed& one : texts(list)) said = said || one.text == "no data";
   EXPECT_TRUE(said);
   ASSERT_EQ(list.warnings.size(), 1U);
 
   figure.panels[0].series.clear();
-  EXPECT_TRUE(lay_out(figure, font()).warnings.empty()) << "an empty panel is no fault";
+  EXPECT_TRUE(composition::lay_out(figure, font()).warnings.empty())
+      << "an empty panel is no fault";
 }
 
 TEST(Layout, SharesOneAxisBetweenStackedPanels) {
-  const DrawList list = lay_out(examples::stacked(), font());
+  const figure::DrawList list = composition::lay_out(examples::stacked(), font());
   ASSERT_EQ(list.plots.size(), 3U);
   EXPECT_EQ(list.plots[0].left, list.plots[2].left);
   EXPECT_EQ(list.plots[0].right, list.plots[2].right);
   int titles = 0;
   for (const Placed& one : texts(list)) {
-    titles += one.owner.role == Role::axis_title && one.text == "time t [s]" ? 1 : 0;
+    titles += one.owner.role == figure::Role::axis_title && one.text == "time t [s]" ? 1 : 0;
   }
   EXPECT_EQ(titles, 1);
 }
 
 TEST(Layout, MapsDataLinearly) {
-  Figure figure = examples::plain();
+  figure::Figure figure = examples::plain();
   auto& panel = figure.panels[0];
   panel.series[0] = examples::line({0, 10}, {0, 100});
   panel.x.minimum = 0;
   panel.x.maximum = 10;
   panel.y.minimum = 0;
   panel.y.maximum = 200;
-  const DrawList list = lay_out(figure, font());
-  for (const Primitive& one : list.primitives) {
-    const auto* line = std::get_if<Polyline>(&one);
-    if (line == nullptr || line->owner.role != Role::series) continue;
+  const figure::DrawList list = composition::lay_out(figure, font());
+  for (const figure::Primitive& one : list.primitives) {
+    const auto* line = std::get_if<figure::Polyline>(&one);
+    if (line == nullptr || line->owner.role != figure::Role::series) continue;
     EXPECT_NEAR(line->points.front().x, list.plots[0].left, 1e-9);
     EXPECT_NEAR(line->points.front().y, list.plots[0].bottom, 1e-9);
     EXPECT_NEAR(line->points.back().x, list.plots[0].right, 1e-9);
@@ -153,53 +156,54 @@ TEST(Layout, MapsDataLinearly) {
 }
 
 TEST(Layout, KeepsTheTextsOfReferenceLinesOffSingleMarkers) {
-  Figure figure = examples::plain();
-  Panel& panel = figure.panels[0];
+  figure::Figure figure = examples::plain();
+  figure::Panel& panel = figure.panels[0];
   panel.x.minimum = panel.y.minimum = 0;
   panel.x.maximum = panel.y.maximum = 10;
-  Series markers = examples::line({}, {}, "");
+  figure::Series markers = examples::line({}, {}, "");
   for (double x = 3.5; x < 10; x += 1) {  // a text is wider than their distance
     for (const double beside : {-0.25, 0.25}) {
       markers.x.push_back(x);
       markers.y.push_back(5 + beside);
     }
   }
-  markers.style = LineStyle::none;
-  markers.marker = Marker::circle;
+  markers.style = figure::LineStyle::none;
+  markers.marker = figure::Marker::circle;
   markers.marker_size_px = 6;
   panel.series = {markers};
-  panel.reference_lines = {{ReferenceLine::Direction::horizontal, 5, "recommended, by far"}};
-  const DrawList list = lay_out(figure, font());
+  panel.reference_lines = {
+      {figure::ReferenceLine::Direction::horizontal, 5, "recommended, by far"}};
+  const figure::DrawList list = composition::lay_out(figure, font());
   expect_none(legibility::markers_under_texts(list), figure.id);
   for (const Placed& one : texts(list)) {
-    if (one.owner.role != Role::reference_text) continue;
+    if (one.owner.role != figure::Role::reference_text) continue;
     EXPECT_LT(one.box.left, list.plots[0].centre().x) << "only there is room";
   }
 }
 
 TEST(Layout, WritesLettersDarkerThanTheirPoint) {
-  Figure figure = examples::plain();
-  figure.panels[0].point_labels = {{2, 2, "chosen", palette::orange}};
-  const DrawList list = lay_out(figure, font());
+  figure::Figure figure = examples::plain();
+  figure.panels[0].point_labels = {{2, 2, "chosen", figure::palette::orange}};
+  const figure::DrawList list = composition::lay_out(figure, font());
   expect_none(legibility::faint_texts(list), figure.id);
-  for (const Primitive& one : list.primitives) {
-    if (owner_of(one).role != Role::label_marker) continue;
-    EXPECT_EQ(std::get<Markers>(one).colour, palette::orange);
+  for (const figure::Primitive& one : list.primitives) {
+    if (figure::owner_of(one).role != figure::Role::label_marker) continue;
+    EXPECT_EQ(std::get<figure::Markers>(one).colour, figure::palette::orange);
   }
 }
 
 TEST(Layout, NamesStandInsteadOfNumbers) {
-  Figure figure = examples::plain();
-  Panel& panel = figure.panels[0];
+  figure::Figure figure = examples::plain();
+  figure::Panel& panel = figure.panels[0];
   panel.y.minimum = 0;
   panel.y.maximum = 3;
   panel.y.names = {{1, "break-away torque T_{s}"}, {2, "mid-line"}, {7, "beyond the axis"}};
-  const DrawList list = lay_out(figure, font());
-  const PixelBox plot = list.plots[0];
-  std::map<std::string, PixelBox> names;
+  const figure::DrawList list = composition::lay_out(figure, font());
+  const figure::PixelBox plot = list.plots[0];
+  std::map<std::string, figure::PixelBox> names;
   for (const Placed& one : texts(list)) {
     const bool is_left = one.box.right < plot.left;
-    if (is_left && one.owner.role == Role::tick_label) names[one.text] = one.box;
+    if (is_left && one.owner.role == figure::Role::tick_label) names[one.text] = one.box;
   }
   EXPECT_EQ(names.size(), 3U) << "two names, one of them with an index, and no number";
   ASSERT_EQ(names.count("mid-line"), 1U);
@@ -208,29 +212,29 @@ TEST(Layout, NamesStandInsteadOfNumbers) {
 }
 
 TEST(Layout, RefusesImpossibleSizes) {
-  Figure figure = examples::plain();
+  figure::Figure figure = examples::plain();
   for (const int side : {-1, 0, 20, 100'000}) {
     figure.width_px = side;
-    EXPECT_THROW(lay_out(figure, font()), FigureError);
+    EXPECT_THROW(composition::lay_out(figure, font()), FigureError);
   }
 }
 
 TEST(Layout, DatesNeitherOverlapNorLeaveThePicture) {
   for (const double days : {0.3, 1.0, 3.0, 20.0, 80.0, 400.0, 1200.0, 9000.0}) {
     for (const int width : {700, 1600}) {
-      Figure figure;
+      figure::Figure figure;
       figure.id = "dates";
       figure.title = "Dates";
       figure.width_px = width;
-      Panel panel;
+      figure::Panel panel;
       panel.x.title = "measured on";
       panel.x.dates = true;
       panel.y.title = "y";
-      Series& series = panel.series.emplace_back();
+      figure::Series& series = panel.series.emplace_back();
       series.x = {20454, 20454 + days / 3, 20454 + days};
       series.y = {1, 3, 2};
       figure.panels = {panel};
-      const DrawList list = lay_out(figure, font());
+      const figure::DrawList list = composition::lay_out(figure, font());
       expect_none(legibility::overlapping_texts(list), std::to_string(days));
       expect_none(legibility::texts_off_the_picture(list), std::to_string(days));
       std::size_t dates = 0;

@@ -11,56 +11,58 @@
 namespace tribolog::render {
 namespace {
 
-DrawnFigure drawn(const Figure& figure) { return FigureRenderer(1).draw({figure}).at(0); }
+workers::DrawnFigure drawn(const figure::Figure& figure) {
+  return workers::FigureRenderer(1).draw({figure}).at(0);
+}
 
 /// Where a data point lies in the picture.
-PixelPoint pixel_of(const DrawList& list, const Axis& x_axis, const Axis& y_axis, double x,
-                    double y) {
-  const PixelBox plot = list.plots.at(0);
+figure::PixelPoint pixel_of(const figure::DrawList& list, const figure::Axis& x_axis,
+                            const figure::Axis& y_axis, double x, double y) {
+  const figure::PixelBox plot = list.plots.at(0);
   return {
       plot.left + (x - *x_axis.minimum) / (*x_axis.maximum - *x_axis.minimum) * plot.width(),
       plot.bottom - (y - *y_axis.minimum) / (*y_axis.maximum - *y_axis.minimum) * plot.height()};
 }
 
-Figure with_fixed_axes() {
-  Figure figure = examples::plain();
+figure::Figure with_fixed_axes() {
+  figure::Figure figure = examples::plain();
   figure.panels[0].series = {examples::line({0, 10}, {2, 2}, "level"),
                              examples::line({0, 10}, {0, 10}, "rising")};
-  figure.panels[0].series[1].colour = palette::vermilion;
-  for (Series& one : figure.panels[0].series) one.width_px = 4;
+  figure.panels[0].series[1].colour = figure::palette::vermilion;
+  for (figure::Series& one : figure.panels[0].series) one.width_px = 4;
   figure.panels[0].x.minimum = figure.panels[0].y.minimum = 0;
   figure.panels[0].x.maximum = figure.panels[0].y.maximum = 10;
   return figure;
 }
 
 TEST(Picture, ShowsSeriesWhereTheyBelong) {
-  const Figure figure = with_fixed_axes();
-  const DrawnFigure result = drawn(figure);
+  const figure::Figure figure = with_fixed_axes();
+  const workers::DrawnFigure result = drawn(figure);
   ASSERT_EQ(result.error, "");
-  const Picture picture = read_png(result.png);
-  const Font font;
-  const DrawList list = lay_out(figure, font);
-  const Panel& panel = figure.panels[0];
+  const figure::Picture picture = read_png(result.png);
+  const text::Font font;
+  const figure::DrawList list = composition::lay_out(figure, font);
+  const figure::Panel& panel = figure.panels[0];
   const auto colour_at = [&](double x, double y) {
-    const PixelPoint p = pixel_of(list, panel.x, panel.y, x, y);
+    const figure::PixelPoint p = pixel_of(list, panel.x, panel.y, x, y);
     return picture.at(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)));
   };
   for (const double x : {1.0, 4.3, 7.7, 9.0}) {
-    EXPECT_EQ(colour_at(x, 2), palette::blue) << x;
-    EXPECT_EQ(colour_at(x, x), palette::vermilion) << x;
+    EXPECT_EQ(colour_at(x, 2), figure::palette::blue) << x;
+    EXPECT_EQ(colour_at(x, x), figure::palette::vermilion) << x;
   }
-  EXPECT_EQ(colour_at(7.3, 4.7), (Colour{255, 255, 255}));
+  EXPECT_EQ(colour_at(7.3, 4.7), (figure::Colour{255, 255, 255}));
 }
 
 TEST(Picture, HasInkOfEveryTextInsideItsBoxAndNoneBeside) {
-  Figure figure = examples::stacked();
+  figure::Figure figure = examples::stacked();
   figure.title = "Tgjpq q\u0307 φ\u0307_{f} x^{2}";
-  const DrawnFigure result = drawn(figure);
+  const workers::DrawnFigure result = drawn(figure);
   ASSERT_EQ(result.error, "");
-  const Picture picture = read_png(result.png);
-  const Font font;
-  const DrawList list = lay_out(figure, font);
-  const auto ink_in = [&](const PixelBox& box) {
+  const figure::Picture picture = read_png(result.png);
+  const text::Font font;
+  const figure::DrawList list = composition::lay_out(figure, font);
+  const auto ink_in = [&](const figure::PixelBox& box) {
     int count = 0;
     for (int y = static_cast<int>(box.top); y < static_cast<int>(box.bottom); ++y) {
       for (int x = static_cast<int>(box.left); x < static_cast<int>(box.right); ++x) {
@@ -71,10 +73,10 @@ TEST(Picture, HasInkOfEveryTextInsideItsBoxAndNoneBeside) {
   };
   // The title stands alone: all dark pixels of the top strip belong to its boxes.
   int inside = 0;
-  PixelBox hull{1e9, 1e9, -1e9, -1e9};
-  for (const Primitive& one : list.primitives) {
-    const auto* run = std::get_if<TextRun>(&one);
-    if (run == nullptr || run->owner.role != Role::figure_title) continue;
+  figure::PixelBox hull{1e9, 1e9, -1e9, -1e9};
+  for (const figure::Primitive& one : list.primitives) {
+    const auto* run = std::get_if<figure::TextRun>(&one);
+    if (run == nullptr || run->owner.role != figure::Role::figure_title) continue;
     EXPECT_GT(ink_in(run->box.grown(1)), 0) << run->text;
     hull = {std::min(hull.left, run->box.left), std::min(hull.top, run->box.top),
             std::max(hull.right, run->box.right), std::max(hull.bottom, run->box.bottom)};
@@ -85,17 +87,17 @@ TEST(Picture, HasInkOfEveryTextInsideItsBoxAndNoneBeside) {
 }
 
 TEST(Picture, DrawsEveryNastyFigure) {
-  const std::vector<Figure> all = examples::nasty();
-  const auto results = FigureRenderer().draw(all);
+  const std::vector<figure::Figure> all = examples::nasty();
+  const auto results = workers::FigureRenderer().draw(all);
   ASSERT_EQ(results.size(), all.size());
-  for (const DrawnFigure& one : results) {
+  for (const workers::DrawnFigure& one : results) {
     EXPECT_EQ(one.error, "") << one.id;
     EXPECT_FALSE(one.png.empty()) << one.id;
   }
 }
 
 TEST(Picture, ReportsASeriesThatNobodyCanSee) {
-  Figure figure = with_fixed_axes();
+  figure::Figure figure = with_fixed_axes();
   figure.panels[0].series[1].colour = {255, 255, 255};
   EXPECT_EQ(drawn(figure).error, "series 'rising' cannot be told from the background");
   figure.panels[0].series[1].colour = {0, 0, 0, 0};
@@ -103,10 +105,10 @@ TEST(Picture, ReportsASeriesThatNobodyCanSee) {
 }
 
 TEST(Picture, OnlyWarnsOfASeriesUnderAnotherOrOutside) {
-  Figure figure = with_fixed_axes();
+  figure::Figure figure = with_fixed_axes();
   figure.panels[0].series[1] = figure.panels[0].series[0];
-  figure.panels[0].series[1].colour = palette::black;
-  DrawnFigure result = drawn(figure);
+  figure.panels[0].series[1].colour = figure::palette::black;
+  workers::DrawnFigure result = drawn(figure);
   EXPECT_EQ(result.error, "");
   EXPECT_EQ(result.warnings.size(), 1U);
 
@@ -118,8 +120,8 @@ TEST(Picture, OnlyWarnsOfASeriesUnderAnotherOrOutside) {
 }
 
 TEST(Picture, ShowsTwoMillionPoints) {
-  Figure figure = examples::plain();
-  Series& series = figure.panels[0].series[0];
+  figure::Figure figure = examples::plain();
+  figure::Series& series = figure.panels[0].series[0];
   series.x.clear();
   series.y.clear();
   for (int i = 0; i < 2'000'000; ++i) {

@@ -11,14 +11,14 @@
 
 namespace tribolog::render {
 
-inline Picture read_png(const std::vector<std::byte>& bytes) {
+inline figure::Picture read_png(const std::vector<std::byte>& bytes) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
     throw std::runtime_error(image.message);
   }
   image.format = PNG_FORMAT_RGB;
-  Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  figure::Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   picture.rgb.resize(PNG_IMAGE_SIZE(image));
   if (png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr) == 0) {
     throw std::runtime_error(image.message);

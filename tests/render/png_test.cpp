@@ -10,8 +10,8 @@
 namespace tribolog::render {
 namespace {
 
-Picture pattern(int width, int height, int colours) {
-  Picture picture{width, height, {}};
+figure::Picture pattern(int width, int height, int colours) {
+  figure::Picture picture{width, height, {}};
   for (int i = 0; i < width * height; ++i) {
     const int k = (i * 7 + i / width) % colours;
     picture.rgb.push_back(static_cast<std::uint8_t>(k));
@@ -24,8 +24,8 @@ Picture pattern(int width, int height, int colours) {
 TEST(Png, DecodesToTheSamePixels) {
   for (const int colours : {1, 2, 200, 256, 5000}) {
     for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {163, 98}}) {
-      const Picture picture = pattern(width, height, colours);
-      EXPECT_EQ(read_png(encode_png(picture)).rgb, picture.rgb) << colours << " colours";
+      const figure::Picture picture = pattern(width, height, colours);
+      EXPECT_EQ(read_png(png::encode_png(picture)).rgb, picture.rgb) << colours << " colours";
     }
   }
 }
@@ -33,14 +33,14 @@ TEST(Png, DecodesToTheSamePixels) {
 constexpr std::size_t colour_type = 25;
 
 TEST(Png, UsesAPaletteUpTo256Colours) {
-  EXPECT_EQ(encode_png(pattern(100, 100, 256))[colour_type], std::byte{3});
-  EXPECT_EQ(encode_png(pattern(100, 100, 5000))[colour_type], std::byte{2});
+  EXPECT_EQ(png::encode_png(pattern(100, 100, 256))[colour_type], std::byte{3});
+  EXPECT_EQ(png::encode_png(pattern(100, 100, 5000))[colour_type], std::byte{2});
 }
 
 // 256 colours near to one another or not, and half as many that stand alone.
 TEST(Png, GivesColoursTooManyTheNearestOfThePalette) {
   for (const bool near : {true, false}) {
-    Picture picture{96, 100, {}};
+    figure::Picture picture{96, 100, {}};
     const auto put = [&](int red, int green, int blue) {
       for (const int c : {red, green, blue}) picture.rgb.push_back(static_cast<std::uint8_t>(c));
     };
@@ -54,11 +54,11 @@ TEST(Png, GivesColoursTooManyTheNearestOfThePalette) {
         put((k % 16) * 16, k / 16 * 16, 0);
       }
     }
-    const auto bytes = encode_png(picture);
-    const Picture back = read_png(bytes);
+    const auto bytes = png::encode_png(picture);
+    const figure::Picture back = read_png(bytes);
     EXPECT_EQ(bytes[colour_type], near ? std::byte{3} : std::byte{2});
     for (std::size_t i = 0; i < back.rgb.size(); ++i) {
-      EXPECT_LE(std::abs(back.rgb[i] - picture.rgb[i]), near ? largest_colour_error : 0);
+      EXPECT_LE(std::abs(back.rgb[i] - picture.rgb[i]), near ? png::largest_colour_error : 0);
     }
     for (std::size_t i = 0; i < back.rgb.size(); i += 3) {
       if (picture.rgb[i] != 255 || picture.rgb[i + 2] == 0) continue;
@@ -68,7 +68,7 @@ TEST(Png, GivesColoursTooManyTheNearestOfThePalette) {
 }
 
 TEST(Png, StatesItsPrintedSize) {
-  const auto bytes = encode_png(pattern(1600, 10, 4));
+  const auto bytes = png::encode_png(pattern(1600, 10, 4));
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::size_t at = text.find("pHYs");
   ASSERT_NE(at, std::string::npos);

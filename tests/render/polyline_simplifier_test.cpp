@@ -9,9 +9,9 @@
 namespace tribolog::render {
 namespace {
 
-using Line = std::vector<PixelPoint>;
+using Line = std::vector<figure::PixelPoint>;
 
-double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
+double distance(figure::PixelPoint p, figure::PixelPoint a, figure::PixelPoint b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double square = dx * dx + dy * dy;
@@ -28,8 +28,8 @@ double farthest(const Line& from, const Line& to) {
     const int steps = static_cast<int>(length / 0.1) + 1;
     for (int k = 0; k <= steps; ++k) {
       const double t = static_cast<double>(k) / steps;
-      const PixelPoint p{from[i - 1].x + t * (from[i].x - from[i - 1].x),
-                         from[i - 1].y + t * (from[i].y - from[i - 1].y)};
+      const figure::PixelPoint p{from[i - 1].x + t * (from[i].x - from[i - 1].x),
+                                 from[i - 1].y + t * (from[i].y - from[i - 1].y)};
       double nearest = 1e9;
       for (std::size_t j = 1; j < to.size(); ++j) {
         nearest = std::min(nearest, distance(p, to[j - 1], to[j]));
@@ -51,8 +51,8 @@ Line sampled(int count, double (*x)(double), double (*y)(double)) {
 
 void expect_same_picture(const Line& original, const Line& simple) {
   constexpr double rounding = 1e-9;
-  EXPECT_LE(farthest(original, simple), simplification_tolerance_px + rounding);
-  EXPECT_LE(farthest(simple, original), simplification_tolerance_px + rounding);
+  EXPECT_LE(farthest(original, simple), layout::simplification_tolerance_px + rounding);
+  EXPECT_LE(farthest(simple, original), layout::simplification_tolerance_px + rounding);
   EXPECT_EQ(simple.front(), original.front());
   EXPECT_EQ(simple.back(), original.back());
 }
@@ -61,7 +61,7 @@ TEST(PolylineSimplifier, KeepsASmoothLoopWithAQuarterPixel) {
   const Line loop = sampled(
       5000, [](double t) { return 700 + 600 * std::cos(6.28 * t); },
       [](double t) { return 400 + 300 * std::sin(6.28 * t + 0.4); });
-  const Line simple = simplified(loop);
+  const Line simple = layout::simplified(loop);
   expect_same_picture(loop, simple);
   EXPECT_LT(simple.size(), 300U);
 }
@@ -71,7 +71,7 @@ TEST(PolylineSimplifier, KeepsSpikesAndReversals) {
   for (int i = 0; i < 400; ++i) {
     spikes.push_back({i * 0.5, i % 37 == 0 ? 300.0 : 10.0 + (i % 5) * 0.01});
   }
-  const Line simple = simplified(spikes);
+  const Line simple = layout::simplified(spikes);
   expect_same_picture(spikes, simple);
   EXPECT_LT(simple.size(), spikes.size() / 4);
 }
@@ -81,38 +81,38 @@ TEST(PolylineSimplifier, TurnsNoiseIntoOneStrokeAColumn) {
   for (int i = 0; i < 20'000; ++i) {
     noise.push_back({i * 0.005, 50 + 40 * std::sin(i * 12.9898) * std::cos(i * 4.1)});
   }
-  const Line simple = simplified(noise);
+  const Line simple = layout::simplified(noise);
   EXPECT_LE(simple.size(), 2U * 4 * 100 + 4);
-  for (const PixelPoint& p : noise) {
+  for (const figure::PixelPoint& p : noise) {
     double nearest = 1e9;
     for (std::size_t j = 1; j < simple.size(); ++j) {
       nearest = std::min(nearest, distance(p, simple[j - 1], simple[j]));
     }
-    ASSERT_LE(nearest, 2 * simplification_tolerance_px);
+    ASSERT_LE(nearest, 2 * layout::simplification_tolerance_px);
   }
 }
 
 TEST(PolylineSimplifier, KeepsShortLines) {
-  EXPECT_EQ(simplified({}).size(), 0U);
-  EXPECT_EQ(simplified({{1, 2}}).size(), 1U);
-  EXPECT_EQ(simplified({{1, 2}, {1, 90}}).size(), 2U);
-  EXPECT_EQ(simplified({{0, 0}, {50, 0}, {10, 0}}).size(), 3U) << "goes back on itself";
+  EXPECT_EQ(layout::simplified({}).size(), 0U);
+  EXPECT_EQ(layout::simplified({{1, 2}}).size(), 1U);
+  EXPECT_EQ(layout::simplified({{1, 2}, {1, 90}}).size(), 2U);
+  EXPECT_EQ(layout::simplified({{0, 0}, {50, 0}, {10, 0}}).size(), 3U) << "goes back on itself";
 }
 
 TEST(LineCollector, CutsAtTheBoxAndBreaksOutside) {
-  LineCollector collector({0, 0, 100, 100});
-  for (const PixelPoint& p : Line{{-50, 50}, {50, 50}, {50, 150}, {60, 150}, {60, 50}}) {
+  layout::LineCollector collector({0, 0, 100, 100});
+  for (const figure::PixelPoint& p : Line{{-50, 50}, {50, 50}, {50, 150}, {60, 150}, {60, 50}}) {
     collector.add(p);
   }
   const auto lines = collector.take();
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0].front(), (PixelPoint{0, 50}));
-  EXPECT_EQ(lines[0].back(), (PixelPoint{50, 100}));
-  EXPECT_EQ(lines[1].front(), (PixelPoint{60, 100}));
+  EXPECT_EQ(lines[0].front(), (figure::PixelPoint{0, 50}));
+  EXPECT_EQ(lines[0].back(), (figure::PixelPoint{50, 100}));
+  EXPECT_EQ(lines[1].front(), (figure::PixelPoint{60, 100}));
 }
 
 TEST(LineCollector, DrawsALineThatOnlyCrosses) {
-  LineCollector collector({0, 0, 100, 100});
+  layout::LineCollector collector({0, 0, 100, 100});
   collector.add({-1e9, 50});
   collector.add({1e9, 50});
   const auto lines = collector.take();

@@ -20,11 +20,13 @@
 namespace tribolog::render {
 namespace {
 
-DrawnFigure drawn(const Figure& figure) { return FigureRenderer(1).draw({figure}).at(0); }
+workers::DrawnFigure drawn(const figure::Figure& figure) {
+  return workers::FigureRenderer(1).draw({figure}).at(0);
+}
 
 TEST(ScenePicture, IsWholeInBothProjections) {
   for (const double opening : {0.0, 30.0}) {
-    const DrawnFigure result = drawn(examples::scene(opening));
+    const workers::DrawnFigure result = drawn(examples::scene(opening));
     EXPECT_EQ(result.error, "");
     EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
     EXPECT_FALSE(result.png.empty());
@@ -32,31 +34,31 @@ TEST(ScenePicture, IsWholeInBothProjections) {
 }
 
 TEST(ScenePicture, ShowsPartsWhereTheyBelong) {
-  const Figure figure = examples::scene();
-  const DrawList list = lay_out(figure, Font());
-  const Picture picture = read_png(drawn(figure).png);
-  const SceneView& view = list.scene->view;
-  const auto colour_at = [&](Point3 p, double dy) {
-    const PixelPoint at = view.pixel(p);
+  const figure::Figure figure = examples::scene();
+  const figure::DrawList list = composition::lay_out(figure, text::Font());
+  const figure::Picture picture = read_png(drawn(figure).png);
+  const figure::SceneView& view = list.scene->view;
+  const auto colour_at = [&](figure::Point3 p, double dy) {
+    const figure::PixelPoint at = view.pixel(p);
     return picture.at(static_cast<int>(at.x), static_cast<int>(at.y + dy));
   };
-  const Colour orange = colour_at({0.55, 0, 1.18}, 0);
+  const figure::Colour orange = colour_at({0.55, 0, 1.18}, 0);
   EXPECT_GT(orange.red, orange.green);
   EXPECT_GT(orange.green, orange.blue + 60);
-  const Colour ball = colour_at({0.4, 0, 1.13}, 12);
+  const figure::Colour ball = colour_at({0.4, 0, 1.13}, 12);
   EXPECT_GT(ball.red, ball.green + 30) << "shown though it lies inside of the link";
   EXPECT_GT(ball.blue, ball.green + 10);
-  EXPECT_EQ(picture.at(5, 500), (Colour{255, 255, 255}));
+  EXPECT_EQ(picture.at(5, 500), (figure::Colour{255, 255, 255}));
 }
 
 // A chart has no depth buffer and a scene has one: neither may leave a trace in the other.
 TEST(ScenePicture, AndChartsDoNotChangeEachOther) {
-  const Figure chart = examples::hysteresis();
-  const Figure scene = examples::scene();
-  Figure narrow = scene;
+  const figure::Figure chart = examples::hysteresis();
+  const figure::Figure scene = examples::scene();
+  figure::Figure narrow = scene;
   narrow.width_px = 900;
-  const auto mixed =
-      FigureRenderer(1).draw({scene, chart, scene, examples::scene(30), chart, narrow, scene});
+  const auto mixed = workers::FigureRenderer(1).draw(
+      {scene, chart, scene, examples::scene(30), chart, narrow, scene});
   EXPECT_EQ(mixed[0].error, "");
   EXPECT_EQ(mixed[2].png, mixed[0].png);
   EXPECT_EQ(mixed[4].png, mixed[1].png);
@@ -68,9 +70,10 @@ TEST(ScenePicture, AndChartsDoNotChangeEachOther) {
 }
 
 TEST(ScenePicture, IsTheSameHoweverTheProcessesWerePrepared) {
-  const Figure scene = examples::scene(30);
-  for (const Figure& figure : {scene, examples::hysteresis()}) {
-    const auto prepared = FigureRenderer(1, Prepared::charts_and_scenes).draw({figure}).at(0);
+  const figure::Figure scene = examples::scene(30);
+  for (const figure::Figure& figure : {scene, examples::hysteresis()}) {
+    const auto prepared =
+        workers::FigureRenderer(1, workers::Prepared::charts_and_scenes).draw({figure}).at(0);
     EXPECT_EQ(prepared.error, "");
     EXPECT_EQ(prepared.png, drawn(figure).png);
   }
@@ -83,13 +86,13 @@ TEST(ScenePicture, DoesNotDependOnItsStrips) {
       setenv(variable, "true", 1);
     }
     setenv("LP_NUM_THREADS", "0", 1);
-    const Font font;
-    const auto painter = make_painter(font);
+    const text::Font font;
+    const auto painter = paint::make_painter(font);
     for (const double opening : {0.0, 30.0}) {
-      const DrawList list = lay_out(examples::scene(opening), font);
-      const Picture usual = painter->paint(list);
+      const figure::DrawList list = composition::lay_out(examples::scene(opening), font);
+      const figure::Picture usual = painter->paint(list);
       for (const int rows : {100, 1000}) {
-        const Picture other = painter->paint(list, rows);
+        const figure::Picture other = painter->paint(list, rows);
         // Sub-pixel positions are rounded: an edge may move by a sample of the four of a pixel.
         std::size_t changed = 0;
         for (std::size_t i = 0; i < usual.rgb.size(); ++i) {
@@ -107,10 +110,10 @@ TEST(ScenePicture, DoesNotDependOnItsStrips) {
 }
 
 /// Threads of a process of its own that has prepared and drawn this; 0: it could not.
-int threads_after(Prepared prepared, const Figure& figure) {
+int threads_after(workers::Prepared prepared, const figure::Figure& figure) {
   const pid_t child = fork();
   if (child == 0) {
-    DrawingWorker worker;
+    workers::DrawingWorker worker;
     worker.warm_up(prepared);
     const bool drawn = worker.draw(figure).error.empty();
     const std::filesystem::directory_iterator threads("/proc/self/task");
@@ -123,16 +126,16 @@ int threads_after(Prepared prepared, const Figure& figure) {
 
 // Only a process with one thread can be forked once it is prepared.
 TEST(ScenePicture, LeavesItsProcessWithOneThread) {
-  const int of_charts = threads_after(Prepared::charts, examples::plain());
+  const int of_charts = threads_after(workers::Prepared::charts, examples::plain());
   ASSERT_GT(of_charts, 0);
-  if (of_charts > 1) GTEST_SKIP() << renderer_info().back_end << " has threads of its own";
-  EXPECT_EQ(threads_after(Prepared::charts_and_scenes, examples::scene(30)), 1);
+  if (of_charts > 1) GTEST_SKIP() << workers::renderer_info().back_end << " has threads of its own";
+  EXPECT_EQ(threads_after(workers::Prepared::charts_and_scenes, examples::scene(30)), 1);
 }
 
 TEST(ScenePicture, IsWarnedAboutWhereALabelledPartIsHidden) {
-  Figure figure = examples::scene();
+  figure::Figure figure = examples::scene();
   figure.scene->balls[0].inside = false;
-  const DrawnFigure hidden = drawn(figure);
+  const workers::DrawnFigure hidden = drawn(figure);
   EXPECT_EQ(hidden.error, "");
   EXPECT_EQ(hidden.warnings,
             (std::vector<std::string>{
@@ -140,25 +143,25 @@ TEST(ScenePicture, IsWarnedAboutWhereALabelledPartIsHidden) {
 }
 
 TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {
-  const Figure figure = examples::scene();
-  const DrawList list = lay_out(figure, Font());
-  const Picture whole = read_png(drawn(figure).png);
-  EXPECT_EQ(check_picture(list, figure, whole).error, "");
+  const figure::Figure figure = examples::scene();
+  const figure::DrawList list = composition::lay_out(figure, text::Font());
+  const figure::Picture whole = read_png(drawn(figure).png);
+  EXPECT_EQ(check::check_picture(list, figure, whole).error, "");
 
-  Picture grey = whole;  // as a driver that loses the colours
+  figure::Picture grey = whole;  // as a driver that loses the colours
   for (std::size_t i = 0; i < grey.rgb.size(); i += 3) {
     grey.rgb[i] = grey.rgb[i + 2] = grey.rgb[i + 1];
   }
-  EXPECT_NE(check_picture(list, figure, grey).error, "");
+  EXPECT_NE(check::check_picture(list, figure, grey).error, "");
 
-  Picture flat = whole;  // as a driver that draws texts and lines only
+  figure::Picture flat = whole;  // as a driver that draws texts and lines only
   for (std::size_t i = 0; i < flat.rgb.size(); ++i) {
     if (std::max({whole.rgb[i - i % 3], whole.rgb[i - i % 3 + 1], whole.rgb[i - i % 3 + 2]}) >
         120) {
       flat.rgb[i] = 255;
     }
   }
-  EXPECT_NE(check_picture(list, figure, flat).error, "");
+  EXPECT_NE(check::check_picture(list, figure, flat).error, "");
 }
 
 }  // namespace

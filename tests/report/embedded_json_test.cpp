@@ -18,22 +18,24 @@ std::string page_of(const std::string& numbers) {
 }
 
 std::string refusal(const std::string& page) {
-  return test::refusal_of<InputError>([&] { return embedded_json(page, "a.html"); });
+  return test::refusal_of<InputError>([&] { return report::embedded_json(page, "a.html"); });
 }
 
 TEST(EmbeddedJson, IsReadAgain) {
-  const EmbeddedJson found = embedded_json(page_of(R"({"a": "\u003c/script>"})"), "a.html");
+  const report::EmbeddedJson found =
+      report::embedded_json(page_of(R"({"a": "\u003c/script>"})"), "a.html");
   EXPECT_EQ(found.element, "tribolog-result");
   EXPECT_EQ(found.json, R"({"a": "\u003c/script>"})");
 }
 
 TEST(EmbeddedJson, AReportGivesItsCalibrationBack) {
-  Calibration calibration = test::complete_calibration();
+  calibration::Calibration calibration = test::complete_calibration();
   calibration.manifest.robot = "</script><script>alert(1)</script> & \u2028 end";
-  const EmbeddedJson found = embedded_json(test::report_of(calibration), "report.html");
+  const report::EmbeddedJson found =
+      report::embedded_json(test::report_of(calibration), "report.html");
   EXPECT_EQ(found.element, "tribolog-result");
-  EXPECT_EQ(nlohmann::json::parse(found.json),
-            nlohmann::json::parse(calibration_json(calibration, test::sample_provenance())));
+  EXPECT_EQ(nlohmann::json::parse(found.json), nlohmann::json::parse(calibration::calibration_json(
+                                                   calibration, test::sample_provenance())));
 }
 
 TEST(EmbeddedJson, OtherPagesAreRefused) {

@@ -12,22 +12,23 @@ namespace {
 
 using test::measured_fleet;
 
-Provenance sample_provenance() {
-  Provenance p;
+calibration::Provenance sample_provenance() {
+  calibration::Provenance p;
   p.tool_version = "0.1.0";
   p.created_utc = "2026-12-24T12:00:00Z";
   p.command_line = "tribolog archive fleet";
   return p;
 }
 
-std::string page_of(const std::vector<Measured>& measured, const FleetLinks& links = {}) {
-  return fleet_page(fleet_of(measured), links, "a.tribolog", sample_provenance());
+std::string page_of(const std::vector<calibration::Measured>& measured,
+                    const report::FleetLinks& links = {}) {
+  return report::fleet_page(history::fleet_of(measured), links, "a.tribolog", sample_provenance());
 }
 
-std::vector<Measured> one_worn(const test::FleetSize& size) {
-  std::vector<Measured> all = measured_fleet(size, 11);
+std::vector<calibration::Measured> one_worn(const test::FleetSize& size) {
+  std::vector<calibration::Measured> all = test::measured_fleet(size, 11);
   auto& latest = all[static_cast<std::size_t>(size.calibrations) - 1];
-  latest.quantities[7].estimate = scaled(*latest.quantities[7].estimate, 1.5);
+  latest.quantities[7].estimate = statistics::scaled(*latest.quantities[7].estimate, 1.5);
   return all;
 }
 
@@ -63,21 +64,22 @@ TEST(FleetPage, ShowsTheOutlierFirst) {
   const std::string first = page.substr(page.find("<section class=\"robot\">"), 80);
   EXPECT_NE(first.find("R1000"), std::string::npos) << first;
   EXPECT_EQ(count_of(page, "class=\"out\""), 1U);
-  const std::string none = page_of(measured_fleet({20, 2, 6}, 12));
+  const std::string none = page_of(test::measured_fleet({20, 2, 6}, 12));
   EXPECT_NE(none.find("NO OUTLIER"), std::string::npos);
   EXPECT_NE(page_of({}).find("NOTHING TO COMPARE"), std::string::npos);
 }
 
 TEST(FleetPage, LinksToReportsThatAreThere) {
-  const std::vector<Measured> all = one_worn({8, 1, 5});
+  const std::vector<calibration::Measured> all = one_worn({8, 1, 5});
   const std::string id = all[4].entry.id;
-  const FleetLinks links{{id}, "reports \"of\" <all>%:javascript"};
+  const report::FleetLinks links{{id}, "reports \"of\" <all>%:javascript"};
   const std::string page = page_of(all, links);
   const std::string href =
       "href=\"reports%20%22of%22%20%3Call%3E%25%3Ajavascript/" + id + ".html\"";
   EXPECT_EQ(count_of(page, href), 2U);  // its card and its row
   EXPECT_EQ(count_of(page, "<a href="), 2U);
-  const std::string command = "tribolog archive report " + id.substr(0, shown_digits) + " -o ";
+  const std::string command =
+      "tribolog archive report " + id.substr(0, calibration::shown_digits) + " -o ";
   EXPECT_EQ(page.find(command), std::string::npos);
   const std::string without = page_of(all);
   EXPECT_EQ(count_of(without, "<a href="), 0U);
@@ -85,12 +87,12 @@ TEST(FleetPage, LinksToReportsThatAreThere) {
 }
 
 TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
-  std::vector<Measured> all = measured_fleet({1, 2, 1}, 13);
+  std::vector<calibration::Measured> all = test::measured_fleet({1, 2, 1}, 13);
   // The first joint without its inertia, and with a doubtful Coulomb torque.
   all[0].quantities[6].estimate.reset();
-  all[0].quantities[7].verdict = Verdict::doubtful;
+  all[0].quantities[7].verdict = calibration::Verdict::doubtful;
   // Of the second, the data do not show the mass: the number that is there is none.
-  all[1].quantities[2].verdict = Verdict::not_identifiable;
+  all[1].quantities[2].verdict = calibration::Verdict::not_identifiable;
   const std::string page = page_of(all);
   EXPECT_EQ(count_of(page, "<thead><tr>"), 1U);
   EXPECT_EQ(count_of(page, "<th scope=\"col\">"), 11U);
@@ -105,7 +107,7 @@ TEST(FleetPage, KeepsResultsBelowTheirHeadings) {
 }
 
 TEST(FleetPage, HostileNamesAreText) {
-  std::vector<Measured> all = one_worn({8, 1, 5});
+  std::vector<calibration::Measured> all = one_worn({8, 1, 5});
   for (std::size_t k = 0; k < 5; ++k) {
     all[k].entry.facts.of = {"<script>alert(1)</script>{{ROBOT}}", "\"><img src=x>\xe2\x80\xae",
                              "../../" + std::string(10000, 'J')};
@@ -144,9 +146,9 @@ assert not check.stack, check.stack
 }
 
 TEST(Sparkline, ShowsWhereTheLatestLies) {
-  const Fleet fleet = fleet_of(one_worn({8, 1, 5}));
-  const FleetCell& worn = fleet.robots[0].joints[0].cells[7];
-  const Sparkline line = sparkline_of(worn, fleet);
+  const history::Fleet fleet = history::fleet_of(one_worn({8, 1, 5}));
+  const history::FleetCell& worn = fleet.robots[0].joints[0].cells[7];
+  const report::Sparkline line = report::sparkline_of(worn, fleet);
   int x = 0;
   int y = 0;
   ASSERT_EQ(std::sscanf(line.latest.c_str(), "M%d %dh0", &x, &y), 2);
@@ -155,9 +157,9 @@ TEST(Sparkline, ShowsWhereTheLatestLies) {
   ASSERT_EQ(std::sscanf(line.band.c_str(), "M0 %dh184v%dH0z", &top, &height), 2) << line.band;
   EXPECT_LT(y, top);  // above the band
   EXPECT_GT(height, 0);
-  EXPECT_LE(top + height, sparkline_height);
-  const FleetCell& calm = fleet.robots[1].joints[0].cells[7];
-  const Sparkline quiet = sparkline_of(calm, fleet);
+  EXPECT_LE(top + height, report::sparkline_height);
+  const history::FleetCell& calm = fleet.robots[1].joints[0].cells[7];
+  const report::Sparkline quiet = report::sparkline_of(calm, fleet);
   ASSERT_EQ(std::sscanf(quiet.latest.c_str(), "M%d %dh0", &x, &y), 2);
   ASSERT_EQ(std::sscanf(quiet.band.c_str(), "M0 %dh184v%d", &top, &height), 2);
   EXPECT_GT(y, top);

@@ -15,7 +15,7 @@ namespace tribolog::test {
 namespace {
 
 /// Coulomb torque 8 % more from the 15th calibration on; every text as given.
-std::vector<archive::Measured> history_with(const std::string& text) {
+std::vector<calibration::Measured> history_with(const std::string& text) {
   HistoryShape shape;
   shape.calibrations = 24;
   shape.noise = {0, 0.0022};  // what the intervals say, and nothing beside
@@ -28,33 +28,33 @@ std::vector<archive::Measured> history_with(const std::string& text) {
         return name == "coulomb_torque" && k >= 14 ? 1.08 : 1.0;
       },
       shape);
-  for (archive::Measured& m : all) {
-    archive::Facts& f = m.entry.facts;
+  for (calibration::Measured& m : all) {
+    calibration::Facts& f = m.entry.facts;
     f.of = {text, text, text};
     f.operator_name = f.note = f.payload = f.tool_version = text;
-    for (archive::Quantity& q : m.quantities) q.words = text + q.name;
+    for (calibration::Quantity& q : m.quantities) q.words = text + q.name;
     m.quantities.back().unit = text;
   }
   return all;
 }
 
-Provenance provenance_with(const std::string& text) {
-  Provenance p = sample_provenance();
+calibration::Provenance provenance_with(const std::string& text) {
+  calibration::Provenance p = sample_provenance();
   p.tool_version = p.command_line = text;
   return p;
 }
 
 std::string trend_page_with(const std::string& text) {
   const auto trends = history::joint_trends(history_with(text), {});
-  const auto figures = trend_figures(trends);
-  return trend_page(trends, provenance_with(text), figures, sample_pictures(figures));
+  const auto figures = figures::trend_figures(trends);
+  return report::trend_page(trends, provenance_with(text), figures, sample_pictures(figures));
 }
 
 std::string diff_page_with(const std::string& text) {
   const auto all = history_with(text);
   const auto c = history::compare(all[0], all[20], {10, 2}, false);
-  const auto figures = comparison_figures(c, simple_curves(0), simple_curves(0.1));
-  return comparison_page(c, provenance_with(text), text, figures, sample_pictures(figures));
+  const auto figures = figures::comparison_figures(c, simple_curves(0), simple_curves(0.1));
+  return report::comparison_page(c, provenance_with(text), text, figures, sample_pictures(figures));
 }
 
 TEST(HistoryPages, AreWholeDocuments) {
@@ -108,22 +108,23 @@ TEST(HistoryPages, OneCalibrationAndNoFigureMakeAPageToo) {
   auto all = history_with("x ");
   all.resize(1);
   const auto trends = history::joint_trends(all, {});
-  const std::string page = trend_page(trends, sample_provenance(), trend_figures(trends), {});
+  const std::string page =
+      report::trend_page(trends, sample_provenance(), figures::trend_figures(trends), {});
   EXPECT_NE(page.find("TOO FEW YET"), std::string::npos);
   EXPECT_NE(page.find("This figure is missing"), std::string::npos);
 }
 
 TEST(HistoryFigures, ShowEveryCalibrationOnce) {
   auto all = history_with("x ");
-  all[3].quantities[0].verdict = Verdict::doubtful;
+  all[3].quantities[0].verdict = calibration::Verdict::doubtful;
   const auto trends = history::joint_trends(all, {});
-  const auto figures = trend_figures(trends);
+  const auto figures = figures::trend_figures(trends);
   ASSERT_EQ(figures.size(), 9U);
-  const render::Panel& values = figures.front().figure.panels.front();
+  const render::figure::Panel& values = figures.front().figure.panels.front();
   EXPECT_TRUE(values.x.dates);
   EXPECT_EQ(values.error_bars.size(), 23U);
   std::size_t left_out = 0, shown = 0;
-  for (const render::Series& s : values.series) {
+  for (const render::figure::Series& s : values.series) {
     if (s.label == "left out") left_out += s.x.size();
     if (s.label.find("the first") == 0 || s.label.find("calibration") == 0) shown += s.x.size();
   }
@@ -137,8 +138,8 @@ TEST(HistoryFigures, ShowEveryCalibrationOnce) {
 
 TEST(HistoryFigures, AChangeThatStandsComesFirst) {
   auto all = history_with("x ");
-  for (archive::Measured& m : all) std::swap(m.quantities[0], m.quantities[6]);
-  const auto figures = trend_figures(history::joint_trends(all, {}));
+  for (calibration::Measured& m : all) std::swap(m.quantities[0], m.quantities[6]);
+  const auto figures = figures::trend_figures(history::joint_trends(all, {}));
   EXPECT_EQ(figures.front().id, "trend-1-7");
   EXPECT_EQ(figures[1].id, "trend-1-1");
 }
@@ -146,11 +147,11 @@ TEST(HistoryFigures, AChangeThatStandsComesFirst) {
 TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
   const auto all = history_with("x ");
   const auto c = history::compare(all[0], all[1], {}, false);
-  EXPECT_EQ(comparison_figures(c, simple_curves(0), simple_curves(0)).size(), 2U);
-  EXPECT_TRUE(comparison_figures(c, simple_curves(0), {}).empty());
+  EXPECT_EQ(figures::comparison_figures(c, simple_curves(0), simple_curves(0)).size(), 2U);
+  EXPECT_TRUE(figures::comparison_figures(c, simple_curves(0), {}).empty());
   history::RecordedCurves old = simple_curves(0);
   old.loops.clear();
-  EXPECT_EQ(comparison_figures(c, old, simple_curves(0)).size(), 1U);
+  EXPECT_EQ(figures::comparison_figures(c, old, simple_curves(0)).size(), 1U);
 }
 
 }  // namespace

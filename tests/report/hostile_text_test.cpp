@@ -11,9 +11,9 @@ namespace tribolog::test {
 namespace {
 
 /// Every text that a manifest, a log or a library can bring in.
-Calibration filled_with(const std::string& text) {
-  Calibration c = complete_calibration();
-  Manifest& m = c.manifest;
+calibration::Calibration filled_with(const std::string& text) {
+  calibration::Calibration c = complete_calibration();
+  joint::Manifest& m = c.manifest;
   for (std::string* field :
        {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on, &m.note, &m.payload,
         &c.rough.method, &c.precise.method, &c.rough.q_peak_rad.method,
@@ -21,58 +21,61 @@ Calibration filled_with(const std::string& text) {
         &c.hysteresis.lugre->reason, &c.quality.reference, &c.friction.curve}) {
     *field = text;
   }
-  for (StageReport* stage :
+  for (statistics::StageReport* stage :
        {&c.rough.stage, &c.precise.stage, &c.hysteresis.stage, &c.masses.stage, &c.viscous.stage,
         &c.quality.stage, &c.selection.stage, &c.friction.stage}) {
-    stage->state = StageState::partial;
+    stage->state = statistics::StageState::partial;
     stage->reason = text;
   }
   c.hysteresis.lugre->identifiability.weakest_in_words = text;
   c.hysteresis.lugre->loops.front().recording = text;
-  for (LuGreParameter& p : c.hysteresis.lugre->parameters) p.why_not = p.experiment = text;
+  for (method::hysteresis::LuGreParameter& p : c.hysteresis.lugre->parameters)
+    p.why_not = p.experiment = text;
   c.judgement.findings = {text};
-  for (QuantityVerdict& quantity : c.judgement.quantities) {
+  for (calibration::QuantityVerdict& quantity : c.judgement.quantities) {
     quantity.words = quantity.experiment = text;
     quantity.reasons = {text};
-    for (LimitOutcome& limit : quantity.limits) limit.words = limit.unit = limit.key = text;
+    for (calibration::LimitOutcome& limit : quantity.limits)
+      limit.words = limit.unit = limit.key = text;
   }
-  for (DataCheck& check : c.data_checks.checks) {
+  for (method::checks::DataCheck& check : c.data_checks.checks) {
     check.title = check.recording = check.measure = check.found = text;
     check.consequence = check.experiment = text;
   }
   c.notes = {text};
-  for (InputFile& file : c.inputs) {
+  for (joint::InputFile& file : c.inputs) {
     file.name = file.role = file.sha256 = text;
     file.skipped = {{text, 3}};
-    for (ColumnConversion& conversion : file.conversions)
+    for (joint::ColumnConversion& conversion : file.conversions)
       conversion.column = conversion.unit = text;
   }
-  for (SpeedSource& source : c.speed_sources) source.recording = text;
-  for (ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
+  for (method::motion::SpeedSource& source : c.speed_sources) source.recording = text;
+  for (method::viscous::ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
   c.truth_check.runs = 1;
   c.truth_check.quantities = {{text, text, 1, 2, 0, 1, 1, 0, {1}, false}};
   c.truth_check.left_out = {text};
   c.truth_check.findings = {{text, text}};
-  for (SurrogateMass& mass : c.masses.masses) mass.torque_Nm.method = mass.mass_kg.method = text;
+  for (method::hysteresis::SurrogateMass& mass : c.masses.masses)
+    mass.torque_Nm.method = mass.mass_kg.method = text;
   return c;
 }
 
 std::string report_with(const std::string& text) {
-  const Calibration c = filled_with(text);
+  const calibration::Calibration c = filled_with(text);
   auto figures = sample_figures(c);
-  for (ReportFigure& figure : figures) {
+  for (figures::ReportFigure& figure : figures) {
     figure.title = figure.caption = figure.how_to_read = figure.alt = text;
   }
   auto drawn = sample_pictures(figures);
-  for (render::DrawnFigure& picture : drawn) picture.warnings = {text};
+  for (render::workers::DrawnFigure& picture : drawn) picture.warnings = {text};
   drawn.back().png.clear();
   drawn.back().error = text;
-  Provenance p = sample_provenance();
+  calibration::Provenance p = sample_provenance();
   p.tool_version = p.git_revision = p.compiler = p.eigen_version = p.command_line = text;
   p.created_utc = text;
-  p.drawing = DrawingSoftware{text, text, text, text, text, text};
+  p.drawing = calibration::DrawingSoftware{text, text, text, text, text, text};
   p.configuration = {{text, text}};
-  return html_report(c, figures, drawn, p);
+  return report::html_report(c, figures, drawn, p);
 }
 
 TEST(HostileText, LeavesTheDocumentAsItIs) {

@@ -9,7 +9,7 @@
 namespace tribolog::test {
 namespace {
 
-void expect_sound(const Calibration& c) {
+void expect_sound(const calibration::Calibration& c) {
   if (!has_python_module("html.parser")) GTEST_SKIP() << "python3 is not installed";
   EXPECT_TRUE(run_python(checks, report_of(c)));
 }
@@ -18,7 +18,7 @@ TEST(HtmlDocument, IsSoundWhenComplete) { expect_sound(complete_calibration()); 
 
 TEST(HtmlDocument, IsSoundWhenHalfIsMissing) { expect_sound(sweep_only()); }
 
-TEST(HtmlDocument, IsSoundWhenEmpty) { expect_sound(Calibration{}); }
+TEST(HtmlDocument, IsSoundWhenEmpty) { expect_sound(calibration::Calibration{}); }
 
 }  // namespace
 }  // namespace tribolog::test

@@ -19,7 +19,7 @@ TEST(HtmlReport, SameArgumentsSameBytes) {
 }
 
 TEST(HtmlReport, PointsToNothingOutside) {
-  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
+  for (const calibration::Calibration& c : {complete_calibration(), sweep_only()}) {
     const std::string html = report_of(c);
     const std::regex link(
         R"re(\s(?:src|href|action|poster)\s*=\s*(?!"#|"data:image/png;base64,))re");
@@ -34,7 +34,7 @@ TEST(HtmlReport, PointsToNothingOutside) {
 }
 
 TEST(HtmlReport, SectionsComeInTheContractsOrder) {
-  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
+  for (const calibration::Calibration& c : {complete_calibration(), sweep_only()}) {
     const std::string html = report_of(c);
     std::size_t last = 0;
     for (const std::string id :
@@ -57,11 +57,11 @@ TEST(HtmlReport, KeyNumbersAppear) {
 }
 
 TEST(HtmlReport, VerdictIsAWordAnIconAndAColour) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   for (const auto& [verdict, word, colour] :
-       {std::tuple{Verdict::usable, "USABLE", "good"},
-        std::tuple{Verdict::doubtful, "DOUBTFUL", "partial"},
-        std::tuple{Verdict::not_identifiable, "NOT IDENTIFIABLE", "bad"}}) {
+       {std::tuple{calibration::Verdict::usable, "USABLE", "good"},
+        std::tuple{calibration::Verdict::doubtful, "DOUBTFUL", "partial"},
+        std::tuple{calibration::Verdict::not_identifiable, "NOT IDENTIFIABLE", "bad"}}) {
     c.judgement.verdict = verdict;
     const std::string html = report_of(c);
     const std::size_t at =
@@ -88,7 +88,7 @@ TEST(HtmlReport, EachQuantityHasItsVerdictReasonAndNextExperiment) {
 }
 
 TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
-  const Calibration c = complete_calibration();
+  const calibration::Calibration c = complete_calibration();
   EXPECT_NE(report_of(c).find("There is no earlier calibration of this joint"), std::string::npos);
   history::Comparison since;
   since.first.facts.measured_at = "2026-01-04T10:00:00Z";
@@ -100,7 +100,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   angle.change = history::Change{{0.01, 0.008, 0.012, ""}, {}, 1e-6};
   angle.word = history::ChangeWord::changed;
   since.quantities = {angle};
-  const std::string html = html_report(c, {}, {}, sample_provenance(), since);
+  const std::string html = report::html_report(c, {}, {}, sample_provenance(), since);
   const std::size_t at = html.find("id=\"table-quantities\"");
   const std::string table = html.substr(at, html.find("</section>", at) - at);
   EXPECT_NE(table.find("Since <span class=\"unit\">2026-01-04</span></th>"), std::string::npos);
@@ -112,7 +112,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
 }
 
 TEST(HtmlReport, TheWeightiestThreeFindingsAreInSight) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.judgement.findings = {"one", "two", "three", "four", "five"};
   const std::string html = report_of(c);
   const std::size_t at = html.find("id=\"verdict\"");
@@ -136,29 +136,29 @@ TEST(HtmlReport, ChecksOnTheDataStandWithNumberAndLimit) {
 }
 
 TEST(HtmlReport, TheResultCanBeReadBackFromIt) {
-  const Calibration c = complete_calibration();
+  const calibration::Calibration c = complete_calibration();
   const std::string html = report_of(c);
   const std::string start = "<script type=\"application/json\" id=\"tribolog-result\">";
   const std::size_t from = html.find(start) + start.size();
   const std::string embedded = html.substr(from, html.find("</script>", from) - from);
   EXPECT_EQ(nlohmann::json::parse(embedded),
-            nlohmann::json::parse(calibration_json(c, sample_provenance())));
+            nlohmann::json::parse(calibration::calibration_json(c, sample_provenance())));
 }
 
 TEST(HtmlReport, AFailedFigureLeavesAPlaceholderWithTheReason) {
-  const Calibration c = complete_calibration();
+  const calibration::Calibration c = complete_calibration();
   const auto figures = sample_figures(c);
   auto drawn = sample_pictures(figures);
   drawn[2].png.clear();
   drawn[2].error = "no off-screen context <could> be made";
-  const std::string html = html_report(c, figures, drawn, sample_provenance());
+  const std::string html = report::html_report(c, figures, drawn, sample_provenance());
   EXPECT_NE(html.find("1 figure missing"), std::string::npos);
   EXPECT_NE(html.find("No off-screen context &lt;could&gt; be made."), std::string::npos);
   EXPECT_EQ(occurrences(html, "<img "), figures.size() - 1);
 }
 
 TEST(HtmlReport, WithoutFiguresItIsStillWhole) {
-  const std::string html = html_report(sweep_only(), {}, {}, sample_provenance());
+  const std::string html = report::html_report(sweep_only(), {}, {}, sample_provenance());
   EXPECT_EQ(html.find("<figure"), std::string::npos);
   EXPECT_EQ(html.find("figures missing"), std::string::npos);
   EXPECT_NE(html.find("</html>"), std::string::npos);
@@ -172,16 +172,16 @@ TEST(HtmlReport, TheFirstThreeFiguresLoadAtOnce) {
 }
 
 TEST(HtmlReport, AnEmptyCalibrationReadsWell) {
-  const Dataset nothing;
-  const std::string html = report_of(identify(nothing));
+  const joint::Dataset nothing;
+  const std::string html = report_of(identify::identify(nothing));
   EXPECT_NE(html.find("Robot not named"), std::string::npos);
   EXPECT_EQ(html.find("unknown N·m"), std::string::npos);
   EXPECT_EQ(html.find(">nan<"), std::string::npos);
 }
 
 TEST(HtmlReport, TheSimulatedJointsMassAppears) {
-  const Dataset dataset = simulated_dataset(paper_joint());
-  const std::string html = report_of(identify(dataset));
+  const joint::Dataset dataset = simulate::simulated_dataset(paper_joint());
+  const std::string html = report_of(identify::identify(dataset));
   EXPECT_NE(html.find("79.167"), std::string::npos);
   EXPECT_NE(html.find("Table 2 of the paper, recomputed"), std::string::npos);
 }

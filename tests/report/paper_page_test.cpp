@@ -10,22 +10,22 @@
 namespace tribolog {
 namespace {
 
-using paper::Check;
-using paper::ItemKind;
+using paper::checks::Check;
+using paper::checks::ItemKind;
 
 struct SmallPaper {
-  RegeneratedPaper paper;
-  std::vector<render::DrawnFigure> drawn;
+  paper::page::RegeneratedPaper paper;
+  std::vector<render::workers::DrawnFigure> drawn;
 
   SmallPaper() {
-    const Check holds = paper::law_value("two and two", 4, 4, 0, "N·m", "");
+    const paper::checks::Check holds = paper::checks::law_value("two and two", 4, 4, 0, "N·m", "");
     paper.sections = {{"3.3",
                        "Loops",
-                       {{ItemKind::figure, 15, "Loop", "", {holds}},
-                        {ItemKind::equation, 4, "Rate", "", {holds}},
-                        {ItemKind::statement, 0, "Words", "", {holds}}}}};
+                       {{paper::checks::ItemKind::figure, 15, "Loop", "", {holds}},
+                        {paper::checks::ItemKind::equation, 4, "Rate", "", {holds}},
+                        {paper::checks::ItemKind::statement, 0, "Words", "", {holds}}}}};
     paper.golden_numbers = {holds};
-    ReportFigure figure;
+    figures::ReportFigure figure;
     figure.number = 15;
     figure.id = "fig-15-loop";
     figure.title = "Loop";
@@ -35,7 +35,7 @@ struct SmallPaper {
     paper.provenance.tool_version = "0.1.0";
     paper.provenance.created_utc = "2026-01-01T00:00:00Z";
     paper.provenance.command_line = "tribolog paper";
-    render::DrawnFigure picture;
+    render::workers::DrawnFigure picture;
     picture.id = figure.id;
     picture.png = {std::byte{1}};
     picture.width_px = 2;
@@ -43,10 +43,10 @@ struct SmallPaper {
     drawn = {picture};
   }
   [[nodiscard]] std::string page() const {
-    return paper_page(paper, test::complete_calibration(), drawn);
+    return paper::page::paper_page(paper, test::complete_calibration(), drawn);
   }
-  [[nodiscard]] PaperTally tally(const std::string& kind) const {
-    for (const PaperTally& one : tally_of(paper, drawn)) {
+  [[nodiscard]] paper::page::PaperTally tally(const std::string& kind) const {
+    for (const paper::page::PaperTally& one : paper::page::tally_of(paper, drawn)) {
       if (one.kind == kind) return one;
     }
     return {};
@@ -79,7 +79,7 @@ TEST(PaperPage, AFigureWithoutAPictureDoesNotCount) {
 TEST(PaperPage, NamesTheCheckThatFails) {
   SmallPaper small;
   small.paper.sections[0].items[1].checks.push_back(
-      paper::printed_value("mass of row A", 79.999, 3, 80.5, 0.0107, "kg", "rounding"));
+      paper::checks::printed_value("mass of row A", 79.999, 3, 80.5, 0.0107, "kg", "rounding"));
   EXPECT_EQ(small.tally("equations").well, 0);
   const std::string page = small.page();
   EXPECT_NE(page.find("Equation 4: mass of row A"), std::string::npos);
@@ -102,8 +102,8 @@ TEST(PaperPage, ShowsTheEquationThatIsMeantOnly) {
 }
 
 TEST(CheckTexts, ShowAsMuchAsTheBoundLetsMean) {
-  const auto mass = paper::printed_value("", 78.811, 3, 78.81753313, 0.0106936, "kg", "");
-  const report::CheckTexts texts = report::check_texts(mass);
+  const auto mass = paper::checks::printed_value("", 78.811, 3, 78.81753313, 0.0106936, "kg", "");
+  const paper::page::CheckTexts texts = paper::page::check_texts(mass);
   EXPECT_EQ(texts.expected, "78.811");
   EXPECT_EQ(texts.ours, "78.8175");
   EXPECT_EQ(texts.difference, "0.0065");
@@ -112,20 +112,21 @@ TEST(CheckTexts, ShowAsMuchAsTheBoundLetsMean) {
 }
 
 TEST(CheckTexts, RaiseExponentsAndKeepZero) {
-  const report::CheckTexts texts =
-      report::check_texts(paper::vanishing("", -1.25e-12, 1e-9, "rad", ""));
+  const paper::page::CheckTexts texts =
+      paper::page::check_texts(paper::checks::vanishing("", -1.25e-12, 1e-9, "rad", ""));
   EXPECT_EQ(texts.expected, "0");
   EXPECT_EQ(texts.ours, "−1.2×10⁻¹²");
   EXPECT_EQ(texts.allowed, "1.0×10⁻⁹");
-  const report::CheckTexts exact = report::check_texts(paper::law_value("", 0.5, 0.5, 0, "", ""));
+  const paper::page::CheckTexts exact =
+      paper::page::check_texts(paper::checks::law_value("", 0.5, 0.5, 0, "", ""));
   EXPECT_EQ(exact.expected, "0.5");
   EXPECT_EQ(exact.difference, "0");
 }
 
 TEST(Check, ANumberThatIsNoneDoesNotHold) {
-  EXPECT_FALSE(paper::vanishing("", NAN, 1, "", "").holds());
-  EXPECT_TRUE(paper::vanishing("", -1, 1, "", "").holds());
-  EXPECT_FALSE(paper::in_words("", paper::Origin::printed, "B", "A").holds());
+  EXPECT_FALSE(paper::checks::vanishing("", NAN, 1, "", "").holds());
+  EXPECT_TRUE(paper::checks::vanishing("", -1, 1, "", "").holds());
+  EXPECT_FALSE(paper::checks::in_words("", paper::checks::Origin::printed, "B", "A").holds());
 }
 
 }  // namespace

@@ -12,34 +12,32 @@
 namespace tribolog::test {
 namespace {
 
-using namespace report;
-
-ReportView view_of(const Calibration& c) {
-  return make_report_view(c, {}, {}, sample_provenance());
+report::ReportView view_of(const calibration::Calibration& c) {
+  return report::make_report_view(c, {}, {}, sample_provenance());
 }
 
-const Row* row_of(const Table& table, const std::string& start) {
-  const auto found = std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) {
-    return row.cells.front().rfind(start, 0) == 0;
-  });
+const report::Row* row_of(const report::Table& table, const std::string& start) {
+  const auto found =
+      std::find_if(table.rows.begin(), table.rows.end(),
+                   [&](const report::Row& row) { return row.cells.front().rfind(start, 0) == 0; });
   return found == table.rows.end() ? nullptr : &*found;
 }
 
 TEST(ReportView, KeyNumbersAreRoundedByTheirIntervals) {
-  const Table table = view_of(complete_calibration()).key_numbers;
-  const Row* mass = row_of(table, "Surrogate mass at r = 0.5\u00a0m, recommended");
+  const report::Table table = view_of(complete_calibration()).key_numbers;
+  const report::Row* mass = row_of(table, "Surrogate mass at r = 0.5\u00a0m, recommended");
   ASSERT_NE(mass, nullptr);
   EXPECT_EQ(mass->cells[1], "79.168 ± 0.088");
   EXPECT_EQ(mass->cells[3], "79.080 … 79.256");
   EXPECT_EQ(mass->cells[2], "kg");
   EXPECT_TRUE(mass->is_chosen);
-  const Row* angle = row_of(table, "Joint angle of largest gravity torque");
+  const report::Row* angle = row_of(table, "Joint angle of largest gravity torque");
   ASSERT_NE(angle, nullptr);
   EXPECT_EQ(angle->cells[1], "−22.232 ± 0.012");
 }
 
 TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
-  const Table table = view_of(complete_calibration()).key_numbers;
+  const report::Table table = view_of(complete_calibration()).key_numbers;
   EXPECT_EQ(row_of(table, "Gravity torque, at the motor")->cells[1], "3.8832 ± 0.0043");
   EXPECT_EQ(row_of(table, "Gravity torque, at the joint")->cells[1], "388.32 ± 0.43");
   EXPECT_EQ(row_of(table, "Viscous coefficient, at the joint")->cells[1], "26.4 ± 1.7");
@@ -47,45 +45,45 @@ TEST(ReportView, KeyNumbersGiveBothSidesOfTheGear) {
 }
 
 TEST(ReportView, TheWordsOfABrokenLimitStandOnceOnTheFirstScreen) {
-  LimitOutcome limit;
+  calibration::LimitOutcome limit;
   limit.rule = "max";
-  limit.state = LimitState::outside;
+  limit.state = calibration::LimitState::outside;
   limit.words = "the surrogate mass is above its limit";
-  QuantityVerdict mass;
+  calibration::QuantityVerdict mass;
   mass.key = "surrogate_mass";
   mass.limits = {limit};
   mass.reasons = {limit.words, "the loops disagree"};
-  Judgement judgement;
+  calibration::Judgement judgement;
   judgement.quantities = {mass};
   judgement.findings = {"one", "two", limit.words, "the loops disagree"};
-  EXPECT_EQ(quantity_rows(judgement, std::nullopt).front().reasons,
+  EXPECT_EQ(report::quantity_rows(judgement, std::nullopt).front().reasons,
             std::vector<std::string>{"The loops disagree."});
   judgement.findings = {"one", "two", "three", limit.words};
   EXPECT_EQ(
-      quantity_rows(judgement, std::nullopt).front().reasons,
+      report::quantity_rows(judgement, std::nullopt).front().reasons,
       (std::vector<std::string>{"The surrogate mass is above its limit.", "The loops disagree."}))
       << "behind a click it is not in sight";
 }
 
 TEST(ReportView, ADirectDriveHasOneSide) {
-  Calibration c = complete_calibration();
-  c.manifest.drive = Drive(1.0, EffortKind::motor_torque, Side::motor);
-  const Table table = view_of(c).key_numbers;
+  calibration::Calibration c = complete_calibration();
+  c.manifest.drive = joint::Drive(1.0, joint::EffortKind::motor_torque, joint::Side::motor);
+  const report::Table table = view_of(c).key_numbers;
   EXPECT_NE(row_of(table, "Gravity torque"), nullptr);
   EXPECT_EQ(row_of(table, "Gravity torque, at the joint"), nullptr);
 }
 
 TEST(ReportView, EveryRowHasACellPerColumn) {
-  for (const Calibration& c : {complete_calibration(), sweep_only()}) {
-    const ReportView view = view_of(c);
-    std::vector<Table> tables{view.key_numbers, view.paper_table};
+  for (const calibration::Calibration& c : {complete_calibration(), sweep_only()}) {
+    const report::ReportView view = view_of(c);
+    std::vector<report::Table> tables{view.key_numbers, view.paper_table};
     tables.insert(tables.end(), view.conversion_tables.begin(), view.conversion_tables.end());
     tables.insert(tables.end(), view.provenance_tables.begin(), view.provenance_tables.end());
-    for (const Section& section : view.sections) {
+    for (const report::Section& section : view.sections) {
       tables.insert(tables.end(), section.tables.begin(), section.tables.end());
     }
-    for (const Table& table : tables) {
-      for (const Row& row : table.rows) {
+    for (const report::Table& table : tables) {
+      for (const report::Row& row : table.rows) {
         EXPECT_EQ(row.cells.size(), table.columns.size()) << table.id;
       }
     }
@@ -93,9 +91,9 @@ TEST(ReportView, EveryRowHasACellPerColumn) {
 }
 
 TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
-  const ReportView view = view_of(complete_calibration());
+  const report::ReportView view = view_of(complete_calibration());
   ASSERT_EQ(view.conversion_tables.size(), 2U);
-  const Table& columns = view.conversion_tables[0];
+  const report::Table& columns = view.conversion_tables[0];
   ASSERT_EQ(columns.rows.size(), 3U);
   EXPECT_EQ(columns.rows[0].cells[3], "as logged");
   EXPECT_EQ(columns.rows[0].cells[6], "all");
@@ -106,7 +104,7 @@ TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
   const std::vector<std::string>& torque = row_of(columns, "Torque")->cells;
   EXPECT_EQ(torque[1], "“tau”");
   EXPECT_EQ(torque[4], "−0.001");
-  const Table& speeds = view.conversion_tables[1];
+  const report::Table& speeds = view.conversion_tables[1];
   ASSERT_EQ(speeds.rows.size(), 1U);
   EXPECT_EQ(speeds.rows[0].cells[0], "rough_sweep (1)");
   EXPECT_EQ(speeds.rows[0].cells[1], "yes");
@@ -115,23 +113,23 @@ TEST(ReportView, ConversionsShowEachStepTheFactorAndTheResult) {
 }
 
 TEST(ReportView, KnownLoadsAreAmongTheConversions) {
-  Calibration c = complete_calibration();
-  KnownLoad load;
+  calibration::Calibration c = complete_calibration();
+  joint::KnownLoad load;
   load.amplitude_Nm = 1.825;
   load.angles = {"q1", "q2"};
-  load.roles = {Role::constant_speed};
+  load.roles = {joint::Role::constant_speed};
   c.manifest.known_loads = {load};
-  const ReportView view = view_of(c);
-  const Row* row = row_of(view.conversion_tables[0], "Known load");
+  const report::ReportView view = view_of(c);
+  const report::Row* row = row_of(view.conversion_tables[0], "Known load");
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->cells[3], "1.825\u00a0N·m cos(q1 + q2) ÷ 100 (gear ratio)");
   EXPECT_EQ(row->cells[6], "constant_speed");
 }
 
 TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {
-  const ReportView view = view_of(sweep_only());
+  const report::ReportView view = view_of(sweep_only());
   EXPECT_EQ(view.missing.size(), 7U);
-  for (const MissingResult& result : view.missing) {
+  for (const report::MissingResult& result : view.missing) {
     EXPECT_FALSE(result.reason.empty());
     EXPECT_FALSE(result.experiment.empty());
   }
@@ -142,19 +140,19 @@ TEST(ReportView, WhatIsMissingSaysWhyAndWhatWouldBringIt) {
 }
 
 TEST(ReportView, FiguresGoToTheirStages) {
-  const Calibration c = complete_calibration();
+  const calibration::Calibration c = complete_calibration();
   const auto figures = sample_figures(c);
   const auto drawn = sample_pictures(figures);
-  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 8U);
-  for (const Section& section : view.sections) ASSERT_EQ(section.figures.size(), 1U);
+  for (const report::Section& section : view.sections) ASSERT_EQ(section.figures.size(), 1U);
   EXPECT_FALSE(view.sections[2].figures[0].is_lazy);
   EXPECT_TRUE(view.sections[3].figures[0].is_lazy);
   EXPECT_EQ(view.figures_missing, "");
 }
 
 TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.truth_check.runs = 20;
   c.truth_check.white_Nm = 0.02;
   c.truth_check.quantities = {
@@ -164,12 +162,12 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
   auto figures = sample_figures(c);
   figures[0].stage = "known-truth";
   const auto drawn = sample_pictures(figures);
-  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 9U);
-  const Section& section = view.sections[8];
+  const report::Section& section = view.sections[8];
   EXPECT_EQ(section.number, 9);
   EXPECT_EQ(section.id, "known-truth");
-  EXPECT_EQ(section.outcome, Outcome::bad);
+  EXPECT_EQ(section.outcome, report::Outcome::bad);
   EXPECT_EQ(section.reason, "The gravity peak does not come back.");
   ASSERT_EQ(section.figures.size(), 1U);
   ASSERT_EQ(section.tables.size(), 1U);
@@ -185,18 +183,18 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
 }
 
 TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   const auto sections = [&] { return view_of(c).sections; };
   EXPECT_EQ(sections().size(), 8U);
-  BreakAwayRamp ramp;
+  method::hysteresis::BreakAwayRamp ramp;
   ramp.recording = "ramp_1.csv";
   ramp.friction_Nm = 0.8;
   ramp.travel_rad = 1e-4;
-  c.break_away.stage = {"break_away", StageState::not_identifiable, "never slid"};
+  c.break_away.stage = {"break_away", statistics::StageState::not_identifiable, "never slid"};
   c.break_away.censored = 1;
   c.break_away.ramps = {ramp};
   ASSERT_EQ(sections().size(), 9U);
-  const Section section = sections().back();
+  const report::Section section = sections().back();
   EXPECT_EQ(section.title, "Break-away ramps");
   ASSERT_EQ(section.tables.size(), 1U);
   // A bound is told from a value.
@@ -205,35 +203,35 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
 }
 
 /// Cells of the key numbers' row that begins with these words.
-std::vector<std::string> key_number(const Calibration& c, const std::string& words) {
-  for (const Row& row : view_of(c).key_numbers.rows) {
+std::vector<std::string> key_number(const calibration::Calibration& c, const std::string& words) {
+  for (const report::Row& row : view_of(c).key_numbers.rows) {
     if (row.cells[0].starts_with(words)) return row.cells;
   }
   return {};
 }
 
 TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   ASSERT_EQ(key_number(c, "Break-away torque").back(), "stage 8, LuGre fit of the loops");
-  c.break_away.mean_Nm = symmetric_estimate(0.9, 0.02, "ramps");
+  c.break_away.mean_Nm = statistics::symmetric_estimate(0.9, 0.02, "ramps");
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, ramps of the torque");
-  QuantityVerdict refused;
+  calibration::QuantityVerdict refused;
   refused.key = "break_away_torque";
-  refused.verdict = Verdict::not_identifiable;
+  refused.verdict = calibration::Verdict::not_identifiable;
   c.judgement.quantities.push_back(refused);
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "see the verdict on it");
 }
 
 TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
-  Calibration c = complete_calibration();
-  CrossCheck ours;
+  calibration::Calibration c = complete_calibration();
+  method::intervals::CrossCheck ours;
   ours.method = "midline";
-  ours.mass_kg = symmetric_estimate(79.17, 0.01, "");
+  ours.mass_kg = statistics::symmetric_estimate(79.17, 0.01, "");
   ours.is_recommended = true;
-  CrossCheck other = ours;
+  method::intervals::CrossCheck other = ours;
   other.method = "sweep_directions";
-  other.mass_kg = symmetric_estimate(79.97, 0.02, "");
-  other.resampled_kg = symmetric_estimate(79.97, 0.02, "");
+  other.mass_kg = statistics::symmetric_estimate(79.97, 0.02, "");
+  other.resampled_kg = statistics::symmetric_estimate(79.97, 0.02, "");
   other.is_recommended = false;
   other.difference_percent = 1.01;
   other.difference_half_width_percent = 0.028;
@@ -242,11 +240,11 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   c.cross_checks.checks = {ours, other};
   c.cross_checks.doubtful = true;
   c.intervals.resamples = 1000;
-  c.intervals.quantities = {{"waiboer.stribeck_power", symmetric_estimate(0.7, 0.1, ""),
-                             symmetric_estimate(0.7, 0.05, ""), true}};
-  const ReportView view = view_of(c);
+  c.intervals.quantities = {{"waiboer.stribeck_power", statistics::symmetric_estimate(0.7, 0.1, ""),
+                             statistics::symmetric_estimate(0.7, 0.05, ""), true}};
+  const report::ReportView view = view_of(c);
   ASSERT_EQ(view.sections.size(), 9U);
-  const Section& section = view.sections.back();
+  const report::Section& section = view.sections.back();
   EXPECT_EQ(section.number, 9);
   EXPECT_EQ(section.status, "disagreement");
   ASSERT_GE(section.tables.size(), 2U);
@@ -254,7 +252,7 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   EXPECT_EQ(row.front(), "2. mean of the sweep's directions at equal angle");
   EXPECT_EQ(row[4], "+1.010");
   EXPECT_EQ(row.back(), "disagrees");
-  const Table& intervals = section.tables.back();
+  const report::Table& intervals = section.tables.back();
   ASSERT_EQ(intervals.rows.size(), 1U);
   EXPECT_EQ(intervals.rows[0].cells[3], "0.60 … 0.80");
   EXPECT_EQ(intervals.rows[0].cells[5], "0.50");
@@ -262,13 +260,14 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
 }
 
 TEST(ReportView, OfAPrintedAngleTheStepIsABound) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   const auto oscillations = [&] {
-    Section section;
+    report::Section section;
     section.id = "hysteresis";
-    describe_hysteresis(c.hysteresis, section);
-    return *std::find_if(section.tables.begin(), section.tables.end(),
-                         [](const Table& table) { return table.id == "hysteresis-oscillations"; });
+    report::describe_hysteresis(c.hysteresis, section);
+    return *std::find_if(
+        section.tables.begin(), section.tables.end(),
+        [](const report::Table& table) { return table.id == "hysteresis-oscillations"; });
   };
   EXPECT_EQ(oscillations().rows.front().cells.back(), "0.000480");
   EXPECT_EQ(oscillations().note.find("decimals"), std::string::npos);
@@ -283,51 +282,51 @@ TEST(ReportView, AFigureOfNoStageIsNotLost) {
   auto figures = sample_figures(complete_calibration());
   figures[0].stage = "models";
   const auto drawn = sample_pictures(figures);
-  const ReportView view =
-      make_report_view(complete_calibration(), figures, drawn, sample_provenance());
+  const report::ReportView view =
+      report::make_report_view(complete_calibration(), figures, drawn, sample_provenance());
   ASSERT_EQ(view.sections.size(), 9U);
   EXPECT_EQ(view.sections[8].figures[0].id, "fig-1");
 }
 
 TEST(ReportView, MissingPicturesAreCounted) {
-  const Calibration c = complete_calibration();
+  const calibration::Calibration c = complete_calibration();
   const auto figures = sample_figures(c);
   auto drawn = sample_pictures(figures);
   drawn[0].error = "the worker stopped";
   drawn[0].png.clear();
   drawn.pop_back();
-  const ReportView view = make_report_view(c, figures, drawn, sample_provenance());
+  const report::ReportView view = report::make_report_view(c, figures, drawn, sample_provenance());
   EXPECT_EQ(view.figures_missing, "2 figures missing");
   EXPECT_EQ(view.sections[0].figures[0].error, "The worker stopped.");
 }
 
 TEST(ReportView, ALongRunTableIsThinnedAndSaysSo) {
-  Calibration c = complete_calibration();
+  calibration::Calibration c = complete_calibration();
   c.viscous.runs.assign(500, c.viscous.runs.front());
-  const Table table = view_of(c).sections[4].tables.front();
+  const report::Table table = view_of(c).sections[4].tables.front();
   EXPECT_LE(table.rows.size(), 48U);
   EXPECT_NE(table.note.find("One row in 11"), std::string::npos);
 }
 
 TEST(PaperTable, Equation12ReproducesEveryRowWithinRounding) {
-  for (const paper::printed::TorqueRow& row : paper::printed::table_2) {
-    EXPECT_NEAR(paper::printed::mass_of_torque_kg(row.torque_Nm), row.mass_kg,
-                paper::printed::rounding_kg());
+  for (const paper::drawings::TorqueRow& row : paper::drawings::table_2) {
+    EXPECT_NEAR(paper::drawings::mass_of_torque_kg(row.torque_Nm), row.mass_kg,
+                paper::drawings::rounding_kg());
   }
-  EXPECT_NEAR(paper::printed::rounding_kg(), 0.0107, 5e-5);
+  EXPECT_NEAR(paper::drawings::rounding_kg(), 0.0107, 5e-5);
 }
 
 TEST(PaperTable, PrintedColumnsSayWhoseTheyAre) {
-  const Table own = view_of(complete_calibration()).paper_table;
+  const report::Table own = view_of(complete_calibration()).paper_table;
   EXPECT_EQ(own.columns.size(), 7U);
   EXPECT_EQ(own.rows[0].cells[6], "0.00");
-  const Table other = view_of(sweep_only()).paper_table;
+  const report::Table other = view_of(sweep_only()).paper_table;
   EXPECT_EQ(other.columns.size(), 5U);
   EXPECT_NE(other.note.find("is another one"), std::string::npos);
 }
 
 TEST(Errata, EvidenceComesFromTable2) {
-  const ErrataNumbers e = errata_numbers();
+  const report::ErrataNumbers e = report::errata_numbers();
   EXPECT_EQ(e.mass_A_with_500_m, "0.080");
   EXPECT_EQ(e.mass_A_with_500_mm, "80.000");
   EXPECT_EQ(e.mass_A_with_cos_q_c, "86.42");
@@ -339,11 +338,11 @@ TEST(Errata, EvidenceComesFromTable2) {
 }
 
 TEST(Sentences, CapitalAndFullStopButSymbolsStay) {
-  EXPECT_EQ(as_sentence("a fast sine"), "A fast sine.");
-  EXPECT_EQ(as_sentence("no data"), "No data.");
-  EXPECT_EQ(as_sentence("q_peak is unknown"), "q_peak is unknown.");
-  EXPECT_EQ(as_sentence("Done."), "Done.");
-  EXPECT_EQ(as_sentence(""), "");
+  EXPECT_EQ(report::as_sentence("a fast sine"), "A fast sine.");
+  EXPECT_EQ(report::as_sentence("no data"), "No data.");
+  EXPECT_EQ(report::as_sentence("q_peak is unknown"), "q_peak is unknown.");
+  EXPECT_EQ(report::as_sentence("Done."), "Done.");
+  EXPECT_EQ(report::as_sentence(""), "");
 }
 
 }  // namespace

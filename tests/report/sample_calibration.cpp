@@ -12,18 +12,18 @@ constexpr double q_peak_rad = -0.388019;
 constexpr double gravity_Nm = 3.88318571;
 constexpr double kg_per_Nm = gear_ratio / (9.81 * 0.5);
 
-CogSweepResult sweep(const std::string& name, double half_width_rad) {
-  CogSweepResult r;
-  r.stage = {name, StageState::done, ""};
+method::gravity::CogSweepResult sweep(const std::string& name, double half_width_rad) {
+  method::gravity::CogSweepResult r;
+  r.stage = {name, statistics::StageState::done, ""};
   r.found = true;
   r.method = "T = offset of each direction + G cos(q - q_peak)";
   r.argmax_rad = -0.3885;
   r.argmax_low_rad = -0.41;
   r.argmax_high_rad = -0.37;
   r.argmax_torque_Nm = 4.77;
-  r.q_peak_rad = symmetric_estimate(q_peak_rad, half_width_rad, "least squares");
-  r.gravity_Nm = symmetric_estimate(gravity_Nm, 0.0043, "least squares");
-  r.coulomb_Nm = symmetric_estimate(0.8829, 0.0031, "least squares");
+  r.q_peak_rad = statistics::symmetric_estimate(q_peak_rad, half_width_rad, "least squares");
+  r.gravity_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043, "least squares");
+  r.coulomb_Nm = statistics::symmetric_estimate(0.8829, 0.0031, "least squares");
   r.offset_Nm = 0.0012;
   r.residual_Nm = 0.0204;
   r.lowest_rad = -1.39;
@@ -35,13 +35,13 @@ CogSweepResult sweep(const std::string& name, double half_width_rad) {
   return r;
 }
 
-LoopPoint point(char name, double t_s, double torque_Nm, double z_rad) {
+method::hysteresis::LoopPoint point(char name, double t_s, double torque_Nm, double z_rad) {
   return {name, t_s, q_peak_rad, torque_Nm, torque_Nm - 0.012, torque_Nm + 0.012, z_rad, 0.03};
 }
 
-HysteresisResult loop() {
-  HysteresisResult h;
-  h.stage = {"hysteresis", StageState::done, ""};
+method::hysteresis::HysteresisResult loop() {
+  method::hysteresis::HysteresisResult h;
+  h.stage = {"hysteresis", statistics::StageState::done, ""};
   h.found = true;
   h.bristle_source = "recorded";
   h.oscillations = {{q_peak_rad, 1e-4, 1.0, 10.0, 9.0, 4.8e-7}};
@@ -49,22 +49,22 @@ HysteresisResult loop() {
               point('C', 0.25, 4.759, 0.0019),  point('D', 0.75, 2.993, -0.0019),
               point('E', 0.82, 3.703, -0.0005), point('F', 0.32, 4.061, 0.0005)};
   h.steady_points = h.points;
-  h.midline_Nm = symmetric_estimate(gravity_Nm, 0.0043, "scatter of the cycles");
+  h.midline_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043, "scatter of the cycles");
   h.midline_q_rad = q_peak_rad;
   h.loop_height_Nm = 1.766;
-  LuGreFit fit;
+  method::hysteresis::LuGreFit fit;
   fit.converged = true;
   fit.rung = "level";
   const auto shown = [&](const char* name, double value, double half_width) {
-    LuGreParameter p;
+    method::hysteresis::LuGreParameter p;
     p.name = name;
-    p.estimate = symmetric_estimate(value, half_width, "loop fit");
+    p.estimate = statistics::symmetric_estimate(value, half_width, "loop fit");
     p.relative_error = half_width / value / 2;
     p.effect_Nm = 0.08;
     fit.parameters.push_back(p);
   };
   const auto not_shown = [&](const char* name) {
-    LuGreParameter p;
+    method::hysteresis::LuGreParameter p;
     p.name = name;
     p.why_not = "the motor stays below 0.0628 rad/s in the loops";
     p.experiment = "an oscillation of 0.016 rad at 1 Hz";
@@ -78,21 +78,21 @@ HysteresisResult loop() {
   not_shown("stribeck_speed_rad_s");
   not_shown("speed_weakening_Nms2_rad2");
   not_shown("inertia_kgm2");
-  fit.gravity_Nm = symmetric_estimate(gravity_Nm, 0.0005, "loop fit");
+  fit.gravity_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0005, "loop fit");
   fit.identifiability = {{"bristle stiffness", "static torque"},
                          {0.9, 0.03},
                          30.0,
                          {0.6, -0.8},
                          "static torque against bristle stiffness",
                          {{1.0, 0.4}, {0.4, 1.0}}};
-  LuGreLoop only;
+  method::hysteresis::LuGreLoop only;
   only.recording = "oscillation";
   only.gravity_Nm = fit.gravity_Nm;
   only.residual_Nm = 0.02;
   only.motion = "spline";
   only.motion_residual_rad = 1.5e-6;
-  const Estimate behind_turns{7e4, 6.9e4, 7.1e4, "scatter of the strokes"};
-  only.traced = TracedLoop{
+  const statistics::Estimate behind_turns{7e4, 6.9e4, 7.1e4, "scatter of the strokes"};
+  only.traced = method::hysteresis::TracedLoop{
       1.6e-6, "a step of the encoder of 5e-06 rad", 11, 0.02, behind_turns, behind_turns};
   fit.loops = {only};
   fit.residual_Nm = 0.02;
@@ -101,14 +101,14 @@ HysteresisResult loop() {
   return h;
 }
 
-SurrogateMass mass(const std::string& estimator, double torque_Nm) {
-  const Estimate torque = symmetric_estimate(torque_Nm, 0.0043, "reading");
-  return {estimator, torque, q_peak_rad, scaled(torque, kg_per_Nm), torque};
+method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
+  const statistics::Estimate torque = statistics::symmetric_estimate(torque_Nm, 0.0043, "reading");
+  return {estimator, torque, q_peak_rad, statistics::scaled(torque, kg_per_Nm), torque};
 }
 
-SurrogateMassesResult masses() {
-  SurrogateMassesResult r;
-  r.stage = {"surrogate_masses", StageState::done, ""};
+method::hysteresis::SurrogateMassesResult masses() {
+  method::hysteresis::SurrogateMassesResult r;
+  r.stage = {"surrogate_masses", statistics::StageState::done, ""};
   r.distance_m = 0.5;
   r.gravity_m_s2 = 9.81;
   r.masses = {mass("A", 3.924),    mass("B", 3.866),
@@ -120,12 +120,12 @@ SurrogateMassesResult masses() {
   return r;
 }
 
-ViscousCurvesResult curves(const SurrogateMassesResult& of) {
-  ViscousCurvesResult v;
-  v.stage = {"viscous_curves", StageState::done, ""};
+method::viscous::ViscousCurvesResult curves(const method::hysteresis::SurrogateMassesResult& of) {
+  method::viscous::ViscousCurvesResult v;
+  v.stage = {"viscous_curves", statistics::StageState::done, ""};
   for (const double speed : {-300.0, -100.0, -10.0, 10.0, 100.0, 300.0}) {
     const double friction = std::copysign(0.45 + 0.0026 * std::abs(speed), speed);
-    ConstantSpeedRun run;
+    method::viscous::ConstantSpeedRun run;
     run.recording = "run.csv";
     run.speed_rad_s = speed;
     run.torque_Nm = gravity_Nm + friction;
@@ -136,9 +136,9 @@ ViscousCurvesResult curves(const SurrogateMassesResult& of) {
     run.direction_difference_Nm = friction;
     v.runs.push_back(run);
   }
-  for (const SurrogateMass& m : of.masses) {
-    ViscousCurve curve{m.estimator, {}};
-    for (const ConstantSpeedRun& run : v.runs) {
+  for (const method::hysteresis::SurrogateMass& m : of.masses) {
+    method::viscous::ViscousCurve curve{m.estimator, {}};
+    for (const method::viscous::ConstantSpeedRun& run : v.runs) {
       curve.friction_Nm.push_back(run.torque_Nm - m.gravity_Nm.value);
     }
     v.curves.push_back(curve);
@@ -148,73 +148,73 @@ ViscousCurvesResult curves(const SurrogateMassesResult& of) {
   return v;
 }
 
-QualityErrorsResult errors(const ViscousCurvesResult& of) {
-  QualityErrorsResult q;
-  q.stage = {"quality_errors", StageState::done, ""};
+method::selection::QualityErrorsResult errors(const method::viscous::ViscousCurvesResult& of) {
+  method::selection::QualityErrorsResult q;
+  q.stage = {"quality_errors", statistics::StageState::done, ""};
   q.reference = "direction_difference";
-  for (const ConstantSpeedRun& run : of.runs) {
+  for (const method::viscous::ConstantSpeedRun& run : of.runs) {
     q.reference_Nm.push_back(run.direction_difference_Nm);
   }
-  for (const ViscousCurve& curve : of.curves) {
-    QualityError e{curve.estimator, {}, curve.estimator == "B" ? 0.41 : 1.9};
+  for (const method::viscous::ViscousCurve& curve : of.curves) {
+    method::selection::QualityError e{curve.estimator, {}, curve.estimator == "B" ? 0.41 : 1.9};
     e.percent.assign(of.runs.size(), 0.4);
     q.errors.push_back(e);
   }
   return q;
 }
 
-DataChecksResult sample_checks() {
-  DataCheck fails{"speed_scale",
-                  "Logged speed against the angle",
-                  "run_07.csv",
-                  "logged speed / derivative of the angle",
-                  2.0,
-                  0.98,
-                  1.02,
-                  "1",
-                  CheckState::fails,
-                  "factor 2 ± 0.01",
-                  "speeds are wrong",
-                  "correct the unit"};
-  DataCheck warns{"clock_gaps",
-                  "No gaps in time",
-                  "sweep.csv",
-                  "time lost in gaps",
-                  1.25,
-                  std::nullopt,
-                  5.0,
-                  "%",
-                  CheckState::warns,
-                  "3 gaps",
-                  "unknown in the gaps",
-                  "log locally"};
-  DataCheck absent{"temperature",
-                   "Temperature",
-                   "",
-                   "",
-                   std::nullopt,
-                   std::nullopt,
-                   std::nullopt,
-                   "",
-                   CheckState::not_applicable,
-                   "no temperature is logged",
-                   "",
-                   ""};
+method::checks::DataChecksResult sample_checks() {
+  method::checks::DataCheck fails{"speed_scale",
+                                  "Logged speed against the angle",
+                                  "run_07.csv",
+                                  "logged speed / derivative of the angle",
+                                  2.0,
+                                  0.98,
+                                  1.02,
+                                  "1",
+                                  method::checks::CheckState::fails,
+                                  "factor 2 ± 0.01",
+                                  "speeds are wrong",
+                                  "correct the unit"};
+  method::checks::DataCheck warns{"clock_gaps",
+                                  "No gaps in time",
+                                  "sweep.csv",
+                                  "time lost in gaps",
+                                  1.25,
+                                  std::nullopt,
+                                  5.0,
+                                  "%",
+                                  method::checks::CheckState::warns,
+                                  "3 gaps",
+                                  "unknown in the gaps",
+                                  "log locally"};
+  method::checks::DataCheck absent{"temperature",
+                                   "Temperature",
+                                   "",
+                                   "",
+                                   std::nullopt,
+                                   std::nullopt,
+                                   std::nullopt,
+                                   "",
+                                   method::checks::CheckState::not_applicable,
+                                   "no temperature is logged",
+                                   "",
+                                   ""};
   return {{fails, warns, absent}};
 }
 
-std::vector<QuantityVerdict> sample_quantities(const Estimate& peak_rad) {
-  QuantityVerdict angle;
+std::vector<calibration::QuantityVerdict> sample_quantities(const statistics::Estimate& peak_rad) {
+  calibration::QuantityVerdict angle;
   angle.key = "cog_angle";
   angle.words = "Angle of the centre of gravity";
   angle.estimate = peak_rad;
   angle.unit = "rad";
-  angle.limits = {{"q_peak_deg", "max", -20, "°", scaled(peak_rad, 57.29577951308232),
-                   LimitState::inside, "angle keeps the limit"}};
-  QuantityVerdict inertia;
+  angle.limits = {{"q_peak_deg", "max", -20, "°", statistics::scaled(peak_rad, 57.29577951308232),
+                   calibration::LimitState::inside, "angle keeps the limit"}};
+  calibration::QuantityVerdict inertia;
   inertia.key = "inertia";
   inertia.words = "Inertia at the motor";
-  inertia.verdict = Verdict::not_identifiable;
+  inertia.verdict = calibration::Verdict::not_identifiable;
   inertia.decides = false;
   inertia.reasons = {"the data do not show it"};
   inertia.experiment = "a fast sine";
@@ -222,32 +222,32 @@ std::vector<QuantityVerdict> sample_quantities(const Estimate& peak_rad) {
 }
 
 /// Degrees at the motor, and a torque in mN·m of the other sign.
-std::vector<ColumnConversion> sample_conversions() {
-  using Reason = ConversionStep::Reason;
+std::vector<joint::ColumnConversion> sample_conversions() {
+  using Reason = joint::ConversionStep::Reason;
   constexpr double rad_per_deg = 0.017453292519943295;
-  return {{LoggedSignal::time, "t", "s", {}, "s", std::nullopt},
-          {LoggedSignal::angle,
+  return {{joint::LoggedSignal::time, "t", "s", {}, "s", std::nullopt},
+          {joint::LoggedSignal::angle,
            "q",
            "deg",
            {{Reason::unit, rad_per_deg}, {Reason::gear, gear_ratio, true}},
            "rad",
-           Side::joint},
-          {LoggedSignal::effort,
+           joint::Side::joint},
+          {joint::LoggedSignal::effort,
            "tau",
            "mNm",
            {{Reason::unit, 1e-3}, {Reason::sign, -1}},
            "N·m",
-           Side::motor}};
+           joint::Side::motor}};
 }
 
 }  // namespace
 
-Calibration complete_calibration() {
-  Calibration c;
+calibration::Calibration complete_calibration() {
+  calibration::Calibration c;
   c.manifest.robot = "FANUC AM100iB";
   c.manifest.joint = "J3";
   c.manifest.serial = "E-4711";
-  c.manifest.drive = Drive(gear_ratio, EffortKind::motor_torque, Side::motor);
+  c.manifest.drive = joint::Drive(gear_ratio, joint::EffortKind::motor_torque, joint::Side::motor);
   c.inputs = {{"manifest.toml", "manifest", 812, std::string(64, 'a'), 0, 0, {}, {}, {}},
               {"sweep.csv",
                "rough_sweep",
@@ -258,7 +258,7 @@ Calibration complete_calibration() {
                {{"outside the window 5..62.3 s", 1200}},
                sample_conversions(),
                {}}};
-  c.speed_sources = {{"sweep.csv", Role::rough_sweep, true, 280, 0.28, 2.278}};
+  c.speed_sources = {{"sweep.csv", joint::Role::rough_sweep, true, 280, 0.28, 2.278}};
   c.notes = {"column 'tau' is read as motor torque"};
   c.rough = sweep("cog_rough", 0.0011);
   c.precise = sweep("cog_precise", 0.00021);
@@ -268,38 +268,40 @@ Calibration complete_calibration() {
   c.masses = masses();
   c.viscous = curves(c.masses);
   c.quality = errors(c.viscous);
-  c.selection = {{"selection", StageState::done, ""},
+  c.selection = {{"selection", statistics::StageState::done, ""},
                  "B",
                  {"A"},
                  "midline",
                  "the mid-line owes nothing to the start-up stroke",
                  0.38794,
-                 scaled(*c.q_peak_rad, -1.0)};
-  c.friction.stage = {"friction_parameters", StageState::done, ""};
+                 statistics::scaled(*c.q_peak_rad, -1.0)};
+  c.friction.stage = {"friction_parameters", statistics::StageState::done, ""};
   c.friction.curve = "midline";
-  c.friction.coulomb_viscous =
-      CoulombViscousFit{symmetric_estimate(0.445, 0.023, "line"),
-                        symmetric_estimate(0.00264, 0.00017, "line"), 0.011, 10.0, 300.0};
-  c.friction.waiboer = WaiboerFit{true,
-                                  symmetric_estimate(0.8844, 0.01, "fit"),
-                                  symmetric_estimate(5.0, 0.2, "fit"),
-                                  symmetric_estimate(0.7, 0.03, "fit"),
-                                  symmetric_estimate(0.12, 0.004, "fit"),
-                                  symmetric_estimate(0.6, 0.01, "fit"),
+  c.friction.coulomb_viscous = method::selection::CoulombViscousFit{
+      statistics::symmetric_estimate(0.445, 0.023, "line"),
+      statistics::symmetric_estimate(0.00264, 0.00017, "line"), 0.011, 10.0, 300.0};
+  c.friction.waiboer =
+      method::viscous::WaiboerFit{true,
+                                  statistics::symmetric_estimate(0.8844, 0.01, "fit"),
+                                  statistics::symmetric_estimate(5.0, 0.2, "fit"),
+                                  statistics::symmetric_estimate(0.7, 0.03, "fit"),
+                                  statistics::symmetric_estimate(0.12, 0.004, "fit"),
+                                  statistics::symmetric_estimate(0.6, 0.01, "fit"),
                                   0.004};
   c.data_checks = sample_checks();
-  c.judgement = {Verdict::usable,
+  c.judgement = {calibration::Verdict::usable,
                  "all stages have their data",
                  {"nothing was left out"},
                  sample_quantities(*c.q_peak_rad)};
   return c;
 }
 
-Calibration sweep_only() {
-  Calibration c;
+calibration::Calibration sweep_only() {
+  calibration::Calibration c;
   c.manifest.robot = "UR10e";
   c.manifest.joint = "2";
-  c.manifest.drive = Drive(101.0, EffortKind::motor_current, Side::joint, 10.696);
+  c.manifest.drive =
+      joint::Drive(101.0, joint::EffortKind::motor_current, joint::Side::joint, 10.696);
   c.inputs = {{"joint_2.csv",
                "rough_sweep",
                306033,
@@ -312,27 +314,34 @@ Calibration sweep_only() {
   c.rough = sweep("cog_rough", 0.028);
   c.q_peak_rad = c.rough.q_peak_rad;
   c.q_peak_source = "cog_rough";
-  c.precise.stage = {"cog_precise", StageState::skipped, "no precise_sweep was recorded"};
-  c.hysteresis.stage = {"hysteresis", StageState::not_identifiable,
+  c.precise.stage = {"cog_precise", statistics::StageState::skipped,
+                     "no precise_sweep was recorded"};
+  c.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
                         "the encoder step of 0.0001 rad hides the loop"};
-  c.masses.stage = {"surrogate_masses", StageState::partial, "only the sweep gives a mass"};
+  c.masses.stage = {"surrogate_masses", statistics::StageState::partial,
+                    "only the sweep gives a mass"};
   c.masses.masses = {mass("sweep", 3.884)};
-  c.viscous.stage = {"viscous_curves", StageState::skipped, "no constant_speed was recorded"};
-  c.quality.stage = {"quality_errors", StageState::skipped, "there is no curve to judge"};
-  c.selection.stage = {"selection", StageState::partial, "the points A to F were not found"};
+  c.viscous.stage = {"viscous_curves", statistics::StageState::skipped,
+                     "no constant_speed was recorded"};
+  c.quality.stage = {"quality_errors", statistics::StageState::skipped,
+                     "there is no curve to judge"};
+  c.selection.stage = {"selection", statistics::StageState::partial,
+                       "the points A to F were not found"};
   c.selection.recommended = "sweep";
-  c.friction.stage = {"friction_parameters", StageState::skipped, "there is no curve to fit"};
-  c.judgement = {Verdict::doubtful, "angle and mass are known, friction is not", {}, {}};
+  c.friction.stage = {"friction_parameters", statistics::StageState::skipped,
+                      "there is no curve to fit"};
+  c.judgement = {
+      calibration::Verdict::doubtful, "angle and mass are known, friction is not", {}, {}};
   return c;
 }
 
-std::vector<ReportFigure> sample_figures(const Calibration& calibration) {
-  std::vector<ReportFigure> figures;
-  for (const StageReport& stage :
+std::vector<figures::ReportFigure> sample_figures(const calibration::Calibration& calibration) {
+  std::vector<figures::ReportFigure> figures;
+  for (const statistics::StageReport& stage :
        {calibration.rough.stage, calibration.precise.stage, calibration.hysteresis.stage,
         calibration.masses.stage, calibration.viscous.stage, calibration.quality.stage,
         calibration.selection.stage, calibration.friction.stage}) {
-    ReportFigure figure;
+    figures::ReportFigure figure;
     figure.number = static_cast<int>(figures.size()) + 1;
     figure.id = "fig-" + std::to_string(figure.number);
     figure.title = "Figure of " + stage.name;
@@ -345,9 +354,10 @@ std::vector<ReportFigure> sample_figures(const Calibration& calibration) {
   return figures;
 }
 
-std::vector<render::DrawnFigure> sample_pictures(const std::vector<ReportFigure>& figures) {
-  std::vector<render::DrawnFigure> drawn;
-  for (const ReportFigure& figure : figures) {
+std::vector<render::workers::DrawnFigure> sample_pictures(
+    const std::vector<figures::ReportFigure>& figures) {
+  std::vector<render::workers::DrawnFigure> drawn;
+  for (const figures::ReportFigure& figure : figures) {
     const std::vector<std::byte> png{std::byte{0x89}, std::byte{'P'}, std::byte{'N'},
                                      std::byte{'G'}, std::byte{0xff}};
     drawn.push_back({figure.id, png, 1600, 1000, {}, "", {}});
@@ -355,8 +365,8 @@ std::vector<render::DrawnFigure> sample_pictures(const std::vector<ReportFigure>
   return drawn;
 }
 
-Provenance sample_provenance() {
-  Provenance p;
+calibration::Provenance sample_provenance() {
+  calibration::Provenance p;
   p.tool_version = "0.1.0";
   p.git_revision = "unknown";
   p.compiler = "GCC 12.2.0";
@@ -366,9 +376,9 @@ Provenance sample_provenance() {
   return p;
 }
 
-std::string report_of(const Calibration& calibration) {
+std::string report_of(const calibration::Calibration& calibration) {
   const auto figures = sample_figures(calibration);
-  return html_report(calibration, figures, sample_pictures(figures), sample_provenance());
+  return report::html_report(calibration, figures, sample_pictures(figures), sample_provenance());
 }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {

@@ -82,10 +82,10 @@ TEST(TemplateLanguage, NoVariableOfOursIsBoth) {
   }
 }
 
-class Languages : public testing::TestWithParam<Language> {};
+class Languages : public testing::TestWithParam<wording::Language> {};
 
 TEST_P(Languages, EveryMessageOfEveryTemplateIsTranslatedAndNoneIsLeftOver) {
-  const Catalogue& catalogue = *catalogue_of(GetParam());
+  const wording::Catalogue& catalogue = *wording::catalogue_of(GetParam());
   std::set<std::string> used;
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.name.ends_with(".tpl")) continue;
@@ -108,8 +108,9 @@ TEST_P(Languages, EveryMessageOfEveryTemplateIsTranslatedAndNoneIsLeftOver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Languages,
-                         testing::ValuesIn(languages().begin() + 1, languages().end()),
-                         [](const auto& one) { return std::string(code_of(one.param)); });
+                         testing::ValuesIn(wording::languages().begin() + 1,
+                                           wording::languages().end()),
+                         [](const auto& one) { return std::string(wording::code_of(one.param)); });
 
 }  // namespace
 }  // namespace tribolog::report

@@ -15,21 +15,21 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-12;  // a dozen products of numbers of size one
 
-RobotDescription example() {
-  return read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
+robot::RobotDescription example() {
+  return ingest::manifest::read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
 }
 
 /// Links of 0.5 m and 0.35 m on a post, upright at 0, turning about x.
-JointUnderTest planar_arm() {
-  return read_robot(TRIBOLOG_SOURCE_DIR "/tests/data/planar_arm.toml").under_test;
+robot::JointUnderTest planar_arm() {
+  return ingest::manifest::read_robot(TRIBOLOG_SOURCE_DIR "/tests/data/planar_arm.toml").under_test;
 }
 
 constexpr double angles[] = {-1.3, -0.4, 0.2, 1.0};
 
 // The lever and the weight in space against m g r cos(q - q_peak).
 TEST(JointUnderTest, PutsTheMassWhereItAsksTheTorqueOfItsGravityLoad) {
-  for (const JointUnderTest& test : {example().under_test, planar_arm()}) {
-    const GravityLoad load(30, 0.4, -0.388);
+  for (const robot::JointUnderTest& test : {example().under_test, planar_arm()}) {
+    const joint::GravityLoad load(30, 0.4, -0.388);
     for (const double q : angles) {
       EXPECT_NEAR(test.holding_torque_Nm(q, load), load.torque_Nm(q), 1e-9);
     }
@@ -38,7 +38,7 @@ TEST(JointUnderTest, PutsTheMassWhereItAsksTheTorqueOfItsGravityLoad) {
 }
 
 TEST(JointUnderTest, KeepsTheMassCentreInItsLink) {
-  for (const JointUnderTest& test : {example().under_test, planar_arm()}) {
+  for (const robot::JointUnderTest& test : {example().under_test, planar_arm()}) {
     const auto in_link = [&](double q) -> Eigen::Vector3d {
       return test.pose(q).frames[test.setting().joint].linear().transpose() *
              test.towards_mass(q, 0.3);
@@ -48,11 +48,11 @@ TEST(JointUnderTest, KeepsTheMassCentreInItsLink) {
 }
 
 TEST(JointUnderTest, FindsTheLineFromWhichTheLinkCounts) {
-  const JointUnderTest paper = example().under_test;
+  const robot::JointUnderTest paper = example().under_test;
   EXPECT_NEAR(paper.line_above_level_rad(), 0.0, rounding) << "the forearm is level at 0";
   EXPECT_NEAR(paper.level().x(), 1.0, rounding) << "in front of the joint";
   // Upright at 0; a positive turn about x leads from y upwards, so that y is the level.
-  const JointUnderTest planar = planar_arm();
+  const robot::JointUnderTest planar = planar_arm();
   EXPECT_NEAR(planar.line_above_level_rad(), pi / 2, rounding);
   EXPECT_NEAR(planar.level().y(), 1.0, rounding);
   for (const double q : angles) {
@@ -64,49 +64,49 @@ TEST(JointUnderTest, FindsTheLineFromWhichTheLinkCounts) {
 
 // The second joint of the example carries the third: held elsewhere, the forearm is so at 0 too.
 TEST(JointUnderTest, TurnsTheLineWithTheJointsBefore) {
-  JointUnderTest::Setting setting = example().under_test.setting();
+  robot::JointUnderTest::Setting setting = example().under_test.setting();
   setting.held_rad[1] = 0.3;  // forwards, down
-  const JointUnderTest leaning(example().under_test.arm(), setting);
+  const robot::JointUnderTest leaning(example().under_test.arm(), setting);
   EXPECT_NEAR(leaning.line_above_level_rad(), -0.3, rounding);
 }
 
 TEST(JointUnderTest, HasALevelLineWhereTheFlangeIsOnItsAxis) {
-  ArmJoint joint;
+  robot::ArmJoint joint;
   joint.name = "spin";
   joint.axis = {0, -1, 0};
   joint.lowest_rad = -1;
   joint.highest_rad = 1;
-  const JointUnderTest test(SerialArm("one", {joint}, {0, 0.2, 0}), {0, {0.0}});
+  const robot::JointUnderTest test(robot::SerialArm("one", {joint}, {0, 0.2, 0}), {0, {0.0}});
   EXPECT_EQ(test.line_above_level_rad(), 0.0);
 }
 
 TEST(JointUnderTest, TurnsBeyondItsRangeLikeWithinIt) {
-  const JointUnderTest test = planar_arm();
+  const robot::JointUnderTest test = planar_arm();
   const double highest = test.joint().highest_rad;
-  const ArmPose within = test.pose(highest);
-  const ArmPose chain = test.arm().pose({highest, 0});
+  const robot::ArmPose within = test.pose(highest);
+  const robot::ArmPose chain = test.arm().pose({highest, 0});
   EXPECT_LT((within.tool_m - chain.tool_m).norm(), rounding);
   EXPECT_LT((within.frames[1].matrix() - chain.frames[1].matrix()).norm(), rounding);
-  const ArmPose beyond = test.pose(highest + 0.5);
+  const robot::ArmPose beyond = test.pose(highest + 0.5);
   const Eigen::Vector3d before = within.tool_m - test.place_m();
   const Eigen::Vector3d after = beyond.tool_m - test.place_m();
   EXPECT_NEAR(before.dot(after), 0.85 * 0.85 * std::cos(0.5), rounding);
 }
 
 TEST(JointUnderTest, RefusesATiltedAxisAndAMissingJoint) {
-  const SerialArm arm = example().under_test.arm();
-  const JointUnderTest::Setting good = example().under_test.setting();
+  const robot::SerialArm arm = example().under_test.arm();
+  const robot::JointUnderTest::Setting good = example().under_test.setting();
   for (const std::size_t joint : {0U, 6U}) {
-    JointUnderTest::Setting bad = good;
+    robot::JointUnderTest::Setting bad = good;
     bad.joint = joint;
-    EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument) << joint;
+    EXPECT_THROW(robot::JointUnderTest(arm, bad), std::invalid_argument) << joint;
   }
-  JointUnderTest::Setting bad = good;
+  robot::JointUnderTest::Setting bad = good;
   bad.held_rad.pop_back();
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
+  EXPECT_THROW(robot::JointUnderTest(arm, bad), std::invalid_argument);
   bad = good;
   bad.held_rad[0] = 2 * pi;
-  EXPECT_THROW(JointUnderTest(arm, bad), std::invalid_argument);
+  EXPECT_THROW(robot::JointUnderTest(arm, bad), std::invalid_argument);
 }
 
 }  // namespace

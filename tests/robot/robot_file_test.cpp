@@ -27,7 +27,7 @@ std::string refusal(const std::string& from, const std::string& to) {
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
   try {
-    static_cast<void>(parse_robot(text, "arm.toml"));
+    static_cast<void>(ingest::manifest::parse_robot(text, "arm.toml"));
   } catch (const InputError& error) {
     EXPECT_GT(error.where().line, 0) << error.what();
     return error.what();
@@ -40,8 +40,8 @@ void expect_part(const std::string& whole, const std::string& part) {
 }
 
 TEST(RobotFile, ReadsTheExample) {
-  const RobotDescription robot = parse_robot(example_text(), "arm.toml");
-  const JointUnderTest& test = robot.under_test;
+  const robot::RobotDescription robot = ingest::manifest::parse_robot(example_text(), "arm.toml");
+  const robot::JointUnderTest& test = robot.under_test;
   EXPECT_EQ(test.arm().name(), "FANUC AM100iB");
   ASSERT_EQ(test.arm().size(), 6U);
   EXPECT_EQ(robot.portrait_rad.size(), 6U);
@@ -52,7 +52,7 @@ TEST(RobotFile, ReadsTheExample) {
   EXPECT_EQ(robot.surrogate_distance_m, 0.5);
   // Stretched out forwards, the centre of the wrist is about 1.4 m from the first axis.
   const double quarter = std::numbers::pi / 2;
-  const ArmPose pose = test.arm().pose({0, quarter, quarter, 0, 0, 0});
+  const robot::ArmPose pose = test.arm().pose({0, quarter, quarter, 0, 0, 0});
   EXPECT_NEAR(pose.frames[4].translation().x(), 0.15 + 0.60 + 0.64, 1e-9);
   EXPECT_NEAR(pose.frames[4].translation().z(), 0.45 + 0.20, 1e-9);
 }
@@ -92,7 +92,7 @@ TEST(RobotFile, NamesFileLineAndColumn) {
                  '\n') +
       1;
   try {
-    static_cast<void>(parse_robot(text, "arm.toml"));
+    static_cast<void>(ingest::manifest::parse_robot(text, "arm.toml"));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.where().line, line);
@@ -109,7 +109,7 @@ TEST(RobotFile, PointsAtTheLineOfATiltedAxis) {
                  '\n') +
       1;
   try {
-    static_cast<void>(parse_robot(tilted, "arm.toml"));
+    static_cast<void>(ingest::manifest::parse_robot(tilted, "arm.toml"));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.where().line, line);
@@ -118,8 +118,8 @@ TEST(RobotFile, PointsAtTheLineOfATiltedAxis) {
 }
 
 TEST(RobotFile, NeedsNoNumbersOfTheTest) {
-  const RobotDescription robot =
-      read_robot(std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/planar_arm.toml");
+  const robot::RobotDescription robot = ingest::manifest::read_robot(
+      std::string(TRIBOLOG_SOURCE_DIR) + "/tests/data/planar_arm.toml");
   EXPECT_FALSE(robot.range.has_value());
   EXPECT_FALSE(robot.load.has_value());
   EXPECT_FALSE(robot.approximate);
@@ -130,7 +130,7 @@ TEST(RobotFile, HoldsAJointThatCannotStandAtZeroWhereItIsNearest) {
   std::string text = example_text();
   const std::string key = "lowest_deg = -190";
   text.replace(text.find(key), key.size(), "lowest_deg = 30");
-  const RobotDescription robot = parse_robot(text, "arm.toml");
+  const robot::RobotDescription robot = ingest::manifest::parse_robot(text, "arm.toml");
   EXPECT_NEAR(robot.under_test.setting().held_rad[3], std::numbers::pi / 6, 1e-12);
   EXPECT_NEAR(robot.portrait_rad[3], std::numbers::pi / 6, 1e-12);
 }

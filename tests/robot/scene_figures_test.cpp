@@ -14,28 +14,29 @@
 namespace tribolog {
 namespace {
 
-RobotDescription example() {
-  return read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
+robot::RobotDescription example() {
+  return ingest::manifest::read_robot(TRIBOLOG_SOURCE_DIR "/examples/paper/am100ib.toml");
 }
 
 void expect_part(const std::string& whole, const std::string& part) {
   EXPECT_NE(whole.find(part), std::string::npos) << whole;
 }
 
-const render::SceneArrow& arrow(const ReportFigure& figure, std::string_view label) {
-  for (const render::SceneArrow& one : figure.figure.scene->arrows) {
+const render::figure::SceneArrow& arrow(const figures::ReportFigure& figure,
+                                        std::string_view label) {
+  for (const render::figure::SceneArrow& one : figure.figure.scene->arrows) {
     if (one.label == label) return one;
   }
   throw std::runtime_error("no arrow " + std::string(label));
 }
 
 TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {
-  const auto figures = scene_figures(example());
+  const auto figures = paper::scenes::scene_figures(example());
   ASSERT_EQ(figures.size(), 3U);
-  std::vector<render::Figure> plain;
-  for (const ReportFigure& one : figures) plain.push_back(one.figure);
-  const auto drawn = render::FigureRenderer(1).draw(plain);
-  const auto again = render::FigureRenderer(2).draw(plain);
+  std::vector<render::figure::Figure> plain;
+  for (const figures::ReportFigure& one : figures) plain.push_back(one.figure);
+  const auto drawn = render::workers::FigureRenderer(1).draw(plain);
+  const auto again = render::workers::FigureRenderer(2).draw(plain);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_EQ(drawn[i].error, "") << drawn[i].id;
     EXPECT_TRUE(drawn[i].warnings.empty()) << drawn[i].id << ": " << drawn[i].warnings[0];
@@ -44,11 +45,11 @@ TEST(SceneFigures, AreDrawnWithoutErrorOrWarning) {
 }
 
 TEST(SceneFigures, SayTheirNumbers) {
-  const auto figures = scene_figures(example());
+  const auto figures = paper::scenes::scene_figures(example());
   EXPECT_EQ(figures[0].number, 9);
   EXPECT_EQ(figures[1].number, 10);
   EXPECT_EQ(figures[2].number, 12);
-  for (const ReportFigure& one : figures) {
+  for (const figures::ReportFigure& one : figures) {
     EXPECT_EQ(one.figure.id, one.id);
     EXPECT_FALSE(one.how_to_read.empty());
     expect_part(one.caption, "Dimensions are approximate.");
@@ -61,14 +62,14 @@ TEST(SceneFigures, SayTheirNumbers) {
 }
 
 TEST(SceneFigures, PointAxesTheRightWay) {
-  for (const ReportFigure& one : scene_figures(example())) {
+  for (const figures::ReportFigure& one : paper::scenes::scene_figures(example())) {
     const auto direction = [&](const char* label) {
-      return render::unit(arrow(one, label).to - arrow(one, label).from);
+      return render::figure::unit(arrow(one, label).to - arrow(one, label).from);
     };
-    const auto z = render::cross(direction("x"), direction("y"));
-    EXPECT_NEAR(render::length(z - direction("z")), 0.0, 1e-12) << one.id;
+    const auto z = render::figure::cross(direction("x"), direction("y"));
+    EXPECT_NEAR(render::figure::length(z - direction("z")), 0.0, 1e-12) << one.id;
   }
-  const auto figure = robot_figure(example());
+  const auto figure = paper::scenes::robot_figure(example());
   std::set<std::string> axes;
   for (const auto& one : figure.figure.scene->arrows) axes.insert(one.label);
   for (const char* name : {"q_{1}", "q_{2}", "q_{3}", "q_{4}", "q_{5}", "q_{6}"}) {
@@ -79,15 +80,15 @@ TEST(SceneFigures, PointAxesTheRightWay) {
 }
 
 TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
-  const RobotDescription robot = example();
-  const auto figures = scene_figures(robot);
+  const robot::RobotDescription robot = example();
+  const auto figures = paper::scenes::scene_figures(robot);
   const auto& model = figures.at(1);
   const auto& balls = model.figure.scene->balls;
   ASSERT_EQ(balls.size(), 2U);
   const Eigen::Vector3d joint = robot.under_test.place_m();
-  const render::Point3 centre{joint.x(), joint.y(), joint.z()};
-  EXPECT_NEAR(render::length(balls[0].centre - centre), 0.4, 1e-12);
-  EXPECT_NEAR(render::length(balls[1].centre - centre), 0.5, 1e-12);
+  const render::figure::Point3 centre{joint.x(), joint.y(), joint.z()};
+  EXPECT_NEAR(render::figure::length(balls[0].centre - centre), 0.4, 1e-12);
+  EXPECT_NEAR(render::figure::length(balls[1].centre - centre), 0.5, 1e-12);
   const auto& gravity = arrow(model, "g = 9.81 m/s²");
   EXPECT_LT(gravity.to.z, gravity.from.z);
   EXPECT_EQ(gravity.to.x, gravity.from.x);
@@ -100,9 +101,9 @@ TEST(SceneFigures, PutTheMassesAndGravityWhereTheyBelong) {
 }
 
 /// The same robot with every length twice as long.
-RobotDescription doubled(const RobotDescription& robot) {
-  std::vector<ArmJoint> joints = robot.under_test.arm().joints();
-  for (ArmJoint& one : joints) {
+robot::RobotDescription doubled(const robot::RobotDescription& robot) {
+  std::vector<robot::ArmJoint> joints = robot.under_test.arm().joints();
+  for (robot::ArmJoint& one : joints) {
     one.offset_m *= 2;
     for (Eigen::Vector3d& bend : one.link_bends_m) bend *= 2;
     for (double* size : {&one.shape.radius_m, &one.shape.end_radius_m, &one.shape.bar_thickness_m,
@@ -110,38 +111,38 @@ RobotDescription doubled(const RobotDescription& robot) {
       *size *= 2;
     }
   }
-  SerialArm arm("large", joints, 2 * robot.under_test.arm().tool_m());
-  const GravityLoad load = robot.load.value();
-  return {JointUnderTest(std::move(arm), robot.under_test.setting()),
+  robot::SerialArm arm("large", joints, 2 * robot.under_test.arm().tool_m());
+  const joint::GravityLoad load = robot.load.value();
+  return {robot::JointUnderTest(std::move(arm), robot.under_test.setting()),
           robot.portrait_rad,
           true,
           robot.range,
-          GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad()),
+          joint::GravityLoad(load.mass_kg(), 2 * load.distance_m(), load.q_peak_rad()),
           2 * robot.surrogate_distance_m};
 }
 
 TEST(SceneFigures, LeaveOutWhatTheDescriptionDoesNotState) {
-  RobotDescription robot = example();
+  robot::RobotDescription robot = example();
   robot.range.reset();
-  auto figures = scene_figures(robot);
+  auto figures = paper::scenes::scene_figures(robot);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[1].number, 10);
   robot = example();
   robot.load.reset();
-  figures = scene_figures(robot);
+  figures = paper::scenes::scene_figures(robot);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].number, 9);
 }
 
 TEST(SceneFigures, GrowWithTheRobot) {
-  const auto small = scene_figures(example());
-  const auto large = scene_figures(doubled(example()));
-  const auto expect_doubled = [](render::Point3 a, render::Point3 b) {
-    EXPECT_NEAR(render::length(b - 2.0 * a), 0.0, 1e-12);
+  const auto small = paper::scenes::scene_figures(example());
+  const auto large = paper::scenes::scene_figures(doubled(example()));
+  const auto expect_doubled = [](render::figure::Point3 a, render::figure::Point3 b) {
+    EXPECT_NEAR(render::figure::length(b - 2.0 * a), 0.0, 1e-12);
   };
   for (std::size_t i = 0; i < small.size(); ++i) {
-    const render::Scene& a = *small[i].figure.scene;
-    const render::Scene& b = *large[i].figure.scene;
+    const render::figure::Scene& a = *small[i].figure.scene;
+    const render::figure::Scene& b = *large[i].figure.scene;
     ASSERT_EQ(a.arrows.size(), b.arrows.size());
     for (std::size_t k = 0; k < a.arrows.size(); ++k) {
       expect_doubled(a.arrows[k].from, b.arrows[k].from);

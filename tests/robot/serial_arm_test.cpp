@@ -15,8 +15,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double rounding_m = 1e-12;  // a dozen products of numbers of size one
 
-ArmJoint joint(const char* name, Eigen::Vector3d axis, Eigen::Vector3d offset_m) {
-  ArmJoint out;
+robot::ArmJoint joint(const char* name, Eigen::Vector3d axis, Eigen::Vector3d offset_m) {
+  robot::ArmJoint out;
   out.name = name;
   out.axis = std::move(axis);
   out.offset_m = std::move(offset_m);
@@ -26,7 +26,7 @@ ArmJoint joint(const char* name, Eigen::Vector3d axis, Eigen::Vector3d offset_m)
 }
 
 /// A post 1 m high, two links of 2 m and 1 m in the plane x-z, positive angles upwards.
-SerialArm planar() {
+robot::SerialArm planar() {
   return {"planar",
           {joint("1", {0, 0, 3}, {0, 0, 1}), joint("2", {0, -1, 0}, {0, 0, 0}),
            joint("3", {0, -1, 0}, {2, 0, 0})},
@@ -34,7 +34,7 @@ SerialArm planar() {
 }
 
 /// Six joints like the example's, with offsets in every direction.
-SerialArm six_axes() {
+robot::SerialArm six_axes() {
   return {"six",
           {joint("1", {0, 0, 1}, {0, 0, 0.22}), joint("2", {0, 1, 0}, {0.15, 0.02, 0.23}),
            joint("3", {0, -1, 0}, {0, 0, 0.6}), joint("4", {1, 0, 0}, {0.14, -0.03, 0.2}),
@@ -58,13 +58,13 @@ void expect_near(const Eigen::Vector3d& found, const Eigen::Vector3d& wanted) {
 }
 
 TEST(SerialArm, StandsWhereHandWorkedPosesSay) {
-  const SerialArm arm = planar();
+  const robot::SerialArm arm = planar();
   expect_near(arm.pose({0, 0, 0}).tool_m, {3, 0, 1});
   expect_near(arm.pose({0, pi / 2, 0}).tool_m, {0, 0, 4});
   expect_near(arm.pose({0, 0, pi / 2}).tool_m, {2, 0, 2});
   expect_near(arm.pose({pi / 2, 0, 0}).tool_m, {0, 3, 1});
   expect_near(arm.pose({pi / 2, pi / 2, -pi / 2}).tool_m, {0, 1, 3});
-  const ArmPose pose = arm.pose({0, pi / 6, pi / 6});
+  const robot::ArmPose pose = arm.pose({0, pi / 6, pi / 6});
   expect_near(pose.frames[2].translation(), {std::sqrt(3.0), 0, 2});
   expect_near(pose.tool_m, {std::sqrt(3.0) + 0.5, 0, 2 + std::sqrt(3.0) / 2});
   expect_near(arm.axis(arm.pose({pi / 2, 1, 0}), 1), {1, 0, 0});
@@ -72,7 +72,7 @@ TEST(SerialArm, StandsWhereHandWorkedPosesSay) {
 
 // Twists in the base's frame: no joint's own frame enters, unlike in the chain under test.
 TEST(SerialArm, AgreesWithTheProductOfExponentials) {
-  const SerialArm arm = six_axes();
+  const robot::SerialArm arm = six_axes();
   for (const auto& angles : some_poses()) {
     Eigen::Matrix4d product = Eigen::Matrix4d::Identity();
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -90,16 +90,16 @@ TEST(SerialArm, AgreesWithTheProductOfExponentials) {
       product = product * step;
     }
     const Eigen::Vector4d tool = product * (origin + arm.tool_m()).homogeneous();
-    const ArmPose pose = arm.pose(angles);
+    const robot::ArmPose pose = arm.pose(angles);
     expect_near(pose.tool_m, tool.head<3>());
     EXPECT_LT((pose.tool_frame.linear() - product.topLeftCorner<3, 3>()).norm(), 1e-12);
   }
 }
 
 TEST(SerialArm, KeepsItsLinksAsLongAsTheyAre) {
-  const SerialArm arm = six_axes();
+  const robot::SerialArm arm = six_axes();
   for (const auto& angles : some_poses()) {
-    const ArmPose pose = arm.pose(angles);
+    const robot::ArmPose pose = arm.pose(angles);
     for (std::size_t i = 1; i < arm.size(); ++i) {
       const double length =
           (pose.frames[i].translation() - pose.frames[i - 1].translation()).norm();
@@ -110,19 +110,19 @@ TEST(SerialArm, KeepsItsLinksAsLongAsTheyAre) {
 }
 
 TEST(SerialArm, GrowsWithItsLengths) {
-  const SerialArm arm = six_axes();
-  std::vector<ArmJoint> joints = arm.joints();
-  for (ArmJoint& one : joints) one.offset_m *= 2.5;
-  const SerialArm larger("larger", joints, 2.5 * arm.tool_m());
+  const robot::SerialArm arm = six_axes();
+  std::vector<robot::ArmJoint> joints = arm.joints();
+  for (robot::ArmJoint& one : joints) one.offset_m *= 2.5;
+  const robot::SerialArm larger("larger", joints, 2.5 * arm.tool_m());
   for (const auto& angles : some_poses()) {
     expect_near(larger.pose(angles).tool_m, 2.5 * arm.pose(angles).tool_m);
   }
 }
 
-std::string refusal(std::vector<ArmJoint> joints,
+std::string refusal(std::vector<robot::ArmJoint> joints,
                     const Eigen::Vector3d& tool_m = Eigen::Vector3d(0.1, 0, 0)) {
   try {
-    const SerialArm arm("arm", std::move(joints), tool_m);
+    const robot::SerialArm arm("arm", std::move(joints), tool_m);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -130,13 +130,13 @@ std::string refusal(std::vector<ArmJoint> joints,
 }
 
 TEST(SerialArm, RefusesWhatNoArmIs) {
-  const ArmJoint good = joint("3", {0, 1, 0}, {0, 0, 0});
+  const robot::ArmJoint good = joint("3", {0, 1, 0}, {0, 0, 0});
   EXPECT_EQ(refusal({good}), "");
   EXPECT_EQ(refusal({}), "the arm has no joint");
   EXPECT_EQ(refusal({good}, {0, 0, 0}),
             "all joints and the flange lie in one point; the arm needs a length");
   EXPECT_EQ(refusal({good, good}), "joint '3': the name is given twice");
-  ArmJoint bad = good;
+  robot::ArmJoint bad = good;
   bad.axis = {0, 0, 0};
   EXPECT_EQ(refusal({bad}), "joint '3': the axis [0, 0, 0] has no direction");
   bad = good;
@@ -152,7 +152,7 @@ TEST(SerialArm, RefusesWhatNoArmIs) {
 }
 
 TEST(SerialArm, RefusesAnglesOutsideItsRanges) {
-  const SerialArm arm = planar();
+  const robot::SerialArm arm = planar();
   EXPECT_THROW(static_cast<void>(arm.pose({0, 0})), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(arm.pose({0, 3.2, 0})), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(arm.pose({0, std::nan(""), 0})), std::invalid_argument);

@@ -16,7 +16,7 @@ namespace {
 
 struct Case {
   const char* name;
-  LuGreFriction::Parameters friction;
+  friction::LuGreFriction::Parameters friction;
   double amplitude_rad;
   double frequency_Hz;
   double duration_s;
@@ -31,11 +31,11 @@ const Case cases[] = {
     {"steep", {1e5, 316.2, 0.4, 1.0, 1.5, 0.001}, 1e-4, 25, 0.2},
 };
 
-std::vector<double> integrate(const LuGreFriction& friction, const Motion& motion, double dt,
-                              std::size_t samples) {
+std::vector<double> integrate(const friction::LuGreFriction& friction,
+                              const simulate::Motion& motion, double dt, std::size_t samples) {
   std::vector<double> z(samples);
   std::vector<double> dz(samples);
-  integrate_bristle(friction, motion, 0, dt, 0, z, dz);
+  simulate::integrate_bristle(friction, motion, 0, dt, 0, z, dz);
   return z;
 }
 
@@ -57,8 +57,8 @@ double relative_error(const std::vector<double>& coarse, const std::vector<doubl
 
 TEST(BristleIntegrator, AgreesWithCvode) {
   for (const Case& c : cases) {
-    const LuGreFriction friction(c.friction);
-    const auto motion = HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
+    const friction::LuGreFriction friction(c.friction);
+    const auto motion = simulate::HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
     // CVODE itself: a tolerance of 1e-12 leaves it at 2e-10 of the paper's case; where it has to
     // take many steps more, at 1e-9. Ours must be within its promise or within the reference's.
     const test::CvodeOptions tight{1e-12, 1e-18, 0.002 / c.frequency_Hz,
@@ -79,8 +79,8 @@ TEST(BristleIntegrator, KeepsItsPromisedErrorAgainstItsOwnLimit) {
   // Independent of CVODE's own error: against the same integrator with a step 100 times finer,
   // whose error is 1e-8 times smaller.
   for (const Case& c : cases) {
-    const LuGreFriction friction(c.friction);
-    const auto motion = HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
+    const friction::LuGreFriction friction(c.friction);
+    const auto motion = simulate::HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
     const double end = std::min(c.duration_s, 0.5);
     for (const auto& [rate, promised] : {std::pair{1e4, 1e-8}, {1e5, 1e-10}}) {
       const auto samples = static_cast<std::size_t>(end * rate) + 1;
@@ -96,8 +96,8 @@ TEST(BristleIntegrator, KeepsItsPromisedErrorAgainstItsOwnLimit) {
 
 TEST(BristleIntegrator, ConvergesWithFourthOrder) {
   const Case& c = cases[1];
-  const LuGreFriction friction(c.friction);
-  const auto motion = HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
+  const friction::LuGreFriction friction(c.friction);
+  const auto motion = simulate::HarmonicMotion::sine(0, c.amplitude_rad, c.frequency_Hz);
   const auto fine = integrate(friction, motion, 1e-6, 300'001);
   const double coarse_error = relative_error(integrate(friction, motion, 1e-4, 3'001), fine, 100);
   const double half_error = relative_error(integrate(friction, motion, 5e-5, 6'001), fine, 50);
@@ -110,10 +110,10 @@ TEST(BristleIntegrator, DeflectionNeverExceedsItsBound) {
     const auto share = [](int lo, int hi) { return *rc::gen::inRange(lo, hi) / 100.0; };
     const double stiffness = std::pow(10.0, share(100, 600));
     const double coulomb = share(10, 200);
-    const LuGreFriction friction(
+    const friction::LuGreFriction friction(
         {stiffness, 0, 0, coulomb, coulomb + share(0, 100), std::pow(10.0, share(-300, 200))});
-    const auto motion =
-        HarmonicMotion::sine(0, std::pow(10.0, share(-500, 100)), std::pow(10.0, share(-100, 150)));
+    const auto motion = simulate::HarmonicMotion::sine(0, std::pow(10.0, share(-500, 100)),
+                                                       std::pow(10.0, share(-100, 150)));
     const double bound = friction.steady_deflection_rad(0);
     for (double z : integrate(friction, motion, std::pow(10.0, share(-500, -100)), 700)) {
       RC_ASSERT(std::abs(z) <= bound * (1 + 1e-9));
@@ -122,21 +122,22 @@ TEST(BristleIntegrator, DeflectionNeverExceedsItsBound) {
 }
 
 TEST(BristleIntegrator, MirroredMotionGivesMirroredDeflection) {
-  const LuGreFriction friction(cases[0].friction);
-  const auto z = integrate(friction, HarmonicMotion::sine(0, 0.02, 2), 1e-3, 2000);
-  const auto mirrored = integrate(friction, HarmonicMotion::sine(0, -0.02, 2), 1e-3, 2000);
+  const friction::LuGreFriction friction(cases[0].friction);
+  const auto z = integrate(friction, simulate::HarmonicMotion::sine(0, 0.02, 2), 1e-3, 2000);
+  const auto mirrored =
+      integrate(friction, simulate::HarmonicMotion::sine(0, -0.02, 2), 1e-3, 2000);
   for (std::size_t i = 0; i < z.size(); ++i) EXPECT_EQ(z[i], -mirrored[i]);
 }
 
 TEST(BristleIntegrator, ClosedLoopsDissipate) {
   // Work of friction over each whole cycle, sum of T dq, is positive.
-  const LuGreFriction friction(cases[0].friction);
+  const friction::LuGreFriction friction(cases[0].friction);
   for (const double amplitude : {1e-4, 1e-3, 1e-2, 1.0}) {
-    const auto motion = HarmonicMotion::sine(0, amplitude, 1);
+    const auto motion = simulate::HarmonicMotion::sine(0, amplitude, 1);
     const std::size_t samples = 3001;
     std::vector<double> z(samples);
     std::vector<double> dz(samples);
-    integrate_bristle(friction, motion, 0, 1e-3, 0, z, dz);
+    simulate::integrate_bristle(friction, motion, 0, 1e-3, 0, z, dz);
     double work = 0;
     for (std::size_t i = 1000; i < 3000; ++i) {
       const double w = motion.speed(static_cast<double>(i) * 1e-3);
@@ -147,7 +148,7 @@ TEST(BristleIntegrator, ClosedLoopsDissipate) {
 }
 
 TEST(BristleIntegrator, RestLeavesTheBristleAlone) {
-  class Rest final : public Motion {
+  class Rest final : public simulate::Motion {
    public:
     [[nodiscard]] double angle(double) const override { return 1; }
     [[nodiscard]] double speed(double) const override { return 0; }
@@ -155,7 +156,8 @@ TEST(BristleIntegrator, RestLeavesTheBristleAlone) {
   };
   std::vector<double> z(1500);
   std::vector<double> dz(1500);
-  integrate_bristle(LuGreFriction(cases[0].friction), Rest(), 0, 1e-3, 1.25e-3, z, dz);
+  simulate::integrate_bristle(friction::LuGreFriction(cases[0].friction), Rest(), 0, 1e-3, 1.25e-3,
+                              z, dz);
   for (std::size_t i = 0; i < z.size(); ++i) {
     EXPECT_DOUBLE_EQ(z[i], 1.25e-3);
     EXPECT_EQ(dz[i], 0);
@@ -163,15 +165,17 @@ TEST(BristleIntegrator, RestLeavesTheBristleAlone) {
 }
 
 TEST(BristleIntegrator, RefusesWhatCannotBe) {
-  const LuGreFriction friction(cases[0].friction);
-  const auto motion = HarmonicMotion::sine(0, 0.01, 1);
+  const friction::LuGreFriction friction(cases[0].friction);
+  const auto motion = simulate::HarmonicMotion::sine(0, 0.01, 1);
   std::vector<double> z(3);
   std::vector<double> dz(3);
   std::vector<double> two(2);
-  EXPECT_THROW(integrate_bristle(friction, motion, 0, 0, 0, z, dz), std::invalid_argument);
-  EXPECT_THROW(integrate_bristle(friction, motion, 0, 1, std::nan(""), z, dz),
+  EXPECT_THROW(simulate::integrate_bristle(friction, motion, 0, 0, 0, z, dz),
                std::invalid_argument);
-  EXPECT_THROW(integrate_bristle(friction, motion, 0, 1, 0, z, two), std::invalid_argument);
+  EXPECT_THROW(simulate::integrate_bristle(friction, motion, 0, 1, std::nan(""), z, dz),
+               std::invalid_argument);
+  EXPECT_THROW(simulate::integrate_bristle(friction, motion, 0, 1, 0, z, two),
+               std::invalid_argument);
 }
 
 }  // namespace

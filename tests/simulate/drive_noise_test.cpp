@@ -13,30 +13,30 @@
 namespace tribolog {
 namespace {
 
-const Recording& oscillation_of(const std::vector<Recording>& recordings) {
-  for (const Recording& r : recordings) {
-    if (r.role == Role::oscillation) return r;
+const joint::Recording& oscillation_of(const std::vector<joint::Recording>& recordings) {
+  for (const joint::Recording& r : recordings) {
+    if (r.role == joint::Role::oscillation) return r;
   }
   throw std::runtime_error("no oscillation");
 }
 
 TEST(DriveNoise, NoneLeavesEveryBit) {
-  const auto clean = simulate_joint(test::paper_joint());
-  Recording r = oscillation_of(clean);
-  add_drive_noise(r, Noise{}, 100, 1000, 0);
+  const auto clean = simulate::simulate_joint(test::paper_joint());
+  joint::Recording r = oscillation_of(clean);
+  simulate::add_drive_noise(r, simulate::Noise{}, 100, 1000, 0);
   EXPECT_EQ(r.torque_Nm, oscillation_of(clean).torque_Nm);
   EXPECT_EQ(r.q_rad, oscillation_of(clean).q_rad);
   EXPECT_EQ(r.dq_rad_s, oscillation_of(clean).dq_rad_s);
 }
 
 TEST(DriveNoise, IsWhatWasAskedFor) {
-  const Scenario noisy = test::noisy_paper_joint(5);
-  Scenario quiet = noisy;
-  quiet.noise = Noise{};
-  const auto with = simulate_joint(noisy);
-  const auto without = simulate_joint(quiet);
-  const Recording& a = oscillation_of(with);
-  const Recording& b = oscillation_of(without);
+  const simulate::Scenario noisy = test::noisy_paper_joint(5);
+  simulate::Scenario quiet = noisy;
+  quiet.noise = simulate::Noise{};
+  const auto with = simulate::simulate_joint(noisy);
+  const auto without = simulate::simulate_joint(quiet);
+  const joint::Recording& a = oscillation_of(with);
+  const joint::Recording& b = oscillation_of(without);
   double squares = 0;
   const double encoder_step = 2 * std::numbers::pi / 131072 / 100;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -53,11 +53,11 @@ TEST(DriveNoise, IsWhatWasAskedFor) {
 }
 
 TEST(DriveNoise, RippleRepeatsWithTheMotorTurn) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.noise.ripple = {{0.02, 1, 0.3}, {0.02, 6, 0}};
-  const auto with = simulate_joint(s);
-  const auto without = simulate_joint(test::paper_joint());
-  const Recording& a = with.front();
+  const auto with = simulate::simulate_joint(s);
+  const auto without = simulate::simulate_joint(test::paper_joint());
+  const joint::Recording& a = with.front();
   for (std::size_t i = 0; i < a.size(); i += 97) {
     const double motor = 100 * a.q_rad[i];
     const double expected = 0.02 * std::sin(motor + 0.3) + 0.02 * std::sin(6 * motor);
@@ -66,9 +66,9 @@ TEST(DriveNoise, RippleRepeatsWithTheMotorTurn) {
 }
 
 TEST(DriveNoise, SameSeedSameNumbersOtherSeedOthers) {
-  const auto a = simulate_joint(test::noisy_paper_joint(1));
-  const auto b = simulate_joint(test::noisy_paper_joint(1));
-  const auto c = simulate_joint(test::noisy_paper_joint(2));
+  const auto a = simulate::simulate_joint(test::noisy_paper_joint(1));
+  const auto b = simulate::simulate_joint(test::noisy_paper_joint(1));
+  const auto c = simulate::simulate_joint(test::noisy_paper_joint(2));
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].torque_Nm, b[k].torque_Nm);
     EXPECT_NE(a[k].torque_Nm, c[k].torque_Nm);
@@ -78,13 +78,13 @@ TEST(DriveNoise, SameSeedSameNumbersOtherSeedOthers) {
 // Stamps scatter about their ticks by what was asked for, in order even where that is more than a
 // tick; the torque's noise is that of an even clock.
 TEST(DriveNoise, ScattersTheClock) {
-  Scenario even = test::noisy_paper_joint(1);
-  Scenario uneven = even;
+  simulate::Scenario even = test::noisy_paper_joint(1);
+  simulate::Scenario uneven = even;
   uneven.noise.clock_jitter_s = 1e-4;
-  const auto with = simulate_joint(uneven);
-  const auto without = simulate_joint(even);
-  const Recording& a = oscillation_of(with);
-  const Recording& b = oscillation_of(without);
+  const auto with = simulate::simulate_joint(uneven);
+  const auto without = simulate::simulate_joint(even);
+  const joint::Recording& a = oscillation_of(with);
+  const joint::Recording& b = oscillation_of(without);
   double squares = 0;
   for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(a.t_s[i] - b.t_s[i], 2);
   const auto n = static_cast<double>(a.size());
@@ -93,19 +93,19 @@ TEST(DriveNoise, ScattersTheClock) {
   EXPECT_EQ(a.q_rad, b.q_rad);
 
   uneven.noise.clock_jitter_s = 1;
-  for (const Recording& r : simulate_joint(uneven)) {
+  for (const joint::Recording& r : simulate::simulate_joint(uneven)) {
     EXPECT_TRUE(std::is_sorted(r.t_s.begin(), r.t_s.end())) << r.name;
   }
 }
 
 // What is left are samples of the whole log, and as many as a share by chance leaves.
 TEST(DriveNoise, LosesSamples) {
-  Scenario gaps = test::noisy_paper_joint(1);
+  simulate::Scenario gaps = test::noisy_paper_joint(1);
   gaps.noise.lost_percent = 2;
-  const auto with = simulate_joint(gaps);
-  const auto without = simulate_joint(test::noisy_paper_joint(1));
-  const Recording& a = with.front();
-  const Recording& b = without.front();
+  const auto with = simulate::simulate_joint(gaps);
+  const auto without = simulate::simulate_joint(test::noisy_paper_joint(1));
+  const joint::Recording& a = with.front();
+  const joint::Recording& b = without.front();
   const double expected = 0.98 * static_cast<double>(b.size());
   EXPECT_NEAR(static_cast<double>(a.size()), expected, 5 * std::sqrt(0.02 * expected));
   EXPECT_EQ(a.rows_read, a.size());

@@ -9,15 +9,15 @@ namespace {
 
 TEST(ExpNonpositive, IsWithinTwoUnitsOfTheLibrary) {
   for (double x = 0; x > -690; x -= 0.0137) {
-    EXPECT_NEAR(exp_nonpositive(x) / std::exp(x), 1, 5e-16) << x;
+    EXPECT_NEAR(friction::exp_nonpositive(x) / std::exp(x), 1, 5e-16) << x;
   }
-  EXPECT_EQ(exp_nonpositive(0), 1);
-  EXPECT_LT(exp_nonpositive(-1e300), 1e-300);
+  EXPECT_EQ(friction::exp_nonpositive(0), 1);
+  EXPECT_LT(friction::exp_nonpositive(-1e300), 1e-300);
 }
 
 TEST(ExpNearZero, IsWithinTwoUnitsOfTheLibrary) {
-  for (double x = 0; x >= -near_zero; x -= 1e-6) {
-    EXPECT_NEAR(exp_near_zero(x) / std::exp(x), 1, 5e-16) << x;
+  for (double x = 0; x >= -friction::near_zero; x -= 1e-6) {
+    EXPECT_NEAR(friction::exp_near_zero(x) / std::exp(x), 1, 5e-16) << x;
   }
 }
 
@@ -35,8 +35,9 @@ double moment(double length, int k) {
 
 TEST(StepMoments, SeriesAndExponentialGiveTheIntegrals) {
   for (const double length : {0.0, 1e-9, 1e-3, 0.009, 0.1, 0.2499, 0.25, 0.5, 1.0, 7.0, 40.0}) {
-    const StepMoments<double> m =
-        length < series_below ? moments_by_series<10>(length) : moments_by_exponential(length);
+    const friction::StepMoments<double> m = length < friction::series_below
+                                                ? friction::moments_by_series<10>(length)
+                                                : friction::moments_by_exponential(length);
     EXPECT_NEAR(m.j0, moment(length, 0), 1e-12) << length;
     EXPECT_NEAR(m.j1, moment(length, 1), 1e-12) << length;
     EXPECT_NEAR(m.j2, moment(length, 2), 1e-12) << length;
@@ -46,8 +47,8 @@ TEST(StepMoments, SeriesAndExponentialGiveTheIntegrals) {
 
 TEST(StepMoments, ShortSeriesIsEnoughForShortSteps) {
   for (const double length : {0.0, 1e-4, 0.0099}) {
-    const auto brief = moments_by_series<5>(length);
-    const auto full = moments_by_series<10>(length);
+    const auto brief = friction::moments_by_series<5>(length);
+    const auto full = friction::moments_by_series<10>(length);
     EXPECT_NEAR(brief.j0, full.j0, 1e-15);
     EXPECT_NEAR(brief.j2, full.j2, 1e-15);
   }
@@ -58,9 +59,9 @@ TEST(ExponentialStep, ConstantSpeedIsExactForAnyStep) {
   const double g = 2e-3;
   for (const double w : {0.01, 1.0, 300.0}) {
     for (const double dt : {1e-6, 1e-3, 1.0, 100.0}) {
-      const double z = exponential_step<double>(w, w, w, g, g, g, dt, -1e-3);
+      const double z = friction::exponential_step<double>(w, w, w, g, g, g, dt, -1e-3);
       EXPECT_NEAR(z, g + (-1e-3 - g) * std::exp(-w * dt / g), 1e-17 + 1e-13 * g);
-      EXPECT_NEAR(exponential_step<double>(-w, -w, -w, g, g, g, dt, 1e-3), -z, 1e-17);
+      EXPECT_NEAR(friction::exponential_step<double>(-w, -w, -w, g, g, g, dt, 1e-3), -z, 1e-17);
     }
   }
 }

@@ -16,10 +16,10 @@ constexpr double swing_of_push_N = 0.2;
 
 }  // namespace
 
-ForcedMotionSetup push_below_break_away(double duration_s) {
+simulate::ForcedMotionSetup push_below_break_away(double duration_s) {
   constexpr double frequency_Hz = 5;
   constexpr double rise_s = 0.2;
-  ForcedMotionSetup setup;
+  simulate::ForcedMotionSetup setup;
   setup.applied_Nm = [](double t, double, double) {
     return std::min(1.0, t / rise_s) *
            (mean_push_N + swing_of_push_N * std::sin(2 * pi * frequency_Hz * t));
@@ -30,10 +30,10 @@ ForcedMotionSetup push_below_break_away(double duration_s) {
 }
 
 double deflection_of_that_push_m() {
-  return (mean_push_N + swing_of_push_N) / ContactParameters{}.stiffness_Nm_rad;
+  return (mean_push_N + swing_of_push_N) / friction::ContactParameters{}.stiffness_Nm_rad;
 }
 
-double mean_displacement_m(const ForcedMotion& motion, double until_s) {
+double mean_displacement_m(const simulate::ForcedMotion& motion, double until_s) {
   double sum = 0;
   double count = 0;
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
@@ -44,9 +44,9 @@ double mean_displacement_m(const ForcedMotion& motion, double until_s) {
   return sum / count;
 }
 
-ForcedMotionSetup sinusoidal_push(double amplitude_N, double frequency_Hz, double periods,
-                                  double samples_per_period) {
-  ForcedMotionSetup setup;
+simulate::ForcedMotionSetup sinusoidal_push(double amplitude_N, double frequency_Hz, double periods,
+                                            double samples_per_period) {
+  simulate::ForcedMotionSetup setup;
   setup.applied_Nm = [=](double t, double, double) {
     return amplitude_N * std::sin(2 * pi * frequency_Hz * t);
   };
@@ -55,36 +55,36 @@ ForcedMotionSetup sinusoidal_push(double amplitude_N, double frequency_Hz, doubl
   return setup;
 }
 
-ForcedMotionSetup drawn_by_a_spring() {
+simulate::ForcedMotionSetup drawn_by_a_spring() {
   constexpr double spring_N_m = 2;
-  ForcedMotionSetup setup;
+  simulate::ForcedMotionSetup setup;
   setup.applied_Nm = [](double t, double x, double) { return spring_N_m * (drawn_m_s * t - x); };
   setup.duration_s = 60;
   setup.sample_s = 0.01;
   return setup;
 }
 
-SpeedRange settled_speeds(const ForcedMotion& motion) {
+SpeedRange settled_speeds(const simulate::ForcedMotion& motion) {
   const auto& speed = motion.speed_rad_s;
   const auto begin = speed.begin() + static_cast<std::ptrdiff_t>(speed.size() / 2);
   const auto [slowest, fastest] = std::minmax_element(begin, speed.end());
   return {*slowest, *fastest};
 }
 
-ForcedMotionSetup rising_push(double rate_N_s, double sample_s) {
+simulate::ForcedMotionSetup rising_push(double rate_N_s, double sample_s) {
   constexpr double enough_N = 1.6;
-  ForcedMotionSetup setup;
+  simulate::ForcedMotionSetup setup;
   setup.applied_Nm = [=](double t, double, double) { return rate_N_s * t; };
   setup.duration_s = enough_N / rate_N_s;
   setup.sample_s = sample_s;
   return setup;
 }
 
-double largest_friction_N(const ForcedMotion& motion) {
+double largest_friction_N(const simulate::ForcedMotion& motion) {
   return *std::max_element(motion.friction_Nm.begin(), motion.friction_Nm.end());
 }
 
-EnergyBalance energy_of(const ForcedMotion& m) {
+EnergyBalance energy_of(const simulate::ForcedMotion& m) {
   EnergyBalance energy{0, 0, m.speed_rad_s.back() * m.speed_rad_s.back() / 2};
   for (std::size_t i = 1; i < m.t_s.size(); ++i) {
     const double way = m.angle_rad[i] - m.angle_rad[i - 1];

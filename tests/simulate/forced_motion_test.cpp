@@ -26,8 +26,8 @@ std::vector<std::string> solvable() {
 
 class Forced : public testing::TestWithParam<std::string> {
  protected:
-  const FrictionModelEntry& entry_ = dynamic_friction_model(GetParam());
-  std::unique_ptr<DynamicFriction> model_ = entry_.matched({});
+  const friction::FrictionModelEntry& entry_ = friction::dynamic_friction_model(GetParam());
+  std::unique_ptr<friction::DynamicFriction> model_ = entry_.matched({});
 };
 
 INSTANTIATE_TEST_SUITE_P(Motion, Forced, testing::ValuesIn(solvable()),
@@ -35,7 +35,8 @@ INSTANTIATE_TEST_SUITE_P(Motion, Forced, testing::ValuesIn(solvable()),
 
 // A torque that stays below break-away all the time, and oscillates: does the rest position creep?
 TEST_P(Forced, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
-  const ForcedMotion m = simulate_forced_motion(*model_, test::push_below_break_away(8));
+  const simulate::ForcedMotion m =
+      simulate::simulate_forced_motion(*model_, test::push_below_break_away(8));
   const double creep = test::mean_displacement_m(m, 8) - test::mean_displacement_m(m, 4);
   const double deflection = test::deflection_of_that_push_m();
   if (entry_.traits.drifts) {
@@ -47,8 +48,8 @@ TEST_P(Forced, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
 
 // Energy: what the torque puts in is what the mass has and friction took.
 TEST_P(Forced, BalancesItsEnergy) {
-  const test::EnergyBalance energy =
-      test::energy_of(simulate_forced_motion(*model_, test::sinusoidal_push(2, 2, 2, 50'000)));
+  const test::EnergyBalance energy = test::energy_of(
+      simulate::simulate_forced_motion(*model_, test::sinusoidal_push(2, 2, 2, 50'000)));
   EXPECT_GT(energy.taken_J, 0);
   EXPECT_NEAR(energy.put_in_J, energy.taken_J + energy.kinetic_J, 2e-3 * energy.put_in_J);
 }
@@ -56,7 +57,7 @@ TEST_P(Forced, BalancesItsEnergy) {
 // Drawn by a soft spring at constant speed in the falling part of the Stribeck curve.
 TEST_P(Forced, SticksAndSlipsInALimitCycleIfFrictionFallsWithSpeed) {
   const test::SpeedRange speeds =
-      test::settled_speeds(simulate_forced_motion(*model_, test::drawn_by_a_spring()));
+      test::settled_speeds(simulate::simulate_forced_motion(*model_, test::drawn_by_a_spring()));
   if (entry_.traits.stribeck) {
     EXPECT_LT(speeds.slowest_m_s, 0.01 * test::drawn_m_s);
     EXPECT_GT(speeds.fastest_m_s, 1.5 * test::drawn_m_s);
@@ -70,7 +71,7 @@ TEST_P(Forced, BreaksAwayEarlierTheFasterTheTorqueRisesIfStribeckIsInIt) {
   if (!entry_.traits.stribeck) return;
   const auto at_rate = [&](double rate_N_s) {
     return test::largest_friction_N(
-        simulate_forced_motion(*model_, test::rising_push(rate_N_s, 1e-4 / rate_N_s)));
+        simulate::simulate_forced_motion(*model_, test::rising_push(rate_N_s, 1e-4 / rate_N_s)));
   };
   const double slow = at_rate(1);
   const double medium = at_rate(10);
@@ -86,14 +87,14 @@ TEST_P(Forced, BreaksAwayEarlierTheFasterTheTorqueRisesIfStribeckIsInIt) {
 // Nothing of the motion is hidden: its state at a moment is all that what follows depends on.
 TEST_P(Forced, GoesOnFromTheStateInWhichItStopped) {
   constexpr double restarted = 1e-4;  // the solver forgets its step, and then chooses others
-  ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 200);
-  const ForcedMotion whole = simulate_forced_motion(*model_, setup);
+  simulate::ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 200);
+  const simulate::ForcedMotion whole = simulate::simulate_forced_motion(*model_, setup);
   setup.duration_s /= 2;
-  const ForcedMotion first = simulate_forced_motion(*model_, setup);
+  const simulate::ForcedMotion first = simulate::simulate_forced_motion(*model_, setup);
   setup.angle_rad = first.angle_rad.back();
   setup.speed_rad_s = first.speed_rad_s.back();
   setup.friction_state = first.end_state;
-  const ForcedMotion second = simulate_forced_motion(*model_, setup);
+  const simulate::ForcedMotion second = simulate::simulate_forced_motion(*model_, setup);
   const double width = *std::max_element(whole.angle_rad.begin(), whole.angle_rad.end()) -
                        *std::min_element(whole.angle_rad.begin(), whole.angle_rad.end());
   EXPECT_EQ(second.friction_Nm.front(), first.friction_Nm.back());
@@ -102,13 +103,14 @@ TEST_P(Forced, GoesOnFromTheStateInWhichItStopped) {
 }
 
 TEST(ForcedMotion, WithoutFrictionWorthMentioningFollowsNewton) {
-  LuGreFriction::Parameters p{1e-6, 0, 0, 1e-12, 1e-12, 1.0};
-  ForcedMotionSetup setup;
+  friction::LuGreFriction::Parameters p{1e-6, 0, 0, 1e-12, 1e-12, 1.0};
+  simulate::ForcedMotionSetup setup;
   setup.inertia_kgm2 = 2;
   setup.applied_Nm = [](double t, double, double) { return 3 * std::cos(4 * t); };
   setup.duration_s = 2;
   setup.sample_s = 0.1;
-  const ForcedMotion m = simulate_forced_motion(LuGreFriction(p), setup);
+  const simulate::ForcedMotion m =
+      simulate::simulate_forced_motion(friction::LuGreFriction(p), setup);
   for (std::size_t i = 0; i < m.t_s.size(); ++i) {
     EXPECT_NEAR(m.speed_rad_s[i], 3.0 / 8 * std::sin(4 * m.t_s[i]), 1e-7);
     EXPECT_NEAR(m.angle_rad[i], 3.0 / 32 * (1 - std::cos(4 * m.t_s[i])), 1e-7);
@@ -116,16 +118,16 @@ TEST(ForcedMotion, WithoutFrictionWorthMentioningFollowsNewton) {
 }
 
 TEST(ForcedMotion, RefusesWhatCannotBe) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  ForcedMotionSetup setup = test::sinusoidal_push(1, 1, 1, 200);
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  simulate::ForcedMotionSetup setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.inertia_kgm2 = 0;
-  EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_forced_motion(*lugre, setup), std::invalid_argument);
   setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.applied_Nm = nullptr;
-  EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_forced_motion(*lugre, setup), std::invalid_argument);
   setup = test::sinusoidal_push(1, 1, 1, 200);
   setup.friction_state = {0.0, 0.0};
-  EXPECT_THROW(simulate_forced_motion(*lugre, setup), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_forced_motion(*lugre, setup), std::invalid_argument);
 }
 
 }  // namespace

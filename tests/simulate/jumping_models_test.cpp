@@ -16,11 +16,12 @@ namespace {
 
 class Jumping : public testing::TestWithParam<std::string> {
  protected:
-  [[nodiscard]] ForcedMotion march(const ForcedMotionSetup& setup, double step_s) const {
+  [[nodiscard]] simulate::ForcedMotion march(const simulate::ForcedMotionSetup& setup,
+                                             double step_s) const {
     return test::marched_motion(*model_, setup, step_s, entry_.traits.presliding);
   }
-  const FrictionModelEntry& entry_ = dynamic_friction_model(GetParam());
-  std::unique_ptr<DynamicFriction> model_ = entry_.matched({});
+  const friction::FrictionModelEntry& entry_ = friction::dynamic_friction_model(GetParam());
+  std::unique_ptr<friction::DynamicFriction> model_ = entry_.matched({});
 };
 
 INSTANTIATE_TEST_SUITE_P(Motion, Jumping,
@@ -30,10 +31,10 @@ INSTANTIATE_TEST_SUITE_P(Motion, Jumping,
 
 TEST_P(Jumping, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
   // Bonds have no damping: without a damper the body would ring on and snap more of them.
-  ContactParameters damped;
+  friction::ContactParameters damped;
   damped.viscous_Nms_rad = 200;
   const auto model = entry_.matched(damped);
-  const ForcedMotion m =
+  const simulate::ForcedMotion m =
       test::marched_motion(*model, test::push_below_break_away(4), 2e-5, entry_.traits.presliding);
   const double creep = test::mean_displacement_m(m, 4) - test::mean_displacement_m(m, 2);
   const double deflection = test::deflection_of_that_push_m();
@@ -45,7 +46,7 @@ TEST_P(Jumping, DriftsUnderAnOscillatingTorqueOnlyIfItSaysSo) {
 }
 
 TEST_P(Jumping, TakesTheEnergyThatIsPutIn) {
-  const ForcedMotionSetup setup = test::sinusoidal_push(2, 2, 2, 50'000);
+  const simulate::ForcedMotionSetup setup = test::sinusoidal_push(2, 2, 2, 50'000);
   const test::EnergyBalance energy = test::energy_of(march(setup, setup.sample_s));
   EXPECT_GT(energy.taken_J, 0);
   EXPECT_NEAR(energy.put_in_J, energy.taken_J + energy.kinetic_J, 2e-3 * energy.put_in_J);
@@ -72,7 +73,7 @@ TEST_P(Jumping, BreaksAwayAtThePeakOfSlowMotion) {
   };
   const double slow = at_rate(2);
   const double fast = at_rate(50);
-  const double slow_motion = portrait_of(entry_, {}).largest_Nm;
+  const double slow_motion = simulate::portrait_of(entry_, {}).largest_Nm;
   EXPECT_NEAR(slow, slow_motion, 0.08 * slow_motion);
   if (entry_.name == "lugre") {
     EXPECT_LT(fast, slow - 0.2);
@@ -84,11 +85,11 @@ TEST_P(Jumping, BreaksAwayAtThePeakOfSlowMotion) {
 
 // The march and CVODE share no code but the model's law.
 TEST(MarchedMotion, AgreesWithCvodeWhereTheModelIsSmooth) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  const ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 100);
-  const ForcedMotion solved = simulate_forced_motion(*lugre, setup);
-  const ForcedMotion coarse = test::marched_motion(*lugre, setup, 2e-6, true);
-  const ForcedMotion fine = test::marched_motion(*lugre, setup, 1e-6, true);
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  const simulate::ForcedMotionSetup setup = test::sinusoidal_push(1.3, 10, 2, 100);
+  const simulate::ForcedMotion solved = simulate::simulate_forced_motion(*lugre, setup);
+  const simulate::ForcedMotion coarse = test::marched_motion(*lugre, setup, 2e-6, true);
+  const simulate::ForcedMotion fine = test::marched_motion(*lugre, setup, 1e-6, true);
   const auto [low, high] = std::minmax_element(solved.angle_rad.begin(), solved.angle_rad.end());
   double coarse_apart = 0;
   double fine_apart = 0;

@@ -6,8 +6,9 @@
 
 namespace tribolog::test {
 
-ForcedMotion marched_motion(const DynamicFriction& friction, const ForcedMotionSetup& setup,
-                            double step_s, bool holds_by_itself) {
+simulate::ForcedMotion marched_motion(const friction::DynamicFriction& friction,
+                                      const simulate::ForcedMotionSetup& setup, double step_s,
+                                      bool holds_by_itself) {
   std::vector<double> state = friction.unloaded();
   constexpr double next_to_rest_rad_s = 1e-12;
   const double holding_Nm = friction.steady_torque_Nm(next_to_rest_rad_s);
@@ -15,7 +16,7 @@ ForcedMotion marched_motion(const DynamicFriction& friction, const ForcedMotionS
   const auto steps = static_cast<std::size_t>(std::lround(setup.duration_s / step_s));
   double angle = setup.angle_rad;
   double speed = setup.speed_rad_s;
-  ForcedMotion out;
+  simulate::ForcedMotion out;
   for (std::size_t i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) * step_s;
     const double applied = setup.applied_Nm(t, angle, speed);

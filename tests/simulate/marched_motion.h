@@ -9,7 +9,8 @@ namespace tribolog::test {
 /// Second order in the step where the motion is smooth. A step in which the speed would change its
 /// sign ends at rest; a contact without pre-sliding then holds up to the torque with which sliding
 /// begins. Samples lie at whole multiples of `step_s` next to those of the set-up.
-ForcedMotion marched_motion(const DynamicFriction& friction, const ForcedMotionSetup& setup,
-                            double step_s, bool holds_by_itself);
+simulate::ForcedMotion marched_motion(const friction::DynamicFriction& friction,
+                                      const simulate::ForcedMotionSetup& setup, double step_s,
+                                      bool holds_by_itself);
 
 }  // namespace tribolog::test

@@ -8,10 +8,10 @@ namespace tribolog {
 namespace {
 
 TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
-  const ContactParameters contact;
-  for (const FrictionModelEntry& entry : dynamic_friction_models()) {
+  const friction::ContactParameters contact;
+  for (const friction::FrictionModelEntry& entry : friction::dynamic_friction_models()) {
     if (entry.traits.is_random) continue;
-    const ModelPortrait p = portrait_of(entry, contact);
+    const simulate::ModelPortrait p = simulate::portrait_of(entry, contact);
     if (entry.traits.break_away) {
       EXPECT_NEAR(p.largest_Nm, contact.static_Nm, 0.05) << entry.name;
     }
@@ -21,7 +21,7 @@ TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
     if (entry.traits.lag) {
       EXPECT_GT(p.lag_Nm, 5e-4) << entry.name;
     }
-    for (const PortraitCurve* curve : {&p.steady, &p.loop, &p.lag, &p.break_away}) {
+    for (const simulate::PortraitCurve* curve : {&p.steady, &p.loop, &p.lag, &p.break_away}) {
       ASSERT_EQ(curve->x.size(), curve->torque_Nm.size());
       ASSERT_GT(curve->x.size(), 100U);
       for (const double torque : curve->torque_Nm) {
@@ -34,8 +34,8 @@ TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
 
 // A joint instead of table 1's unit mass: ways, speeds and torques are of another size, shapes not.
 TEST(ModelPortrait, ScalesWithTheContact) {
-  const ContactParameters small;
-  ContactParameters joint;
+  const friction::ContactParameters small;
+  friction::ContactParameters joint;
   constexpr double torque = 0.6;
   constexpr double way = 1e2;
   joint.coulomb_Nm = torque * small.coulomb_Nm;
@@ -44,11 +44,11 @@ TEST(ModelPortrait, ScalesWithTheContact) {
   joint.stribeck_speed_rad_s = way * small.stribeck_speed_rad_s;
   joint.viscous_Nms_rad = torque / way * small.viscous_Nms_rad;
   joint.damping_Nms_rad = torque / way * small.damping_Nms_rad;
-  for (const FrictionModelEntry& entry : dynamic_friction_models()) {
+  for (const friction::FrictionModelEntry& entry : friction::dynamic_friction_models()) {
     // A jump, or a bond that snaps, may fall on either side of a sample.
     if (!entry.traits.presliding || entry.traits.is_random) continue;
-    const ModelPortrait a = portrait_of(entry, small);
-    const ModelPortrait b = portrait_of(entry, joint);
+    const simulate::ModelPortrait a = simulate::portrait_of(entry, small);
+    const simulate::ModelPortrait b = simulate::portrait_of(entry, joint);
     for (std::size_t i = 0; i < a.loop.x.size(); i += 50) {
       EXPECT_NEAR(b.loop.x[i], way * a.loop.x[i], 1e-9) << entry.name;
       EXPECT_NEAR(b.loop.torque_Nm[i], torque * a.loop.torque_Nm[i], 2e-3) << entry.name;

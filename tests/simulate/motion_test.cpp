@@ -12,13 +12,17 @@
 namespace tribolog {
 namespace {
 
-std::vector<std::unique_ptr<Motion>> motions() {
-  std::vector<std::unique_ptr<Motion>> all;
-  all.push_back(std::make_unique<HarmonicMotion>(HarmonicMotion::sine(0.4, 0.01, 2)));
-  all.push_back(std::make_unique<HarmonicMotion>(
-      0.4, 0.7, std::vector<HarmonicMotion::Harmonic>{{0.1, 0.3}, {0, 0}, {0.02, -0.05}}));
-  all.push_back(std::make_unique<TravelMotion>(TravelMotion::Plan{-1, 0.6, 0.5, 3, true, 0.2}));
-  all.push_back(std::make_unique<TravelMotion>(TravelMotion::Plan{1, -0.3, 0.5, 3, false, 0.1}));
+std::vector<std::unique_ptr<simulate::Motion>> motions() {
+  std::vector<std::unique_ptr<simulate::Motion>> all;
+  all.push_back(
+      std::make_unique<simulate::HarmonicMotion>(simulate::HarmonicMotion::sine(0.4, 0.01, 2)));
+  all.push_back(std::make_unique<simulate::HarmonicMotion>(
+      0.4, 0.7,
+      std::vector<simulate::HarmonicMotion::Harmonic>{{0.1, 0.3}, {0, 0}, {0.02, -0.05}}));
+  all.push_back(std::make_unique<simulate::TravelMotion>(
+      simulate::TravelMotion::Plan{-1, 0.6, 0.5, 3, true, 0.2}));
+  all.push_back(std::make_unique<simulate::TravelMotion>(
+      simulate::TravelMotion::Plan{1, -0.3, 0.5, 3, false, 0.1}));
   return all;
 }
 
@@ -43,7 +47,7 @@ TEST(Motion, SpeedsInARowAreTheSpeedsOneByOne) {
 }
 
 TEST(TravelMotion, GoesThereAndBack) {
-  const TravelMotion m({-1, 0.6, 0.5, 3, true, 0.2});
+  const simulate::TravelMotion m({-1, 0.6, 0.5, 3, true, 0.2});
   EXPECT_DOUBLE_EQ(m.angle(0), -1);
   EXPECT_NEAR(m.angle(m.duration_s()), -1, 1e-12);
   double highest = -2;
@@ -60,9 +64,9 @@ TEST(TravelMotion, GoesThereAndBack) {
 }
 
 TEST(TravelMotion, RefusesAWayTooShortForItsSpeed) {
-  EXPECT_THROW(TravelMotion({0, 0.01, 1, 1, true, 0.1}), std::invalid_argument);
-  EXPECT_THROW(TravelMotion({0, 1, 0, 1, true, 0.1}), std::invalid_argument);
-  EXPECT_THROW(TravelMotion({0, 1, 1, 0, true, 0.1}), std::invalid_argument);
+  EXPECT_THROW(simulate::TravelMotion({0, 0.01, 1, 1, true, 0.1}), std::invalid_argument);
+  EXPECT_THROW(simulate::TravelMotion({0, 1, 0, 1, true, 0.1}), std::invalid_argument);
+  EXPECT_THROW(simulate::TravelMotion({0, 1, 1, 0, true, 0.1}), std::invalid_argument);
 }
 
 }  // namespace

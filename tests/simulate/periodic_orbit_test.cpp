@@ -18,8 +18,9 @@ namespace {
 
 using std::numbers::pi;
 
-PeriodicOrbitSetup sinusoidal(double amplitude_N, double frequency_Hz, double mean_N = 0) {
-  PeriodicOrbitSetup setup;
+simulate::PeriodicOrbitSetup sinusoidal(double amplitude_N, double frequency_Hz,
+                                        double mean_N = 0) {
+  simulate::PeriodicOrbitSetup setup;
   setup.applied_Nm = [=](double t) {
     return mean_N + amplitude_N * std::sin(2 * pi * frequency_Hz * t);
   };
@@ -28,15 +29,16 @@ PeriodicOrbitSetup sinusoidal(double amplitude_N, double frequency_Hz, double me
   return setup;
 }
 
-double width_of(const ForcedMotion& motion) {
+double width_of(const simulate::ForcedMotion& motion) {
   const auto [low, high] = std::minmax_element(motion.angle_rad.begin(), motion.angle_rad.end());
   return *high - *low;
 }
 
 /// More periods of the same, from the orbit's start or from rest.
-ForcedMotion periods(const DynamicFriction& friction, const PeriodicOrbitSetup& setup, int count,
-                     const PeriodicOrbit* from) {
-  ForcedMotionSetup forced;
+simulate::ForcedMotion periods(const friction::DynamicFriction& friction,
+                               const simulate::PeriodicOrbitSetup& setup, int count,
+                               const simulate::PeriodicOrbit* from) {
+  simulate::ForcedMotionSetup forced;
   forced.inertia_kgm2 = setup.inertia_kgm2;
   forced.applied_Nm = [&](double t, double, double) { return setup.applied_Nm(t); };
   forced.duration_s = count * setup.period_s;
@@ -46,7 +48,7 @@ ForcedMotion periods(const DynamicFriction& friction, const PeriodicOrbitSetup& 
     forced.speed_rad_s = from->cycle.speed_rad_s.front();
     forced.friction_state = from->start_state;
   }
-  return simulate_forced_motion(friction, forced);
+  return simulate::simulate_forced_motion(friction, forced);
 }
 
 // m dv/dt + c v = F sin(w t) has v = Im(F exp(i w t)/(c + i w m)). A start dies away with
@@ -56,13 +58,13 @@ TEST(PeriodicOrbit, OfALinearLawIsTheKnownOneHoweverLittleItIsDamped) {
   constexpr double viscous = 0.02;
   constexpr double amplitude = 3;
   constexpr double omega = 4;
-  const LuGreFriction friction({1e-6, 0, viscous, 1e-12, 1e-12, 1.0});
-  PeriodicOrbitSetup setup;
+  const friction::LuGreFriction friction({1e-6, 0, viscous, 1e-12, 1e-12, 1.0});
+  simulate::PeriodicOrbitSetup setup;
   setup.inertia_kgm2 = mass;
   setup.applied_Nm = [=](double t) { return amplitude * std::sin(omega * t); };
   setup.period_s = 2 * pi / omega;
   setup.samples = 100;
-  const PeriodicOrbit orbit = periodic_orbit(friction, setup);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(friction, setup);
   EXPECT_TRUE(orbit.converged) << orbit.gap;
   EXPECT_LE(orbit.corrections, 5);
   const std::complex<double> gain = amplitude / std::complex<double>(viscous, omega * mass);
@@ -77,7 +79,8 @@ TEST(PeriodicOrbit, OfALinearLawIsTheKnownOneHoweverLittleItIsDamped) {
 
 class Orbits : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<DynamicFriction> model_ = dynamic_friction_model(GetParam()).matched({});
+  std::unique_ptr<friction::DynamicFriction> model_ =
+      friction::dynamic_friction_model(GetParam()).matched({});
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, Orbits,
@@ -85,11 +88,11 @@ INSTANTIATE_TEST_SUITE_P(Models, Orbits,
                          [](const auto& which) { return which.param; });
 
 TEST_P(Orbits, RepeatPeriodAfterPeriod) {
-  const PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
-  const PeriodicOrbit orbit = periodic_orbit(*model_, setup);
+  const simulate::PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*model_, setup);
   EXPECT_TRUE(orbit.converged) << orbit.gap;
   const double width = width_of(orbit.cycle);
-  const ForcedMotion three = periods(*model_, setup, 3, &orbit);
+  const simulate::ForcedMotion three = periods(*model_, setup, 3, &orbit);
   for (std::size_t i = 0; i + setup.samples < three.t_s.size(); ++i) {
     EXPECT_NEAR(three.angle_rad[i + setup.samples], three.angle_rad[i], 1e-6 * width) << i;
     EXPECT_NEAR(three.friction_Nm[i + setup.samples], three.friction_Nm[i], 1e-5) << i;
@@ -98,8 +101,8 @@ TEST_P(Orbits, RepeatPeriodAfterPeriod) {
 
 // The second half of the force mirrors its first half, and so does the motion.
 TEST_P(Orbits, MirrorTheirFirstHalfUnderAForceThatDoes) {
-  const PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
-  const PeriodicOrbit orbit = periodic_orbit(*model_, setup);
+  const simulate::PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*model_, setup);
   const double width = width_of(orbit.cycle);
   EXPECT_LT(std::abs(orbit.drift_rad), 1e-7 * width);
   const std::size_t half = setup.samples / 2;
@@ -109,11 +112,11 @@ TEST_P(Orbits, MirrorTheirFirstHalfUnderAForceThatDoes) {
 }
 
 TEST(PeriodicOrbit, IsWhereAMotionFromRestEnds) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  const PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
-  const PeriodicOrbit orbit = periodic_orbit(*lugre, setup);
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  const simulate::PeriodicOrbitSetup setup = sinusoidal(1.3, 10);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*lugre, setup);
   constexpr int many = 8;
-  const ForcedMotion from_rest = periods(*lugre, setup, many, nullptr);
+  const simulate::ForcedMotion from_rest = periods(*lugre, setup, many, nullptr);
   const std::size_t last = (many - 1) * setup.samples;
   for (std::size_t i = 0; i <= setup.samples; ++i) {
     EXPECT_NEAR(from_rest.friction_Nm[last + i], orbit.cycle.friction_Nm[i], 1e-6) << i;
@@ -122,46 +125,46 @@ TEST(PeriodicOrbit, IsWhereAMotionFromRestEnds) {
 
 // A mean force below break-away makes LuGre creep: what repeats then is all but the angle.
 TEST(PeriodicOrbit, GivesTheDriftOfAForceThatIsNotMirrored) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  const PeriodicOrbitSetup setup = sinusoidal(0.6, 5, 0.4);
-  const PeriodicOrbit orbit = periodic_orbit(*lugre, setup);
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  const simulate::PeriodicOrbitSetup setup = sinusoidal(0.6, 5, 0.4);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*lugre, setup);
   EXPECT_TRUE(orbit.converged) << orbit.gap;
   EXPECT_GT(orbit.drift_rad, 1e-2 * width_of(orbit.cycle));
-  const ForcedMotion three = periods(*lugre, setup, 3, &orbit);
+  const simulate::ForcedMotion three = periods(*lugre, setup, 3, &orbit);
   EXPECT_NEAR(three.angle_rad.back() - three.angle_rad.front(), 3 * orbit.drift_rad,
               1e-5 * orbit.drift_rad);
 }
 
 TEST(PeriodicOrbit, IsCentred) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  const PeriodicOrbit orbit = periodic_orbit(*lugre, sinusoidal(1.0, 25, 0.1));
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*lugre, sinusoidal(1.0, 25, 0.1));
   const auto [low, high] =
       std::minmax_element(orbit.cycle.angle_rad.begin(), orbit.cycle.angle_rad.end());
   EXPECT_NEAR(*low, -*high, 1e-12 * *high);
 }
 
 TEST(PeriodicOrbit, SaysThatItDidNotConverge) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
-  PeriodicOrbitSetup setup = sinusoidal(1.0, 25);
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
+  simulate::PeriodicOrbitSetup setup = sinusoidal(1.0, 25);
   setup.most_corrections = 0;
-  const PeriodicOrbit orbit = periodic_orbit(*lugre, setup);
+  const simulate::PeriodicOrbit orbit = simulate::periodic_orbit(*lugre, setup);
   EXPECT_FALSE(orbit.converged);
   EXPECT_GT(orbit.gap, setup.closed_to);
 }
 
 TEST(PeriodicOrbit, RefusesWhatCannotBe) {
-  const auto lugre = dynamic_friction_model("lugre").matched({});
+  const auto lugre = friction::dynamic_friction_model("lugre").matched({});
   const auto refuses = [&](auto change) {
-    PeriodicOrbitSetup setup = sinusoidal(1, 10);
+    simulate::PeriodicOrbitSetup setup = sinusoidal(1, 10);
     change(setup);
-    EXPECT_THROW(periodic_orbit(*lugre, setup), std::invalid_argument);
+    EXPECT_THROW(simulate::periodic_orbit(*lugre, setup), std::invalid_argument);
   };
-  refuses([](PeriodicOrbitSetup& s) { s.period_s = 0; });
-  refuses([](PeriodicOrbitSetup& s) { s.samples = 0; });
-  refuses([](PeriodicOrbitSetup& s) { s.inertia_kgm2 = -1; });
-  refuses([](PeriodicOrbitSetup& s) { s.relative_tolerance = 0; });
-  refuses([](PeriodicOrbitSetup& s) { s.closed_to = 0; });
-  refuses([](PeriodicOrbitSetup& s) { s.applied_Nm = nullptr; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.period_s = 0; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.samples = 0; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.inertia_kgm2 = -1; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.relative_tolerance = 0; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.closed_to = 0; });
+  refuses([](simulate::PeriodicOrbitSetup& s) { s.applied_Nm = nullptr; });
 }
 
 }  // namespace

@@ -17,23 +17,23 @@ namespace {
 
 using std::numbers::pi;
 
-const ContactParameters table_1;
+const friction::ContactParameters table_1;
 
-const std::vector<PreslidingLoop>& figure_5() {
-  static const std::vector<PreslidingLoop> loops = presliding_loops(table_1);
+const std::vector<simulate::PreslidingLoop>& figure_5() {
+  static const std::vector<simulate::PreslidingLoop> loops = simulate::presliding_loops(table_1);
   return loops;
 }
 
-std::string name_of(const PreslidingLoop& loop) {
+std::string name_of(const simulate::PreslidingLoop& loop) {
   return std::to_string(loop.amplitude_N) + " N at " + std::to_string(loop.frequency_Hz) + " Hz";
 }
 
-PreslidingLoop one_loop(double amplitude_N, double frequency_Hz) {
-  return presliding_loops(table_1, {{amplitude_N, frequency_Hz}}).at(0);
+simulate::PreslidingLoop one_loop(double amplitude_N, double frequency_Hz) {
+  return simulate::presliding_loops(table_1, {{amplitude_N, frequency_Hz}}).at(0);
 }
 
 /// Work [J] of a force over a cycle.
-double work_of(const std::vector<double>& force_N, const ForcedMotion& cycle) {
+double work_of(const std::vector<double>& force_N, const simulate::ForcedMotion& cycle) {
   double work = 0;
   for (std::size_t i = 1; i < cycle.t_s.size(); ++i) {
     work += (force_N[i] * cycle.speed_rad_s[i] + force_N[i - 1] * cycle.speed_rad_s[i - 1]) / 2 *
@@ -44,7 +44,7 @@ double work_of(const std::vector<double>& force_N, const ForcedMotion& cycle) {
 
 TEST(PreslidingLoops, AreClosedFromTheFirstCycleOn) {
   ASSERT_EQ(figure_5().size(), 3U);
-  for (const PreslidingLoop& loop : figure_5()) {
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
     EXPECT_LE(loop.gap, 1e-6) << name_of(loop);
     const auto& x = loop.cycle.angle_rad;
     EXPECT_LE(std::abs(x.back() - x.front()), 1e-6 * loop.width_m) << name_of(loop);
@@ -53,7 +53,7 @@ TEST(PreslidingLoops, AreClosedFromTheFirstCycleOn) {
 }
 
 TEST(PreslidingLoops, AreConverged) {
-  for (const PreslidingLoop& loop : figure_5()) {
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
     EXPECT_LE(loop.tolerance_shift, 1e-6) << name_of(loop);
     EXPECT_GT(loop.tolerance_shift, 0) << "no other tolerance was tried";
     RecordProperty(name_of(loop) + ", shift", std::to_string(loop.tolerance_shift * 1e6) + "e-6");
@@ -62,10 +62,10 @@ TEST(PreslidingLoops, AreConverged) {
 
 // No second loop hides behind the first: the cycle after is the same.
 TEST(PreslidingLoops, RepeatInTheNextCycle) {
-  const auto model = dynamic_friction_model("lugre").matched(table_1);
-  for (const PreslidingLoop& loop : figure_5()) {
-    const ForcedMotion& first = loop.cycle;
-    ForcedMotionSetup setup;
+  const auto model = friction::dynamic_friction_model("lugre").matched(table_1);
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
+    const simulate::ForcedMotion& first = loop.cycle;
+    simulate::ForcedMotionSetup setup;
     setup.applied_Nm = [&](double t, double, double) {
       return loop.amplitude_N * std::sin(2 * pi * loop.frequency_Hz * t);
     };
@@ -74,7 +74,7 @@ TEST(PreslidingLoops, RepeatInTheNextCycle) {
     setup.angle_rad = first.angle_rad.back();
     setup.speed_rad_s = first.speed_rad_s.back();
     setup.friction_state = first.end_state;
-    const ForcedMotion second = simulate_forced_motion(*model, setup);
+    const simulate::ForcedMotion second = simulate::simulate_forced_motion(*model, setup);
     ASSERT_EQ(second.angle_rad.size(), first.angle_rad.size());
     double apart = 0;
     for (std::size_t i = 0; i < first.angle_rad.size(); ++i) {
@@ -98,8 +98,8 @@ State plus(const State& y, double factor, const State& rates) {
 // where the cycle ends, which on a closed one is where it began.
 TEST(PreslidingLoops, AreThoseOfRungeKuttaInTinySteps) {
   constexpr double agreement = 1e-6;
-  const auto model = dynamic_friction_model("lugre").matched(table_1);
-  for (const PreslidingLoop& loop : figure_5()) {
+  const auto model = friction::dynamic_friction_model("lugre").matched(table_1);
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
     const double omega = 2 * pi * loop.frequency_Hz;
     const auto rates = [&](double t, const State& y) {
       State out{};
@@ -108,7 +108,7 @@ TEST(PreslidingLoops, AreThoseOfRungeKuttaInTinySteps) {
       out[1] = loop.amplitude_N * std::sin(omega * t) - model->torque_Nm({&y[2], 1}, y[1]);
       return out;
     };
-    const ForcedMotion& cycle = loop.cycle;
+    const simulate::ForcedMotion& cycle = loop.cycle;
     State y{cycle.angle_rad.back(), cycle.speed_rad_s.back(), cycle.end_state.at(0)};
     const std::size_t intervals = cycle.t_s.size() - 1;
     constexpr int per_interval = 200;
@@ -135,7 +135,7 @@ TEST(PreslidingLoops, AreThoseOfRungeKuttaInTinySteps) {
 
 // What the force puts in over a closed cycle, friction takes out.
 TEST(PreslidingLoops, TakeTheWorkOfTheForce) {
-  for (const PreslidingLoop& loop : figure_5()) {
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
     const double put_in = work_of(loop.cycle.applied_Nm, loop.cycle);
     const double taken = work_of(loop.cycle.friction_Nm, loop.cycle);
     EXPECT_GT(taken, 0) << name_of(loop);
@@ -159,7 +159,7 @@ TEST(PreslidingLoops, OfSlowForcesAreTheKnownOnes) {
   for (const double amplitude : {0.2, 0.5, 1.0, 1.425}) {
     const double a = amplitude / 1.5;
     const double width = 1.5e-5 * std::log((1 + a) / (1 - a));
-    const PreslidingLoop loop = one_loop(amplitude, slow_Hz);
+    const simulate::PreslidingLoop loop = one_loop(amplitude, slow_Hz);
     EXPECT_NEAR(loop.width_m, width, near * width) << amplitude;
     EXPECT_NEAR(loop.slow_width_m, width, 1e-12 * width) << amplitude;
     const double area = slow_work_J(amplitude);
@@ -171,8 +171,8 @@ TEST(PreslidingLoops, OfSlowForcesAreTheKnownOnes) {
 // A small loop keeps its width at half the frequency. Its area has, beside that of the slow loop, a
 // part from the damping of the bristles that grows with the frequency.
 TEST(PreslidingLoops, OfSmallForcesTendToTheSlowOneAsTheFrequencyFalls) {
-  const PreslidingLoop at_1_Hz = one_loop(0.5, 1);
-  const PreslidingLoop at_half = one_loop(0.5, 0.5);
+  const simulate::PreslidingLoop at_1_Hz = one_loop(0.5, 1);
+  const simulate::PreslidingLoop at_half = one_loop(0.5, 0.5);
   EXPECT_NEAR(at_1_Hz.width_m, at_half.width_m, 1e-3 * at_half.width_m);
   const double work_at_1_Hz = work_of(at_1_Hz.cycle.friction_Nm, at_1_Hz.cycle);
   const double work_at_half = work_of(at_half.cycle.friction_Nm, at_half.cycle);
@@ -182,7 +182,7 @@ TEST(PreslidingLoops, OfSmallForcesTendToTheSlowOneAsTheFrequencyFalls) {
 
 // The paper calls all three pre-sliding. In none does the speed stay below the Stribeck velocity.
 TEST(PreslidingLoops, OfThePaperSlide) {
-  for (const PreslidingLoop& loop : figure_5()) {
+  for (const simulate::PreslidingLoop& loop : figure_5()) {
     EXPECT_GT(loop.largest_speed_m_s, 2 * loop.stribeck_speed_m_s) << name_of(loop);
     EXPECT_LT(loop.largest_presliding_N, loop.amplitude_N) << name_of(loop);
     EXPECT_GT(loop.width_m, loop.slow_width_m) << name_of(loop);
@@ -193,9 +193,9 @@ TEST(PreslidingLoops, OfThePaperSlide) {
 
 // At 1 Hz there is nothing between creeping and running away.
 TEST(PreslidingLoops, RunAwayAboveTheLargestPreslidingAmplitude) {
-  const double limit = largest_presliding_amplitude_N(table_1, 1);
-  const PreslidingLoop below = one_loop(0.995 * limit, 1);
-  const PreslidingLoop above = one_loop(1.005 * limit, 1);
+  const double limit = simulate::largest_presliding_amplitude_N(table_1, 1);
+  const simulate::PreslidingLoop below = one_loop(0.995 * limit, 1);
+  const simulate::PreslidingLoop above = one_loop(1.005 * limit, 1);
   EXPECT_LT(below.largest_speed_m_s, table_1.stribeck_speed_rad_s);
   EXPECT_LT(below.width_m, 2 * below.slow_width_m);
   EXPECT_GT(above.largest_speed_m_s, 10 * table_1.stribeck_speed_rad_s);
@@ -205,7 +205,7 @@ TEST(PreslidingLoops, RunAwayAboveTheLargestPreslidingAmplitude) {
 TEST(PreslidingLoops, HoldLessTheFasterTheForce) {
   double before = table_1.static_Nm;
   for (const double frequency : {0.1, 1.0, 10.0, 25.0}) {
-    const double limit = largest_presliding_amplitude_N(table_1, frequency);
+    const double limit = simulate::largest_presliding_amplitude_N(table_1, frequency);
     EXPECT_LT(limit, before) << frequency;
     before = limit;
   }
@@ -218,7 +218,7 @@ TEST(PreslidingLoops, HaveNoSlowWidthFromTheStaticForceOn) {
 TEST(PreslidingLoops, RefuseWhatCannotBe) {
   EXPECT_THROW(one_loop(0, 1), std::invalid_argument);
   EXPECT_THROW(one_loop(1, -1), std::invalid_argument);
-  EXPECT_THROW(largest_presliding_amplitude_N(table_1, 0), std::invalid_argument);
+  EXPECT_THROW(simulate::largest_presliding_amplitude_N(table_1, 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace {
 
 TEST(RandomStream, IsTheSameEverywhere) {
   // Fixed numbers: another library or machine must give the same.
-  RandomStream a(42, 0);
-  RandomStream b(42, 0);
+  statistics::RandomStream a(42, 0);
+  statistics::RandomStream b(42, 0);
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(a.normal(), b.normal());
-  EXPECT_NE(RandomStream(42, 0).uniform(), RandomStream(42, 1).uniform());
-  EXPECT_NE(RandomStream(42, 0).uniform(), RandomStream(43, 0).uniform());
+  EXPECT_NE(statistics::RandomStream(42, 0).uniform(), statistics::RandomStream(42, 1).uniform());
+  EXPECT_NE(statistics::RandomStream(42, 0).uniform(), statistics::RandomStream(43, 0).uniform());
 }
 
 TEST(RandomStream, IsStandardNormal) {
-  RandomStream r(7, 3);
+  statistics::RandomStream r(7, 3);
   constexpr int n = 200'000;
   double sum = 0;
   double squares = 0;

@@ -11,28 +11,28 @@ namespace tribolog {
 namespace {
 
 TEST(SimulateJoint, GivesEveryExperimentAskedFor) {
-  const auto recordings = simulate_joint(test::paper_joint());
+  const auto recordings = simulate::simulate_joint(test::paper_joint());
   ASSERT_EQ(recordings.size(), 23U);
-  EXPECT_EQ(recordings[0].role, Role::rough_sweep);
-  EXPECT_EQ(recordings[1].role, Role::precise_sweep);
-  EXPECT_EQ(recordings[2].role, Role::oscillation);
+  EXPECT_EQ(recordings[0].role, joint::Role::rough_sweep);
+  EXPECT_EQ(recordings[1].role, joint::Role::precise_sweep);
+  EXPECT_EQ(recordings[2].role, joint::Role::oscillation);
   EXPECT_EQ(recordings[22].name, "constant_speed_20.csv");
-  for (const Recording& r : recordings) {
+  for (const joint::Recording& r : recordings) {
     EXPECT_EQ(r.q_rad.size(), r.size());
     EXPECT_EQ(r.torque_Nm.size(), r.size());
-    EXPECT_EQ(r.z_rad.empty(), r.role != Role::oscillation);
+    EXPECT_EQ(r.z_rad.empty(), r.role != joint::Role::oscillation);
     EXPECT_EQ(r.rows_read, r.size());
   }
-  Scenario only_sweep = test::paper_joint();
+  simulate::Scenario only_sweep = test::paper_joint();
   only_sweep.precise_sweep.reset();
   only_sweep.oscillation.reset();
   only_sweep.constant_speed.reset();
-  EXPECT_EQ(simulate_joint(only_sweep).size(), 1U);
+  EXPECT_EQ(simulate::simulate_joint(only_sweep).size(), 1U);
 }
 
 TEST(SimulateJoint, SweepTorqueIsFrictionPlusGravityWhileSpeedIsConstant) {
-  const Scenario s = test::paper_joint();
-  const Recording sweep = simulate_joint(s).front();
+  const simulate::Scenario s = test::paper_joint();
+  const joint::Recording sweep = simulate::simulate_joint(s).front();
   const double speed = s.rough_sweep->speed_rad_s;
   std::size_t checked = 0;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
@@ -47,15 +47,15 @@ TEST(SimulateJoint, SweepTorqueIsFrictionPlusGravityWhileSpeedIsConstant) {
 }
 
 TEST(SimulateJoint, OscillatesAtPositionsOverOneMotorTurn) {
-  Scenario s = test::paper_joint();
-  const auto places = spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
+  simulate::Scenario s = test::paper_joint();
+  const auto places = simulate::spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
   ASSERT_EQ(places.size(), 8U);
   EXPECT_EQ(places.front().centre_rad, s.oscillation->centre_rad);
   // A torque of k periods a turn sums to nothing over the positions, except for whole eighths.
   for (int k = 1; k < 8; ++k) {
     double sine = 0;
     double cosine = 0;
-    for (const OscillationExperiment& e : places) {
+    for (const simulate::OscillationExperiment& e : places) {
       sine += std::sin(k * s.gear_ratio * e.centre_rad);
       cosine += std::cos(k * s.gear_ratio * e.centre_rad);
     }
@@ -65,27 +65,28 @@ TEST(SimulateJoint, OscillatesAtPositionsOverOneMotorTurn) {
   s.rough_sweep.reset();
   s.precise_sweep.reset();
   s.constant_speed.reset();
-  const auto recordings = simulate_joint(s);
+  const auto recordings = simulate::simulate_joint(s);
   ASSERT_EQ(recordings.size(), 8U);
   EXPECT_EQ(recordings.front().name, "oscillation_01.csv");
   EXPECT_EQ(recordings.back().name, "oscillation_08.csv");
-  EXPECT_EQ(recordings.back().role, Role::oscillation);
+  EXPECT_EQ(recordings.back().role, joint::Role::oscillation);
   s.oscillation.reset();
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
 }
 
 TEST(SimulateJoint, RampsStartAtRestAndEndBehindTheSlip) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.rough_sweep.reset();
   s.precise_sweep.reset();
   s.oscillation.reset();
   s.constant_speed.reset();
-  s.break_away = BreakAwayExperiment{test::true_q_peak_rad(), 0.2, 1.5, 0.05, 2, true, 1000};
-  const auto ramps = simulate_joint(s);
+  s.break_away =
+      simulate::BreakAwayExperiment{test::true_q_peak_rad(), 0.2, 1.5, 0.05, 2, true, 1000};
+  const auto ramps = simulate::simulate_joint(s);
   ASSERT_EQ(ramps.size(), 4U);
   for (std::size_t k = 0; k < ramps.size(); ++k) {
-    const Recording& r = ramps[k];
-    EXPECT_EQ(r.role, Role::break_away);
+    const joint::Recording& r = ramps[k];
+    EXPECT_EQ(r.role, joint::Role::break_away);
     EXPECT_EQ(r.name, "break_away_0" + std::to_string(k + 1) + ".csv");
     EXPECT_NEAR(r.torque_Nm.front(), test::true_gravity_Nm, 1e-6);
     EXPECT_EQ(r.dq_rad_s.front(), 0);
@@ -96,35 +97,35 @@ TEST(SimulateJoint, RampsStartAtRestAndEndBehindTheSlip) {
   }
   s.motor_inertia_kgm2 = 0;
   s.arm_inertia_kgm2 = 0;
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
 }
 
 TEST(SimulateJoint, RefusesExperimentsThatCannotBe) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.oscillation->cycles = 0.5;
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
   s = test::paper_joint();
   s.rough_sweep->to_rad = s.rough_sweep->from_rad;
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
   s = test::paper_joint();
   s.constant_speed->motor_speeds_rad_s.push_back(-3);
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
   s = test::paper_joint();
   s.noise.torque_white_Nm = -1;
-  EXPECT_THROW(simulate_joint(s), std::invalid_argument);
+  EXPECT_THROW(simulate::simulate_joint(s), std::invalid_argument);
 }
 
 TEST(SimulateJoint, SweepsInASlowSineFromRest) {
-  Scenario s = test::paper_joint();
+  simulate::Scenario s = test::paper_joint();
   s.rough_sweep.reset();
   s.precise_sweep.reset();
   s.oscillation.reset();
   s.constant_speed.reset();
-  s.sine_sweep = SineSweepExperiment{-0.4, 1.0, 0.1, 2.5, 100.0};
-  const auto recordings = simulate_joint(s);
+  s.sine_sweep = simulate::SineSweepExperiment{-0.4, 1.0, 0.1, 2.5, 100.0};
+  const auto recordings = simulate::simulate_joint(s);
   ASSERT_EQ(recordings.size(), 1U);
-  const Recording& r = recordings.front();
-  EXPECT_EQ(r.role, Role::rough_sweep);
+  const joint::Recording& r = recordings.front();
+  EXPECT_EQ(r.role, joint::Role::rough_sweep);
   ASSERT_EQ(r.size(), 2501U);
   const double omega = 2 * std::acos(-1.0) * 0.1;
   EXPECT_NEAR(r.q_rad.front(), -1.4, 1e-12);

@@ -21,17 +21,17 @@ Eigen::MatrixXd line_design() {
 /// How often the 95 % interval of the slope covers the truth, with noise of a given memory.
 int coverage_of_300(double memory) {
   const Eigen::MatrixXd x = line_design();
-  const auto blocks = equal_blocks(std::vector<std::size_t>(rows, 0), 20);
+  const auto blocks = statistics::equal_blocks(std::vector<std::size_t>(rows, 0), 20);
   int covered = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    RandomStream random(seed, 9);
+    statistics::RandomStream random(seed, 9);
     Eigen::VectorXd y = x * Eigen::Vector2d(3, -2);
     double noise = 0;
     for (int i = 0; i < rows; ++i) {
       noise = memory * noise + random.normal();
       y(i) += noise;
     }
-    const BlockRegression fit = block_regression(x, y, blocks);
+    const statistics::BlockRegression fit = statistics::block_regression(x, y, blocks);
     covered += std::abs(fit.coefficients(1) + 2) <= fit.half_width(1) ? 1 : 0;
   }
   return covered;
@@ -39,8 +39,9 @@ int coverage_of_300(double memory) {
 
 TEST(BlockRegression, RecoversExactCoefficients) {
   const Eigen::MatrixXd x = line_design();
-  const BlockRegression fit = block_regression(x, x * Eigen::Vector2d(3, -2),
-                                               equal_blocks(std::vector<std::size_t>(rows, 0), 20));
+  const statistics::BlockRegression fit =
+      statistics::block_regression(x, x * Eigen::Vector2d(3, -2),
+                                   statistics::equal_blocks(std::vector<std::size_t>(rows, 0), 20));
   EXPECT_NEAR(fit.coefficients(0), 3, 1e-13);
   EXPECT_NEAR(fit.coefficients(1), -2, 1e-13);
   EXPECT_LT(fit.residual_sd, 1e-13);
@@ -54,8 +55,9 @@ TEST(BlockRegression, IntervalsCoverWithWhiteAndWithCorrelatedNoise) {
 }
 
 TEST(BlockRegression, RefusesTooFewRows) {
-  EXPECT_THROW(block_regression(Eigen::MatrixXd::Ones(1, 2), Eigen::VectorXd::Ones(1), {0}),
-               std::invalid_argument);
+  EXPECT_THROW(
+      statistics::block_regression(Eigen::MatrixXd::Ones(1, 2), Eigen::VectorXd::Ones(1), {0}),
+      std::invalid_argument);
 }
 
 TEST(BlockRegression, RowsOfABlockNeedNotFollowEachOther) {
@@ -63,7 +65,7 @@ TEST(BlockRegression, RowsOfABlockNeedNotFollowEachOther) {
   const Eigen::VectorXd y = x.col(1).array().sin() + 0.1 * x.col(1).array().square();
   std::vector<std::size_t> together(rows);
   for (std::size_t i = 0; i < together.size(); ++i) together[i] = i * 10 / together.size();
-  const BlockRegression sorted = block_regression(x, y, together);
+  const statistics::BlockRegression sorted = statistics::block_regression(x, y, together);
   // The same rows, shuffled along with their blocks.
   Eigen::MatrixXd mixed_x(x.rows(), x.cols());
   Eigen::VectorXd mixed_y(y.size());
@@ -75,7 +77,8 @@ TEST(BlockRegression, RowsOfABlockNeedNotFollowEachOther) {
     mixed_y(static_cast<Eigen::Index>(i)) = y(from[i]);
     mixed[i] = together[static_cast<std::size_t>(from[i])];
   }
-  const BlockRegression scattered = block_regression(mixed_x, mixed_y, mixed);
+  const statistics::BlockRegression scattered =
+      statistics::block_regression(mixed_x, mixed_y, mixed);
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     EXPECT_NEAR(scattered.coefficients(k), sorted.coefficients(k), 1e-9);
     EXPECT_NEAR(scattered.half_width(k) / sorted.half_width(k), 1, 1e-6);
@@ -86,15 +89,16 @@ TEST(BlockRegression, RowsOfABlockNeedNotFollowEachOther) {
 }
 
 TEST(EqualBlocks, StayWithinTheirGroup) {
-  const auto blocks = equal_blocks({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, 2);
+  const auto blocks = statistics::equal_blocks({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, 2);
   EXPECT_EQ(blocks, (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2}));
 }
 
 TEST(BlockRegression, AColumnWithoutEffectHasNoInterval) {
   Eigen::MatrixXd x = line_design();
   x.col(1).setZero();
-  const BlockRegression fit = block_regression(x, Eigen::VectorXd::LinSpaced(rows, 0, 1),
-                                               equal_blocks(std::vector<std::size_t>(rows, 0), 20));
+  const statistics::BlockRegression fit =
+      statistics::block_regression(x, Eigen::VectorXd::LinSpaced(rows, 0, 1),
+                                   statistics::equal_blocks(std::vector<std::size_t>(rows, 0), 20));
   EXPECT_TRUE(std::isinf(fit.half_width(1)));
   EXPECT_TRUE(std::isinf(fit.standard_error_along(Eigen::Vector2d(0, 1))));
 }

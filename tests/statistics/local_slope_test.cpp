@@ -30,10 +30,10 @@ std::vector<double> over(const std::vector<double>& t, const Function& y) {
 }
 
 TEST(LocalSlope, OfALineIsItsSlopeAtAnyTimes) {
-  RandomStream random(1, 1);
+  statistics::RandomStream random(1, 1);
   std::vector<double> t{0};
   for (int i = 1; i < 200; ++i) t.push_back(t.back() + 0.01 * (0.1 + std::abs(random.normal())));
-  const auto slope = local_slope(t, over(t, [](double x) { return 3 - 0.7 * x; }), 5);
+  const auto slope = statistics::local_slope(t, over(t, [](double x) { return 3 - 0.7 * x; }), 5);
   for (const double s : slope) EXPECT_NEAR(s, -0.7, 1e-10);
 }
 
@@ -44,7 +44,8 @@ TEST(LocalSlope, HasTheGainOfATriangle) {
   // Largest slope of sin(w t) over w: the gain. At the cut-off it is 1/sqrt(2), at 1/(h dt) zero.
   const auto gain = [&](double frequency_Hz) {
     const double w = 2 * pi * frequency_Hz;
-    const auto slope = local_slope(t, over(t, [&](double x) { return std::sin(w * x); }), h);
+    const auto slope =
+        statistics::local_slope(t, over(t, [&](double x) { return std::sin(w * x); }), h);
     double largest = 0;
     for (std::size_t i = h; i + h < slope.size(); ++i) {
       largest = std::max(largest, std::abs(slope[i]) / w);
@@ -52,7 +53,7 @@ TEST(LocalSlope, HasTheGainOfATriangle) {
     return largest;
   };
   EXPECT_NEAR(gain(0.1), 1, 1e-4);
-  EXPECT_NEAR(gain(cut_off_of_slope_Hz(h, dt)), std::sqrt(0.5), 5e-3);
+  EXPECT_NEAR(gain(statistics::cut_off_of_slope_Hz(h, dt)), std::sqrt(0.5), 5e-3);
   EXPECT_NEAR(gain(1 / (h * dt)), 0, 5e-3);
 }
 
@@ -61,8 +62,9 @@ TEST(LocalSlope, AveragesNoiseOverBothWindows) {
   constexpr double dt = 0.01;
   constexpr std::size_t h = 10;
   const std::vector<double> t = even_times(200'000, dt);
-  RandomStream random(3, 1);
-  const auto slope = local_slope(t, over(t, [&](double) { return random.normal(); }), h);
+  statistics::RandomStream random(3, 1);
+  const auto slope =
+      statistics::local_slope(t, over(t, [&](double) { return random.normal(); }), h);
   double squares = 0;
   for (std::size_t i = h; i + h < slope.size(); ++i) squares += slope[i] * slope[i];
   const double sd = std::sqrt(squares / static_cast<double>(slope.size() - 2 * h));
@@ -70,21 +72,21 @@ TEST(LocalSlope, AveragesNoiseOverBothWindows) {
 }
 
 TEST(SpeedSource, StatesWindowAndCutOffOfEveryRecording) {
-  Recording r;
+  joint::Recording r;
   r.name = "a.csv";
-  r.role = Role::rough_sweep;
+  r.role = joint::Role::rough_sweep;
   r.t_s = even_times(100'000, 1e-3);
   r.q_rad = r.t_s;
-  Recording logged = r;
+  joint::Recording logged = r;
   logged.dq_rad_s.assign(r.size(), 1.0);
-  const auto sources = speed_sources({r, logged});
+  const auto sources = method::motion::speed_sources({r, logged});
   ASSERT_EQ(sources.size(), 2U);
   EXPECT_FALSE(sources[0].is_logged);
   EXPECT_TRUE(sources[1].is_logged);
   EXPECT_EQ(sources[0].window, 200U) << "a five-hundredth of the recording";
   EXPECT_NEAR(sources[0].window_s, 0.2, 1e-9);
-  EXPECT_NEAR(sources[0].cut_off_Hz, cut_off_of_slope_Hz(100, 1e-3), 1e-6);
-  EXPECT_TRUE(speed_sources({Recording{}}).empty());
+  EXPECT_NEAR(sources[0].cut_off_Hz, statistics::cut_off_of_slope_Hz(100, 1e-3), 1e-6);
+  EXPECT_TRUE(method::motion::speed_sources({joint::Recording{}}).empty());
 }
 
 }  // namespace

@@ -9,25 +9,25 @@ namespace tribolog::archive {
 namespace {
 
 TEST(RobustStatistics, MedianOfFewAndMany) {
-  EXPECT_EQ(median_of({3}), 3);
-  EXPECT_EQ(median_of({4, 1}), 2.5);
-  EXPECT_EQ(median_of({9, 1, 2}), 2);
-  EXPECT_EQ(median_of({9, 1, 2, 4}), 3);
-  EXPECT_ANY_THROW((void)median_of({}));
+  EXPECT_EQ(statistics::median_of({3}), 3);
+  EXPECT_EQ(statistics::median_of({4, 1}), 2.5);
+  EXPECT_EQ(statistics::median_of({9, 1, 2}), 2);
+  EXPECT_EQ(statistics::median_of({9, 1, 2, 4}), 3);
+  EXPECT_ANY_THROW((void)statistics::median_of({}));
 }
 
 TEST(RobustStatistics, ScatterOfNormalValuesIsTheirStandardDeviation) {
   // Its standard error over the draws is below 1 %; the factors for few values are tabulated.
   constexpr double tolerance = 0.03;
   for (const std::size_t n : {5U, 6U, 7U, 8U, 9U, 10U, 40U, 41U, 400U, 1000U}) {
-    RandomStream random(3, n);
+    statistics::RandomStream random(3, n);
     const int draws = n < 100 ? 5000 : 200;
     double sum = 0;
     double squares = 0;
     for (int k = 0; k < draws; ++k) {
       std::vector<double> values;
       for (std::size_t i = 0; i < n; ++i) values.push_back(7 + 2 * random.normal());
-      const double scatter = pairwise_scatter(values) / 2;
+      const double scatter = statistics::pairwise_scatter(values) / 2;
       sum += scatter;
       squares += scatter * scatter;
     }
@@ -35,21 +35,21 @@ TEST(RobustStatistics, ScatterOfNormalValuesIsTheirStandardDeviation) {
     // It is as sure as a standard deviation of so many degrees of freedom.
     if (n > 100 || n < 40) continue;
     const double relative = std::sqrt(squares / draws - std::pow(sum / draws, 2));
-    EXPECT_NEAR(relative / std::sqrt(1 / (2 * scatter_freedom(n))), 1, 0.1) << n;
+    EXPECT_NEAR(relative / std::sqrt(1 / (2 * statistics::scatter_freedom(n))), 1, 0.1) << n;
   }
 }
 
 TEST(RobustStatistics, OutliersDoNotMoveTheScatter) {
-  RandomStream random(4, 0);
+  statistics::RandomStream random(4, 0);
   std::vector<double> values;
   for (int i = 0; i < 100; ++i) values.push_back(random.normal() + (i < 20 ? 1e6 : 0));
-  EXPECT_LT(pairwise_scatter(values), 1.6);
-  EXPECT_GT(pairwise_scatter(values), 0.8);
+  EXPECT_LT(statistics::pairwise_scatter(values), 1.6);
+  EXPECT_GT(statistics::pairwise_scatter(values), 0.8);
 }
 
 TEST(RobustStatistics, DeviatesAreThoseOfTheTables) {
-  EXPECT_NEAR(deviate_of(0.05), 1.959963984540054, 1e-9);
-  EXPECT_NEAR(deviate_of(0.001), 3.290526731491926, 1e-9);
+  EXPECT_NEAR(statistics::deviate_of(0.05), 1.959963984540054, 1e-9);
+  EXPECT_NEAR(statistics::deviate_of(0.001), 3.290526731491926, 1e-9);
 }
 
 }  // namespace

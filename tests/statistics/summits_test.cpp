@@ -24,7 +24,7 @@ std::vector<double> wave(std::size_t size) {
 TEST(Summits, FindWhatASearchThroughEverySampleFinds) {
   for (const std::size_t size : {1, 15, 16, 17, 256, 257, 5000}) {
     const std::vector<double> signal = wave(size);
-    const Summits summits(signal);
+    const statistics::Summits summits(signal);
     for (std::size_t from = 0; from <= size; from += 1 + size / 97) {
       for (const double level : {-3.0, 0.0, 1.0, 1.9, 2.3, 9.0}) {
         const auto reached = [level](double value) { return value >= level; };
@@ -41,7 +41,7 @@ TEST(Summits, OfALongSignalFewSamplesAreLookedAt) {
   constexpr std::size_t size = 1'000'000;
   std::vector<double> signal(size, 0.0);
   signal.back() = 1;
-  const Summits summits(std::move(signal));
+  const statistics::Summits summits(std::move(signal));
   std::size_t looks = 0;
   const auto reached = [&](double value) {
     ++looks;

@@ -17,36 +17,36 @@
 namespace tribolog {
 namespace {
 
-Calibration plain(const Dataset& dataset, std::uint64_t seed) {
-  IdentifyOptions options;
+calibration::Calibration plain(const joint::Dataset& dataset, std::uint64_t seed) {
+  identify::IdentifyOptions options;
   options.resamples = 0;
   options.seed = seed;
   options.threads = 1;
-  return identify(dataset, options);
+  return identify::identify(dataset, options);
 }
 
-TruthCheckResult checked(const Dataset& dataset, std::size_t runs) {
-  return check_known_truth(dataset, plain(dataset, 1), plain, {runs, 1, 0});
+calibration::TruthCheckResult checked(const joint::Dataset& dataset, std::size_t runs) {
+  return truth::check_known_truth(dataset, plain(dataset, 1), plain, {runs, 1, 0});
 }
 
 TEST(KnownTruth, PapersJointComesBackWithoutNoise) {
-  const Dataset dataset = simulated_dataset(test::paper_joint());
-  const TruthCheckResult check = checked(dataset, 3);
+  const joint::Dataset dataset = simulate::simulated_dataset(test::paper_joint());
+  const calibration::TruthCheckResult check = checked(dataset, 3);
   EXPECT_EQ(check.torque_step_Nm, 0);
   EXPECT_LT(check.white_Nm, 1e-6);
   EXPECT_TRUE(check.findings.empty());
   for (const char* name : {"midline", "fit", "sweep", "q_peak", "bristle_stiffness",
                            "static_torque", "asperity_torque", "viscous_power"}) {
-    const ReturnedQuantity* q = check.find(name);
+    const calibration::ReturnedQuantity* q = check.find(name);
     ASSERT_NE(q, nullptr) << name;
     EXPECT_NEAR(q->came_back / q->put_in, 1, 2e-4) << name;
   }
 }
 
 TEST(KnownTruth, PapersJointComesBackInRealisticNoise) {
-  const Dataset dataset = simulated_dataset(test::noisy_paper_joint(5));
+  const joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(5));
   constexpr std::size_t runs = 12;
-  const TruthCheckResult check = checked(dataset, runs);
+  const calibration::TruthCheckResult check = checked(dataset, runs);
   // What method.md section 8 lays on.
   EXPECT_NEAR(check.white_Nm, 0.02, 0.0005);
   EXPECT_NEAR(check.torque_step_Nm, 0.005, 1e-9);
@@ -54,7 +54,7 @@ TEST(KnownTruth, PapersJointComesBackInRealisticNoise) {
   EXPECT_TRUE(check.findings.empty()) << check.findings.front().words;
   std::size_t inside = 0;
   std::size_t found = 0;
-  for (const ReturnedQuantity& q : check.quantities) {
+  for (const calibration::ReturnedQuantity& q : check.quantities) {
     EXPECT_TRUE(q.comes_back) << q.name;
     inside += q.inside;
     found += q.found;
@@ -65,10 +65,11 @@ TEST(KnownTruth, PapersJointComesBackInRealisticNoise) {
 }
 
 TEST(KnownTruth, ThreadsChangeNoNumber) {
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  const Calibration c = plain(dataset, 1);
-  const TruthCheckResult one = check_known_truth(dataset, c, plain, {4, 9, 1});
-  const TruthCheckResult three = check_known_truth(dataset, c, plain, {4, 9, 3});
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  const calibration::Calibration c = plain(dataset, 1);
+  const calibration::TruthCheckResult one = truth::check_known_truth(dataset, c, plain, {4, 9, 1});
+  const calibration::TruthCheckResult three =
+      truth::check_known_truth(dataset, c, plain, {4, 9, 3});
   ASSERT_EQ(one.quantities.size(), three.quantities.size());
   for (std::size_t i = 0; i < one.quantities.size(); ++i) {
     EXPECT_EQ(one.quantities[i].in_half_widths, three.quantities[i].in_half_widths);
@@ -77,17 +78,17 @@ TEST(KnownTruth, ThreadsChangeNoNumber) {
 
 TEST(KnownTruth, OfTheChainIsThatOfWholeIdentifications) {
   // The chain makes its simulations go through the compared stages alone.
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  IdentifyOptions options;
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  identify::IdentifyOptions options;
   options.resamples = 0;
   options.truth_runs = 4;
-  const TruthCheckResult of_chain = identify(dataset, options).truth_check;
-  const TruthCheckResult of_whole = checked(dataset, 4);
+  const calibration::TruthCheckResult of_chain = identify::identify(dataset, options).truth_check;
+  const calibration::TruthCheckResult of_whole = checked(dataset, 4);
   ASSERT_FALSE(of_whole.quantities.empty());
   ASSERT_EQ(of_chain.quantities.size(), of_whole.quantities.size());
   for (std::size_t i = 0; i < of_whole.quantities.size(); ++i) {
-    const ReturnedQuantity& a = of_chain.quantities[i];
-    const ReturnedQuantity& b = of_whole.quantities[i];
+    const calibration::ReturnedQuantity& a = of_chain.quantities[i];
+    const calibration::ReturnedQuantity& b = of_whole.quantities[i];
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.came_back, b.came_back) << a.name;
     EXPECT_EQ(a.half_width, b.half_width) << a.name;
@@ -96,13 +97,13 @@ TEST(KnownTruth, OfTheChainIsThatOfWholeIdentifications) {
 }
 
 TEST(KnownTruth, AWrongTruthIsCaught) {
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  IdentifiedJoint joint = identified_joint(dataset, plain(dataset, 1));
-  for (Reading& reading : joint.put_in) {
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  truth::IdentifiedJoint joint = truth::identified_joint(dataset, plain(dataset, 1));
+  for (truth::Reading& reading : joint.put_in) {
     if (reading.name != "midline" && reading.name != "bristle_stiffness") continue;
-    reading.estimate = scaled(reading.estimate, 1.05);
+    reading.estimate = statistics::scaled(reading.estimate, 1.05);
   }
-  const TruthCheckResult check = check_known_truth(joint, plain, {5, 1, 0});
+  const calibration::TruthCheckResult check = truth::check_known_truth(joint, plain, {5, 1, 0});
   EXPECT_FALSE(check.find("midline")->comes_back);
   EXPECT_FALSE(check.find("bristle_stiffness")->comes_back);
   EXPECT_TRUE(check.find("sweep")->comes_back);
@@ -114,9 +115,9 @@ TEST(KnownTruth, AWrongTruthIsCaught) {
 TEST(KnownTruth, AWrongStageIsCaught) {
   // A chain whose angles are off by a tenth of a degree finds neither its angle nor, by that much,
   // anything else to complain of.
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  const auto wrong = [](const Dataset& simulated, std::uint64_t seed) {
-    Calibration c = plain(simulated, seed);
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  const auto wrong = [](const joint::Dataset& simulated, std::uint64_t seed) {
+    calibration::Calibration c = plain(simulated, seed);
     if (c.q_peak_rad) {
       constexpr double off = 0.00175;
       c.q_peak_rad->value += off;
@@ -125,24 +126,28 @@ TEST(KnownTruth, AWrongStageIsCaught) {
     }
     return c;
   };
-  const TruthCheckResult check = check_known_truth(dataset, plain(dataset, 1), wrong, {5, 1, 0});
+  const calibration::TruthCheckResult check =
+      truth::check_known_truth(dataset, plain(dataset, 1), wrong, {5, 1, 0});
   EXPECT_FALSE(check.find("q_peak")->comes_back);
   EXPECT_TRUE(check.find("sweep")->comes_back);
 }
 
 TEST(KnownTruth, AChainThatFindsNothingIsCaught) {
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  const auto blind = [](const Dataset&, std::uint64_t) { return Calibration(); };
-  const TruthCheckResult check = check_known_truth(dataset, plain(dataset, 1), blind, {3, 1, 0});
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  const auto blind = [](const joint::Dataset&, std::uint64_t) {
+    return calibration::Calibration();
+  };
+  const calibration::TruthCheckResult check =
+      truth::check_known_truth(dataset, plain(dataset, 1), blind, {3, 1, 0});
   ASSERT_FALSE(check.quantities.empty());
   EXPECT_EQ(check.findings.size(), check.quantities.size());
   EXPECT_NE(check.findings[0].words.find("not found in any of 3"), std::string::npos);
 }
 
 TEST(KnownTruth, ASweepAloneIsChecked) {
-  Scenario scenario = test::small_scenario();
+  simulate::Scenario scenario = test::small_scenario();
   scenario.oscillation.reset();
-  const TruthCheckResult check = checked(simulated_dataset(scenario), 4);
+  const calibration::TruthCheckResult check = checked(simulate::simulated_dataset(scenario), 4);
   EXPECT_NE(check.find("sweep"), nullptr);
   EXPECT_NE(check.find("q_peak"), nullptr);
   EXPECT_EQ(check.find("midline"), nullptr);
@@ -150,9 +155,9 @@ TEST(KnownTruth, ASweepAloneIsChecked) {
 }
 
 TEST(KnownTruth, AnOscillationAloneIsChecked) {
-  Scenario scenario = test::small_scenario();
+  simulate::Scenario scenario = test::small_scenario();
   scenario.rough_sweep.reset();
-  const TruthCheckResult check = checked(simulated_dataset(scenario), 4);
+  const calibration::TruthCheckResult check = checked(simulate::simulated_dataset(scenario), 4);
   EXPECT_NE(check.find("midline"), nullptr);
   EXPECT_NE(check.find("static_torque"), nullptr);
   EXPECT_EQ(check.find("q_peak"), nullptr);
@@ -160,59 +165,60 @@ TEST(KnownTruth, AnOscillationAloneIsChecked) {
 }
 
 TEST(KnownTruth, WithoutGravityItSaysWhyNothingIsSimulated) {
-  Scenario scenario = test::small_scenario();
+  simulate::Scenario scenario = test::small_scenario();
   scenario.rough_sweep.reset();
   scenario.oscillation->cycles = 1;
-  Dataset dataset = simulated_dataset(scenario);
+  joint::Dataset dataset = simulate::simulated_dataset(scenario);
   for (double& q : dataset.recordings.front().q_rad) q = 0;  // a constant joint
-  const TruthCheckResult check = checked(dataset, 4);
+  const calibration::TruthCheckResult check = checked(dataset, 4);
   EXPECT_TRUE(check.quantities.empty());
   ASSERT_EQ(check.left_out.size(), 1U);
   EXPECT_NE(check.left_out[0].find("no gravity torque"), std::string::npos);
 }
 
 TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
-  Calibration c = plain(simulated_dataset(test::paper_joint()), 1);
-  EXPECT_EQ(judge(c).verdict, Verdict::usable);
+  calibration::Calibration c = plain(simulate::simulated_dataset(test::paper_joint()), 1);
+  EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
   const auto verdict_on = [&](const std::string& key) {
-    for (const QuantityVerdict& q : judge(c).quantities) {
+    for (const calibration::QuantityVerdict& q : verdict::judge(c).quantities) {
       if (q.key == key) return q.verdict;
     }
-    return Verdict::not_identifiable;
+    return calibration::Verdict::not_identifiable;
   };
   ASSERT_EQ(c.selection.recommended, "midline");
   c.truth_check.findings = {{"midline", "the mid-line does not come back"}};
-  EXPECT_EQ(verdict_on("surrogate_mass"), Verdict::doubtful);
-  EXPECT_EQ(verdict_on("cog_angle"), Verdict::usable);
-  EXPECT_EQ(judge(c).verdict, Verdict::doubtful);
-  EXPECT_NE(std::find(judge(c).findings.begin(), judge(c).findings.end(),
+  EXPECT_EQ(verdict_on("surrogate_mass"), calibration::Verdict::doubtful);
+  EXPECT_EQ(verdict_on("cog_angle"), calibration::Verdict::usable);
+  EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
+  EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
                       "the mid-line does not come back"),
-            judge(c).findings.end());
+            verdict::judge(c).findings.end());
   // An estimator that nothing rests on is told of and lowers nothing.
   c.truth_check.findings = {{"B", "point B does not come back"}};
-  EXPECT_EQ(judge(c).verdict, Verdict::usable);
+  EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
 }
 
 TEST(KnownTruth, IdentifyMakesItWhereAsked) {
-  const Dataset dataset = simulated_dataset(test::small_scenario());
-  IdentifyOptions options;
+  const joint::Dataset dataset = simulate::simulated_dataset(test::small_scenario());
+  identify::IdentifyOptions options;
   options.resamples = 0;
-  EXPECT_EQ(identify(dataset, options).truth_check.runs, 0U);
+  EXPECT_EQ(identify::identify(dataset, options).truth_check.runs, 0U);
   options.truth_runs = 2;
-  const Calibration c = identify(dataset, options);
+  const calibration::Calibration c = identify::identify(dataset, options);
   EXPECT_EQ(c.truth_check.runs, 2U);
   EXPECT_EQ(c.truth_check.find("midline")->found, 2U);
 }
 
 TEST(FoundNoise, RippleIsFoundWithItsPeriods) {
-  Scenario scenario = test::noisy_paper_joint(3);
+  simulate::Scenario scenario = test::noisy_paper_joint(3);
   scenario.noise.ripple = {{0.03, 1, 0.4}, {0.02, 6, -1.0}};
   scenario.oscillation.reset();
   scenario.constant_speed.reset();
   scenario.precise_sweep.reset();
-  const Dataset dataset = simulated_dataset(scenario);
-  const Calibration c = plain(dataset, 1);
-  const std::vector<Noise::Ripple> ripple = ripple_of(c.rough, scenario.gear_ratio);
+  const joint::Dataset dataset = simulate::simulated_dataset(scenario);
+  const calibration::Calibration c = plain(dataset, 1);
+  const std::vector<simulate::Noise::Ripple> ripple =
+      truth::ripple_of(c.rough, scenario.gear_ratio);
   ASSERT_EQ(ripple.size(), 2U);
   EXPECT_NEAR(ripple[0].periods_per_turn, 1, 1e-3);
   EXPECT_NEAR(ripple[0].amplitude_Nm, 0.03, 0.002);
@@ -223,15 +229,15 @@ TEST(FoundNoise, RippleIsFoundWithItsPeriods) {
 }
 
 TEST(FoundNoise, WhiteNoiseIsFoundUnderASlope) {
-  RandomStream random(5, 0);
+  statistics::RandomStream random(5, 0);
   std::vector<double> torque;
   for (int i = 0; i < 20000; ++i) {
     const double slow = 3 * std::sin(1e-3 * i);
     const double jump = i == 10000 ? 50 : 0;  // one outlier
     torque.push_back(slow + jump + 0.02 * random.normal());
   }
-  EXPECT_NEAR(white_torque_Nm(torque), 0.02, 0.001);
-  EXPECT_EQ(white_torque_Nm({1, 2, 3}), 0);
+  EXPECT_NEAR(truth::white_torque_Nm(torque), 0.02, 0.001);
+  EXPECT_EQ(truth::white_torque_Nm({1, 2, 3}), 0);
 }
 
 }  // namespace

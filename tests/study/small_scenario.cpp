@@ -4,8 +4,8 @@
 
 namespace tribolog::test {
 
-Scenario small_scenario() {
-  Scenario s = noisy_paper_joint(1);
+simulate::Scenario small_scenario() {
+  simulate::Scenario s = noisy_paper_joint(1);
   s.rough_sweep->speed_rad_s *= 20;
   s.precise_sweep.reset();
   s.constant_speed.reset();

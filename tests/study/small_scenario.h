@@ -7,6 +7,6 @@ namespace tribolog::test {
 
 /// Realistic noise; a rough sweep over the same range but twenty times as fast, five cycles of
 /// oscillation, no precise sweep, no runs at constant speed.
-Scenario small_scenario();
+simulate::Scenario small_scenario();
 
 }  // namespace tribolog::test

@@ -10,8 +10,8 @@
 namespace tribolog {
 namespace {
 
-Estimate around(double value, double half_width) {
-  return symmetric_estimate(value, half_width, "");
+statistics::Estimate around(double value, double half_width) {
+  return statistics::symmetric_estimate(value, half_width, "");
 }
 
 TEST(WilsonShare, AgreesWithPublishedValues) {
@@ -23,7 +23,7 @@ TEST(WilsonShare, AgreesWithPublishedValues) {
   };
   for (const Row& row : {Row{81, 263, 0.2553, 0.3662}, Row{15, 148, 0.0624, 0.1605},
                          Row{0, 20, 0.0, 0.1611}, Row{1, 29, 0.0061, 0.1718}}) {
-    const Share share = wilson_share(row.hits, row.trials);
+    const study::Share share = study::wilson_share(row.hits, row.trials);
     EXPECT_NEAR(share.low, row.low, 5e-5) << row.hits;
     EXPECT_NEAR(share.high, row.high, 5e-5) << row.hits;
   }
@@ -31,8 +31,8 @@ TEST(WilsonShare, AgreesWithPublishedValues) {
 
 TEST(WilsonShare, MirrorsAndStaysWithinZeroToOne) {
   for (const std::size_t hits : {0U, 1U, 7U, 19U, 20U}) {
-    const Share share = wilson_share(hits, 20);
-    const Share mirror = wilson_share(20 - hits, 20);
+    const study::Share share = study::wilson_share(hits, 20);
+    const study::Share mirror = study::wilson_share(20 - hits, 20);
     EXPECT_NEAR(share.low, 1 - mirror.high, 1e-12);
     EXPECT_GE(share.low, 0);
     EXPECT_LE(share.high, 1);
@@ -42,15 +42,15 @@ TEST(WilsonShare, MirrorsAndStaysWithinZeroToOne) {
 }
 
 TEST(WilsonShare, RefusesTheImpossible) {
-  EXPECT_THROW(wilson_share(0, 0), std::invalid_argument);
-  EXPECT_THROW(wilson_share(3, 2), std::invalid_argument);
+  EXPECT_THROW(study::wilson_share(0, 0), std::invalid_argument);
+  EXPECT_THROW(study::wilson_share(3, 2), std::invalid_argument);
 }
 
 TEST(ErrorStatistics, HandWorkedSample) {
   // Errors of -1, 0, 1, 4 about a truth of 10: mean 1, squares of the rest 4 + 1 + 0 + 9 = 14.
-  const std::vector<Estimate> estimates{around(9, 0.5), around(10, 0.5), around(11, 1.5),
-                                        around(14, 1.5)};
-  const ErrorStatistics e = error_statistics(estimates, 10, 5);
+  const std::vector<statistics::Estimate> estimates{around(9, 0.5), around(10, 0.5),
+                                                    around(11, 1.5), around(14, 1.5)};
+  const study::ErrorStatistics e = study::error_statistics(estimates, 10, 5);
   EXPECT_EQ(e.runs, 5U);
   EXPECT_EQ(e.found, 4U);
   EXPECT_DOUBLE_EQ(e.bias, 1);
@@ -62,7 +62,7 @@ TEST(ErrorStatistics, HandWorkedSample) {
 }
 
 TEST(ErrorStatistics, WithoutEstimatesThereIsNothing) {
-  const ErrorStatistics e = error_statistics({}, 10, 5);
+  const study::ErrorStatistics e = study::error_statistics({}, 10, 5);
   EXPECT_EQ(e.found, 0U);
   EXPECT_TRUE(std::isnan(e.bias));
   EXPECT_FALSE(e.is_biased(0));
@@ -70,27 +70,27 @@ TEST(ErrorStatistics, WithoutEstimatesThereIsNothing) {
 }
 
 TEST(ErrorStatistics, OneEstimateHasNoScatter) {
-  const ErrorStatistics e = error_statistics({around(11, 2)}, 10, 1);
+  const study::ErrorStatistics e = study::error_statistics({around(11, 2)}, 10, 1);
   EXPECT_DOUBLE_EQ(e.bias, 1);
   EXPECT_TRUE(std::isnan(e.scatter));
   EXPECT_FALSE(e.is_biased(0));
 }
 
 TEST(ErrorStatistics, NinetyFiveOfAHundredErrorsAreNoLarger) {
-  std::vector<Estimate> estimates;
+  std::vector<statistics::Estimate> estimates;
   for (int i = 1; i <= 100; ++i) estimates.push_back(around(i % 2 == 0 ? i : -i, 0));
-  EXPECT_DOUBLE_EQ(error_statistics(estimates, 0, 100).error_95, 95);
+  EXPECT_DOUBLE_EQ(study::error_statistics(estimates, 0, 100).error_95, 95);
 }
 
 /// Normal errors with a bias; intervals of a width of so many standard deviations.
-ErrorStatistics normal_sample(double bias, double widths) {
+study::ErrorStatistics normal_sample(double bias, double widths) {
   constexpr std::size_t runs = 1000;
-  RandomStream random(42, 0);
-  std::vector<Estimate> estimates;
+  statistics::RandomStream random(42, 0);
+  std::vector<statistics::Estimate> estimates;
   for (std::size_t i = 0; i < runs; ++i) {
     estimates.push_back(around(5 + bias + random.normal(), widths));
   }
-  return error_statistics(estimates, 5, runs);
+  return study::error_statistics(estimates, 5, runs);
 }
 
 TEST(ErrorStatistics, FindsABiasOnlyWhereItIsSureAndMatters) {
@@ -100,7 +100,7 @@ TEST(ErrorStatistics, FindsABiasOnlyWhereItIsSureAndMatters) {
 }
 
 TEST(ErrorStatistics, KnowsHonestIntervalsFromNarrowAndWideOnes) {
-  const ErrorStatistics honest = normal_sample(0, 1.96);
+  const study::ErrorStatistics honest = normal_sample(0, 1.96);
   EXPECT_NEAR(honest.coverage.value, 0.95, 0.02);
   EXPECT_FALSE(honest.intervals_too_narrow());
   EXPECT_FALSE(honest.intervals_too_wide());

@@ -17,16 +17,16 @@
 namespace tribolog {
 namespace {
 
-StudyResult studied(const std::vector<std::string>& factors, std::size_t runs) {
-  StudyOptions options;
+study::StudyResult studied(const std::vector<std::string>& factors, std::size_t runs) {
+  study::StudyOptions options;
   options.runs = runs;
   options.factors = factors;
-  return run_study(test::small_scenario(), options);
+  return study::run_study(test::small_scenario(), options);
 }
 
-const StudyFactor& factor(const StudyResult& study, const std::string& key) {
+const study::StudyFactor& factor(const study::StudyResult& study, const std::string& key) {
   const auto it = std::find_if(study.factors.begin(), study.factors.end(),
-                               [&](const StudyFactor& f) { return f.key == key; });
+                               [&](const study::StudyFactor& f) { return f.key == key; });
   EXPECT_NE(it, study.factors.end()) << key;
   return *it;
 }
@@ -35,8 +35,8 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   constexpr std::size_t runs = 24;
   constexpr double truth = test::true_gravity_Nm;
   constexpr double matters = 1e-3 * truth;
-  const StudyResult study = studied({"torque_noise"}, runs);
-  const auto errors = [&](const std::string& reading) -> const ErrorStatistics& {
+  const study::StudyResult study = studied({"torque_noise"}, runs);
+  const auto errors = [&](const std::string& reading) -> const study::ErrorStatistics& {
     return study.base_case().find(reading)->errors;
   };
   EXPECT_TRUE(errors("A").is_biased(matters));
@@ -47,8 +47,8 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   EXPECT_NEAR(errors("C").bias / truth, 97.023 / 79.1679 - 1, 0.01);
   EXPECT_NEAR(errors("D").bias / truth, 61.009 / 79.1679 - 1, 0.01);
   // In the steady loop A and B lie symmetrically.
-  const ErrorStatistics& a = errors("A_steady");
-  const ErrorStatistics& b = errors("B_steady");
+  const study::ErrorStatistics& a = errors("A_steady");
+  const study::ErrorStatistics& b = errors("B_steady");
   EXPECT_TRUE(a.is_biased(matters));
   EXPECT_TRUE(b.is_biased(matters));
   EXPECT_NEAR(a.bias + b.bias, 0, 4 * std::hypot(a.bias_standard_error, b.bias_standard_error));
@@ -62,7 +62,7 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
   }
   EXPECT_LT(errors("B").coverage.value, 0.5);
   double last = -1;
-  for (const StudyLevel& level : factor(study, "torque_noise").levels) {
+  for (const study::StudyLevel& level : factor(study, "torque_noise").levels) {
     const double scatter = study.case_of(level).find("midline")->errors.scatter;
     EXPECT_GT(scatter, last) << level.text;
     last = scatter;
@@ -70,11 +70,11 @@ TEST(Study, PointsAreBiasedAndAveragesAreNot) {
 }
 
 TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
-  const StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, 12);
-  const StudyLevel& one = factor(study, "ripple_one_position").levels.back();
-  const StudyLevel& eight = factor(study, "ripple_eight_positions").levels.back();
-  const ErrorStatistics& from_one = study.case_of(one).find("midline")->errors;
-  const ErrorStatistics& from_eight = study.case_of(eight).find("midline")->errors;
+  const study::StudyResult study = studied({"ripple_one_position", "ripple_eight_positions"}, 12);
+  const study::StudyLevel& one = factor(study, "ripple_one_position").levels.back();
+  const study::StudyLevel& eight = factor(study, "ripple_eight_positions").levels.back();
+  const study::ErrorStatistics& from_one = study.case_of(one).find("midline")->errors;
+  const study::ErrorStatistics& from_eight = study.case_of(eight).find("midline")->errors;
   // Two sines at random phases of amplitude a: their sum has the standard deviation a.
   const double amplitude_Nm = one.value * 1e-3;
   EXPECT_GT(from_one.scatter, amplitude_Nm / 2);
@@ -87,21 +87,22 @@ TEST(Study, RippleShiftsOnePositionAndAveragesOutOverEight) {
 }
 
 TEST(Study, EachFactorHasOneBaseLevelAndLevelsOfOneCaseAreOneScenario) {
-  std::map<std::string, const StudyLevel*> cases;
-  const std::vector<StudyFactor> factors = study_factors(study_base(test::noisy_paper_joint(1)));
+  std::map<std::string, const study::StudyLevel*> cases;
+  const std::vector<study::StudyFactor> factors =
+      study::study_factors(study::study_base(test::noisy_paper_joint(1)));
   EXPECT_EQ(factors.size(), 7U);
-  for (const StudyFactor& f : factors) {
+  for (const study::StudyFactor& f : factors) {
     const auto bases = std::count_if(f.levels.begin(), f.levels.end(),
-                                     [](const StudyLevel& level) { return level.is_base; });
+                                     [](const study::StudyLevel& level) { return level.is_base; });
     EXPECT_EQ(bases, 1) << f.key;
     for (std::size_t i = 0; i < f.levels.size(); ++i) {
-      const StudyLevel& level = f.levels[i];
+      const study::StudyLevel& level = f.levels[i];
       if (i > 0) {
         EXPECT_GT(level.value, f.levels[i - 1].value) << f.key;
       }
       const auto [place, is_new] = cases.emplace(level.case_name, &level);
       if (is_new) continue;
-      const Scenario& other = place->second->scenario;
+      const simulate::Scenario& other = place->second->scenario;
       EXPECT_EQ(level.scenario.noise.torque_white_Nm, other.noise.torque_white_Nm);
       EXPECT_EQ(level.scenario.noise.ripple.size(), other.noise.ripple.size());
       EXPECT_EQ(level.scenario.oscillation->amplitude_rad, other.oscillation->amplitude_rad);
@@ -113,9 +114,9 @@ TEST(Study, EachFactorHasOneBaseLevelAndLevelsOfOneCaseAreOneScenario) {
 }
 
 TEST(Study, CommonCasesAreRunOnce) {
-  const StudyResult study = studied({"ripple_one_position", "cycles"}, 2);
+  const study::StudyResult study = studied({"ripple_one_position", "cycles"}, 2);
   std::set<std::string> names;
-  for (const StudiedCase& one : study.cases) {
+  for (const study::StudiedCase& one : study.cases) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
   }
   // Five levels of ripple, five of cycles (the base is one of them), one base case in common.
@@ -123,31 +124,31 @@ TEST(Study, CommonCasesAreRunOnce) {
 }
 
 TEST(Study, ASweepAloneHasTheFactorsOfASweep) {
-  Scenario sweep = test::small_scenario();
+  simulate::Scenario sweep = test::small_scenario();
   sweep.oscillation.reset();
-  StudyOptions options;
+  study::StudyOptions options;
   options.runs = 2;
-  const StudyResult study = run_study(sweep, options);
+  const study::StudyResult study = study::run_study(sweep, options);
   EXPECT_EQ(study.factors.size(), 3U);
   EXPECT_EQ(study.base_case().find("midline"), nullptr);
   ASSERT_NE(study.base_case().find("sweep"), nullptr);
 }
 
 TEST(Study, ThreadsChangeNoNumber) {
-  const Scenario scenario = test::small_scenario();
-  StudyOptions options;
+  const simulate::Scenario scenario = test::small_scenario();
+  study::StudyOptions options;
   options.runs = 3;
   options.factors = {"cycles"};
   options.threads = 1;
-  const StudyResult one = run_study(scenario, options);
+  const study::StudyResult one = study::run_study(scenario, options);
   options.threads = 3;
-  const StudyResult three = run_study(scenario, options);
+  const study::StudyResult three = study::run_study(scenario, options);
   ASSERT_EQ(one.cases.size(), three.cases.size());
   for (std::size_t i = 0; i < one.cases.size(); ++i) {
     ASSERT_EQ(one.cases[i].readings.size(), three.cases[i].readings.size());
     for (std::size_t k = 0; k < one.cases[i].readings.size(); ++k) {
-      const ErrorStatistics& a = one.cases[i].readings[k].errors;
-      const ErrorStatistics& b = three.cases[i].readings[k].errors;
+      const study::ErrorStatistics& a = one.cases[i].readings[k].errors;
+      const study::ErrorStatistics& b = three.cases[i].readings[k].errors;
       EXPECT_EQ(a.bias, b.bias);
       EXPECT_EQ(a.half_width, b.half_width);
     }
@@ -155,24 +156,24 @@ TEST(Study, ThreadsChangeNoNumber) {
 }
 
 TEST(Study, AnotherSeedGivesOtherNumbers) {
-  Scenario sweep = test::small_scenario();
+  simulate::Scenario sweep = test::small_scenario();
   sweep.oscillation.reset();
-  StudyOptions options;
+  study::StudyOptions options;
   options.runs = 2;
   options.factors = {"torque_step"};
-  const double first = run_study(sweep, options).base_case().find("sweep")->errors.bias;
+  const double first = study::run_study(sweep, options).base_case().find("sweep")->errors.bias;
   options.seed = 2;
-  EXPECT_NE(first, run_study(sweep, options).base_case().find("sweep")->errors.bias);
+  EXPECT_NE(first, study::run_study(sweep, options).base_case().find("sweep")->errors.bias);
 }
 
 TEST(Study, RefusesOneRunAndUnknownFactors) {
-  StudyOptions options;
+  study::StudyOptions options;
   options.runs = 1;
-  EXPECT_THROW(run_study(test::small_scenario(), options), std::invalid_argument);
+  EXPECT_THROW(study::run_study(test::small_scenario(), options), std::invalid_argument);
   options.runs = 2;
   options.factors = {"temperature"};
   try {
-    run_study(test::small_scenario(), options);
+    study::run_study(test::small_scenario(), options);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& refused) {
     EXPECT_NE(std::string(refused.what()).find("ripple_one_position"), std::string::npos);
@@ -180,20 +181,20 @@ TEST(Study, RefusesOneRunAndUnknownFactors) {
 }
 
 TEST(Study, TruthIsTheScenarios) {
-  const std::vector<Reading> truths = true_readings(test::paper_joint());
-  EXPECT_DOUBLE_EQ(find_reading(truths, "midline")->estimate.value, test::true_gravity_Nm);
-  EXPECT_DOUBLE_EQ(find_reading(truths, "q_peak")->estimate.value, test::true_q_peak_rad());
-  EXPECT_DOUBLE_EQ(find_reading(truths, "bristle_stiffness")->estimate.value, 465.42);
-  EXPECT_DOUBLE_EQ(find_reading(truths, "stribeck_power")->estimate.value, 0.7);
+  const std::vector<truth::Reading> truths = study::true_readings(test::paper_joint());
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "midline")->estimate.value, test::true_gravity_Nm);
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "q_peak")->estimate.value, test::true_q_peak_rad());
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "bristle_stiffness")->estimate.value, 465.42);
+  EXPECT_DOUBLE_EQ(truth::find_reading(truths, "stribeck_power")->estimate.value, 0.7);
   // The line over the curve has no number of its own in the scenario.
-  ASSERT_NE(find_reading(truths, "coulomb"), nullptr);
+  ASSERT_NE(truth::find_reading(truths, "coulomb"), nullptr);
 }
 
 TEST(SimulateJoint, NoiseInTwoStepsIsTheSameNoise) {
-  const Scenario scenario = test::small_scenario();
-  const std::vector<Recording> whole = simulate_joint(scenario);
-  const std::vector<Recording> in_steps =
-      with_noise(simulate_ideal_joint(scenario), scenario.noise, scenario.gear_ratio);
+  const simulate::Scenario scenario = test::small_scenario();
+  const std::vector<joint::Recording> whole = simulate::simulate_joint(scenario);
+  const std::vector<joint::Recording> in_steps = simulate::with_noise(
+      simulate::simulate_ideal_joint(scenario), scenario.noise, scenario.gear_ratio);
   ASSERT_EQ(whole.size(), in_steps.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_EQ(whole[i].torque_Nm, in_steps[i].torque_Nm);

@@ -12,19 +12,19 @@ namespace {
 constexpr double truth = 4.0;
 
 /// An estimator of gravity whose every run is off by so much, +- a little.
-StudiedReading reading(const std::string& name, double off, double half_width) {
-  std::vector<Estimate> estimates;
+study::StudiedReading reading(const std::string& name, double off, double half_width) {
+  std::vector<statistics::Estimate> estimates;
   for (int i = 0; i < 100; ++i) {
     const double little = (i % 2 == 0 ? 1 : -1) * 1e-5;
-    estimates.push_back(symmetric_estimate(truth + off + little, half_width, ""));
+    estimates.push_back(statistics::symmetric_estimate(truth + off + little, half_width, ""));
   }
-  return {name, ReadingKind::gravity, error_statistics(estimates, truth, 100)};
+  return {name, truth::ReadingKind::gravity, study::error_statistics(estimates, truth, 100)};
 }
 
 /// One factor of five levels, the third is the base case; the mid-line is off by these.
-StudyResult study_of(const std::vector<double>& midline_off, double half_width = 1) {
-  StudyResult study;
-  StudyFactor factor{"torque_noise", "White torque noise", "noise [mN·m]", "", false, {}};
+study::StudyResult study_of(const std::vector<double>& midline_off, double half_width = 1) {
+  study::StudyResult study;
+  study::StudyFactor factor{"torque_noise", "White torque noise", "noise [mN·m]", "", false, {}};
   for (std::size_t i = 0; i < midline_off.size(); ++i) {
     const std::string name = "case " + std::to_string(i);
     factor.levels.push_back(
@@ -39,49 +39,54 @@ StudyResult study_of(const std::vector<double>& midline_off, double half_width =
 }
 
 TEST(Trust, ReachesToTheFirstLevelThatBreaksIt) {
-  const StudyResult study = study_of({0.1, 0.001, 0.001, 0.001, 0.006});
-  const TrustedRange fine = trusted_range(study, study.factors[0], "midline", Criterion::fine);
+  const study::StudyResult study = study_of({0.1, 0.001, 0.001, 0.001, 0.006});
+  const study::TrustedRange fine =
+      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine);
   EXPECT_TRUE(fine.at_base);
   EXPECT_EQ(fine.lowest, 1U);
   EXPECT_EQ(fine.highest, 3U);
   EXPECT_FALSE(fine.all_levels);
   // 0.006 of 4 is 0.15 %.
-  const TrustedRange coarse = trusted_range(study, study.factors[0], "midline", Criterion::coarse);
+  const study::TrustedRange coarse =
+      study::trusted_range(study, study.factors[0], "midline", study::Criterion::coarse);
   EXPECT_EQ(coarse.lowest, 1U);
   EXPECT_EQ(coarse.highest, 4U);
 }
 
 TEST(Trust, ALevelBeyondABrokenOneDoesNotCount) {
-  const StudyResult study = study_of({0.001, 0.1, 0.001, 0.1, 0.001});
-  const TrustedRange range = trusted_range(study, study.factors[0], "midline", Criterion::fine);
+  const study::StudyResult study = study_of({0.001, 0.1, 0.001, 0.1, 0.001});
+  const study::TrustedRange range =
+      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine);
   EXPECT_EQ(range.lowest, 2U);
   EXPECT_EQ(range.highest, 2U);
 }
 
 TEST(Trust, IsNoneWhereTheBaseCaseBreaksIt) {
-  const StudyResult study = study_of({0, 0, 0, 0, 0});
-  EXPECT_FALSE(trusted_range(study, study.factors[0], "B", Criterion::coarse).at_base);
-  EXPECT_TRUE(trusted_range(study, study.factors[0], "midline", Criterion::fine).all_levels);
+  const study::StudyResult study = study_of({0, 0, 0, 0, 0});
+  EXPECT_FALSE(
+      study::trusted_range(study, study.factors[0], "B", study::Criterion::coarse).at_base);
+  EXPECT_TRUE(
+      study::trusted_range(study, study.factors[0], "midline", study::Criterion::fine).all_levels);
 }
 
 TEST(Trust, IntervalsThatDoNotHoldTheTruthAreNarrow) {
-  const StudyResult narrow = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.0005);
-  EXPECT_FALSE(holds(narrow.base_case(), "midline", Criterion::coverage));
-  EXPECT_TRUE(holds(narrow.base_case(), "midline", Criterion::fine));
-  const StudyResult wide = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.002);
-  EXPECT_TRUE(holds(wide.base_case(), "midline", Criterion::coverage));
+  const study::StudyResult narrow = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.0005);
+  EXPECT_FALSE(study::holds(narrow.base_case(), "midline", study::Criterion::coverage));
+  EXPECT_TRUE(study::holds(narrow.base_case(), "midline", study::Criterion::fine));
+  const study::StudyResult wide = study_of({0.001, 0.001, 0.001, 0.001, 0.001}, 0.002);
+  EXPECT_TRUE(study::holds(wide.base_case(), "midline", study::Criterion::coverage));
 }
 
 TEST(Trust, WhatIsNotFoundIsNotTrusted) {
-  StudyResult study = study_of({0, 0, 0, 0, 0});
+  study::StudyResult study = study_of({0, 0, 0, 0, 0});
   study.cases[1].readings[2].errors.found = 90;  // of 100
-  EXPECT_FALSE(holds(study.cases[1], "midline", Criterion::coarse));
-  EXPECT_FALSE(holds(study.cases[1], "fit", Criterion::coarse));
+  EXPECT_FALSE(study::holds(study.cases[1], "midline", study::Criterion::coarse));
+  EXPECT_FALSE(study::holds(study.cases[1], "fit", study::Criterion::coarse));
 }
 
 TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
-  const StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
-  const std::vector<std::string> findings = study_findings(study);
+  const study::StudyResult study = study_of({0.001, 0.001, 0.001, 0.1, 0.1});
+  const std::vector<std::string> findings = study::study_findings(study);
   ASSERT_FALSE(findings.empty());
   EXPECT_NE(findings[0].find("point B biased by -0.500"), std::string::npos) << findings[0];
   EXPECT_EQ(findings[0].find("mid-line"), std::string::npos) << findings[0];

@@ -4,7 +4,7 @@
   rooms.py circles          no folder needs one that needs it, on whatever way round
   rooms.py lists            each room's CMakeLists.txt has all of its sources, and names the rooms
                             that it includes and no other: PUBLIC for its headers, PRIVATE for its
-                            sources alone
+                            sources alone; its files stand in the namespace of its name
   rooms.py walls BUILD      the compiler finds no header of a room that is not named: one unit of each
                             room is asked for every header there is
   rooms.py graph            the rooms and what each needs, for `dot`
@@ -25,6 +25,14 @@ import tempfile
 ROOT = pathlib.Path(os.environ.get("TRIBOLOG_ROOMS") or pathlib.Path(__file__).parents[2]).resolve()
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 CALL = re.compile(r"\btribolog_(room|module)\(([^)]*)\)")
+
+
+NAMESPACE = re.compile(r"^namespace (tribolog[a-z0-9_:]*) \{", re.M)
+
+
+def namespace_of(room):
+    """What every room stands on, base, is the namespace around all of them."""
+    return "tribolog" if room in ("", "base") else "tribolog::" + room.replace("/", "::")
 
 
 def room_of(header):
@@ -121,6 +129,10 @@ def lists(rooms):
             stem = pathlib.Path(name).name
             if stem.endswith(".cpp") and stem not in listed["SOURCES"] and "${" not in text:
                 faults.append(f"{room}: {stem} is not among its SOURCES")
+        for name, code in files.items():
+            for space in NAMESPACE.findall(code):
+                if space != namespace_of(room) and f"{space} {{\nstruct" not in code:
+                    faults.append(f"{name}: stands in namespace {space}, not {namespace_of(room)}")
         public = {other for (mine, other), where in edges.items()
                   if mine == room and any(name.endswith(".h") for name, _ in where)}
         private = {other for mine, other in edges if mine == room} - public

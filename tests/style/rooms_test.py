@@ -50,6 +50,11 @@ CASES = [
     ("lists", {"src/joint/drive.h": "#pragma once\n"}, 1, "joint: names base in its PUBLIC"),
     ("lists", {"src/joint/gear.cpp": "\n"}, 1, "joint: gear.cpp is not among its SOURCES"),
     ("lists", {"src/other/gear.cpp": "\n"}, 1, "without a CMakeLists.txt"),
+    ("lists", {"src/joint/drive.cpp": '#include "joint/drive.h"\nnamespace tribolog::gear {\n'}, 1,
+     "stands in namespace tribolog::gear, not tribolog::joint"),
+    # What another room defines may be named beforehand.
+    ("lists", {"src/joint/drive.cpp": '#include "joint/drive.h"\n'
+               "namespace tribolog::robot {\nstruct Arm;\n}\nnamespace tribolog::joint {\n"}, 0, ""),
     ("lists", {"src/joint/CMakeLists.txt": "add_library(joint drive.cpp)\n"}, 1, "makes no room"),
 ]
 

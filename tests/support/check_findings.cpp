@@ -2,10 +2,11 @@
 
 namespace tribolog::test {
 
-std::vector<std::string> findings_of(const DataChecksResult& checks) {
+std::vector<std::string> findings_of(const method::checks::DataChecksResult& checks) {
   std::vector<std::string> names;
-  for (const DataCheck& check : checks.checks) {
-    if (check.state == CheckState::warns || check.state == CheckState::fails) {
+  for (const method::checks::DataCheck& check : checks.checks) {
+    if (check.state == method::checks::CheckState::warns ||
+        check.state == method::checks::CheckState::fails) {
       names.push_back(check.name);
     }
   }

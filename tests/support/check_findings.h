@@ -9,6 +9,6 @@
 namespace tribolog::test {
 
 /// The names of the checks that warn or fail, in order.
-std::vector<std::string> findings_of(const DataChecksResult& checks);
+std::vector<std::string> findings_of(const method::checks::DataChecksResult& checks);
 
 }  // namespace tribolog::test

@@ -14,11 +14,11 @@ namespace tribolog::test {
 namespace {
 
 struct Equation {
-  const LuGreFriction& friction;
-  const Motion& motion;
+  const friction::LuGreFriction& friction;
+  const simulate::Motion& motion;
 };
 
-int rate(SunReal t, N_Vector z, N_Vector dz, void* data) {
+int rate(simulate::SunReal t, N_Vector z, N_Vector dz, void* data) {
   const auto* e = static_cast<const Equation*>(data);
   NV_Ith_S(dz, 0) = e->friction.deflection_rate_rad_s(NV_Ith_S(z, 0), e->motion.speed(t));
   return 0;
@@ -38,9 +38,10 @@ std::vector<double> sine_reversals(double frequency_Hz, double end_s) {
   return times;
 }
 
-void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motion, double dt_s,
+void solve_bristle_with_cvode(const friction::LuGreFriction& friction,
+                              const simulate::Motion& motion, double dt_s,
                               const CvodeOptions& options, std::span<double> z_rad) {
-  const SunContext context;
+  const simulate::SunContext context;
   Equation equation{friction, motion};
   N_Vector z = N_VNew_Serial(1 TRIBOLOG_SUN(context));
   NV_Ith_S(z, 0) = 0;
@@ -62,7 +63,7 @@ void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motio
     require(CVodeSetStopTime(solver, next < reversals.size() ? reversals[next] : never));
   };
   set_stop();
-  SunReal reached = 0;
+  simulate::SunReal reached = 0;
   if (!z_rad.empty()) z_rad[0] = 0;
   for (std::size_t i = 1; i < z_rad.size(); ++i) {
     const double t = static_cast<double>(i) * dt_s;

@@ -22,7 +22,8 @@ struct CvodeOptions {
 };
 
 /// Fills z at t = 0, dt, 2 dt, ... from z = 0. @throw std::runtime_error if CVODE gives up.
-void solve_bristle_with_cvode(const LuGreFriction& friction, const Motion& motion, double dt_s,
+void solve_bristle_with_cvode(const friction::LuGreFriction& friction,
+                              const simulate::Motion& motion, double dt_s,
                               const CvodeOptions& options, std::span<double> z_rad);
 
 /// Reversals of a sine that starts at its middle, up to `end_s`.

@@ -11,7 +11,7 @@ namespace {
 /// A model as CVODE sees it: the continuous members are its unknowns, the rest is kept here.
 class FrictionProblem {
  public:
-  FrictionProblem(const DynamicFriction& friction, const Motion& motion,
+  FrictionProblem(const friction::DynamicFriction& friction, const simulate::Motion& motion,
                   const CvodeFrictionOptions& options)
       : friction_(friction),
         motion_(motion),
@@ -25,7 +25,8 @@ class FrictionProblem {
 
   /// Goes on to `t`; the solver's own steps may go on to `limit`.
   void advance_to(double t, double limit) {
-    while (solver_.time() < t && solver_.advance_to(t, limit) == CvodeSolver::Stop::at_event) {
+    while (solver_.time() < t &&
+           solver_.advance_to(t, limit) == simulate::CvodeSolver::Stop::at_event) {
       settle();
     }
   }
@@ -45,21 +46,22 @@ class FrictionProblem {
  private:
   void take(std::span<const double> y) { std::copy(y.begin(), y.end(), state_.begin()); }
 
-  CvodeSolver::Rates rates() {
+  simulate::CvodeSolver::Rates rates() {
     return [this](double t, std::span<const double> y, std::span<double> rates) {
       take(y);
       friction_.rates(state_, motion_.speed(t), rates_);
       std::copy_n(rates_.begin(), moving_, rates.begin());
     };
   }
-  CvodeSolver::Events events() {
+  simulate::CvodeSolver::Events events() {
     return [this](double t, std::span<const double> y, std::span<double> values) {
       take(y);
       friction_.event_values(state_, motion_.speed(t), values);
     };
   }
-  [[nodiscard]] CvodeSolver::Options solver_options(const CvodeFrictionOptions& options) const {
-    CvodeSolver::Options out;
+  [[nodiscard]] simulate::CvodeSolver::Options solver_options(
+      const CvodeFrictionOptions& options) const {
+    simulate::CvodeSolver::Options out;
     out.method = options.method;
     out.relative_tolerance = options.relative_tolerance;
     out.absolute_tolerances.resize(friction_.states());
@@ -71,27 +73,28 @@ class FrictionProblem {
     return out;
   }
 
-  const DynamicFriction& friction_;
-  const Motion& motion_;
+  const friction::DynamicFriction& friction_;
+  const simulate::Motion& motion_;
   double first_step_s_;
   int stops_left_;
   std::size_t moving_;
   std::vector<double> state_;
   std::vector<double> rates_;
-  CvodeSolver solver_;
+  simulate::CvodeSolver solver_;
 };
 
 }  // namespace
 
-std::size_t continuous_members(const DynamicFriction& friction) {
+std::size_t continuous_members(const friction::DynamicFriction& friction) {
   std::vector<double> rates(friction.states());
   friction.rates(friction.unloaded(), 1.0, rates);
   const auto still = std::find(rates.begin(), rates.end(), 0.0);
   return static_cast<std::size_t>(still - rates.begin());
 }
 
-void friction_by_cvode(const DynamicFriction& friction, const Motion& motion, double dt_s,
-                       const CvodeFrictionOptions& options, std::span<double> torque_Nm) {
+void friction_by_cvode(const friction::DynamicFriction& friction, const simulate::Motion& motion,
+                       double dt_s, const CvodeFrictionOptions& options,
+                       std::span<double> torque_Nm) {
   FrictionProblem problem(friction, motion, options);
   constexpr double never_s = 1e30;
   std::vector<double> reversals = options.reversals_s;
@@ -108,12 +111,12 @@ void friction_by_cvode(const DynamicFriction& friction, const Motion& motion, do
   }
 }
 
-std::vector<double> reversals_of(const Motion& motion, double end_s, double scan_s) {
+std::vector<double> reversals_of(const simulate::Motion& motion, double end_s, double scan_s) {
   std::vector<double> out;
   for (double a = 0; a < end_s; a += scan_s) {
     const double before = motion.speed(a);
     if (before * motion.speed(a + scan_s) < 0) {
-      out.push_back(reversal_time(motion, a, a + scan_s, before < 0));
+      out.push_back(simulate::reversal_time(motion, a, a + scan_s, before < 0));
     }
   }
   return out;

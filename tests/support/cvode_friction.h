@@ -13,7 +13,7 @@
 namespace tribolog::test {
 
 struct CvodeFrictionOptions {
-  CvodeSolver::Method method{CvodeSolver::Method::bdf};
+  simulate::CvodeSolver::Method method{simulate::CvodeSolver::Method::bdf};
   double relative_tolerance{1e-12};  ///< And absolute, of each member's usual size.
   double largest_step_s{1e-3};
   /// After a stop: at a reversal nothing moves, and the solver's own choice would skip the turn.
@@ -28,14 +28,15 @@ struct CvodeFrictionOptions {
 /// steps, samples are interpolated; it stops at reversals and at the model's events, where settle()
 /// is called. Discrete members of the state are not among its unknowns.
 /// @throw std::runtime_error if CVODE gives up or stops too often.
-void friction_by_cvode(const DynamicFriction& friction, const Motion& motion, double dt_s,
-                       const CvodeFrictionOptions& options, std::span<double> torque_Nm);
+void friction_by_cvode(const friction::DynamicFriction& friction, const simulate::Motion& motion,
+                       double dt_s, const CvodeFrictionOptions& options,
+                       std::span<double> torque_Nm);
 
 /// How many members of the state a motion moves: those that come first. The others are discrete.
-std::size_t continuous_members(const DynamicFriction& friction);
+std::size_t continuous_members(const friction::DynamicFriction& friction);
 
 /// Times in (0, end] at which the motion reverses.
 /// @param scan_s is shorter than the shortest time between two of them.
-std::vector<double> reversals_of(const Motion& motion, double end_s, double scan_s);
+std::vector<double> reversals_of(const simulate::Motion& motion, double end_s, double scan_s);
 
 }  // namespace tribolog::test

@@ -11,26 +11,27 @@ constexpr double gear_ratio = 100;
 
 }  // namespace
 
-std::vector<Recording> oscillations_of(const Scenario& scenario) {
-  Scenario s = scenario;
+std::vector<joint::Recording> oscillations_of(const simulate::Scenario& scenario) {
+  simulate::Scenario s = scenario;
   s.rough_sweep.reset();
   s.precise_sweep.reset();
   s.constant_speed.reset();
-  return simulated_dataset(s).recordings;
+  return simulate::simulated_dataset(s).recordings;
 }
 
-LuGreFit fit_loops(const std::vector<Recording>& oscillations) {
-  std::vector<OscillationMotion> motions;
-  for (const Recording& r : oscillations) motions.push_back(*fit_oscillation_motion(r));
-  std::vector<LuGreInput> inputs;
+method::hysteresis::LuGreFit fit_loops(const std::vector<joint::Recording>& oscillations) {
+  std::vector<method::motion::OscillationMotion> motions;
+  for (const joint::Recording& r : oscillations)
+    motions.push_back(*method::motion::fit_oscillation_motion(r));
+  std::vector<method::hysteresis::LuGreInput> inputs;
   for (std::size_t k = 0; k < oscillations.size(); ++k) {
     inputs.push_back({&oscillations[k], &motions[k]});
   }
-  return fit_lugre(inputs, gear_ratio, true_q_peak_rad());
+  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
 }
 
-std::map<std::string, double> true_parameters(const Scenario& s) {
-  const auto& p = dynamic_cast<const LuGreFriction&>(*s.presliding).parameters();
+std::map<std::string, double> true_parameters(const simulate::Scenario& s) {
+  const auto& p = dynamic_cast<const friction::LuGreFriction&>(*s.presliding).parameters();
   return {
       {"bristle_stiffness_Nm_rad", p.bristle_stiffness_Nm_rad},
       {"bristle_damping_Nms_rad", p.bristle_damping_Nms_rad},
@@ -43,9 +44,10 @@ std::map<std::string, double> true_parameters(const Scenario& s) {
       {"inertia_kgm2", s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (s.gear_ratio * s.gear_ratio)}};
 }
 
-Scenario at_eight_positions(Scenario s, double phase_1_rad, double phase_6_rad) {
+simulate::Scenario at_eight_positions(simulate::Scenario s, double phase_1_rad,
+                                      double phase_6_rad) {
   s.noise.ripple = {{0.02, 1, phase_1_rad}, {0.02, 6, phase_6_rad}};
-  const auto all = spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
+  const auto all = simulate::spread_over_motor_turn(*s.oscillation, 8, s.gear_ratio);
   s.oscillation = all.front();
   s.further_oscillations.assign(all.begin() + 1, all.end());
   return s;

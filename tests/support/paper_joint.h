@@ -19,15 +19,15 @@ inline constexpr double true_surrogate_mass_kg = 79.1679;
 double true_q_peak_rad();
 
 /// Its friction in the oscillation.
-LuGreFriction paper_contact();
+friction::LuGreFriction paper_contact();
 /// Its friction in sweeps and runs.
-WaiboerFriction paper_curve();
+friction::WaiboerFriction paper_curve();
 
 /// The four experiments, noise-free.
-Scenario paper_joint();
+simulate::Scenario paper_joint();
 /// The same with the noise of a real drive, ten cycles, and no bristle deflection in the log.
-Scenario noisy_paper_joint(std::uint64_t seed);
+simulate::Scenario noisy_paper_joint(std::uint64_t seed);
 
-using tribolog::simulated_dataset;
+using simulate::simulated_dataset;
 
 }  // namespace tribolog::test

@@ -27,12 +27,12 @@ DrivingTorque growing_triangle(double first_Nm, double last_Nm, double frequency
   };
 }
 
-Recording torque_driven_loop(const Scenario& s, const DrivingTorque& torque, double duration_s,
-                             double sample_rate_Hz) {
+joint::Recording torque_driven_loop(const simulate::Scenario& s, const DrivingTorque& torque,
+                                    double duration_s, double sample_rate_Hz) {
   const double n = s.gear_ratio;
   const double centre = true_q_peak_rad();
   const double held = s.load.torque_Nm(centre) / n;
-  ForcedMotionSetup setup;
+  simulate::ForcedMotionSetup setup;
   setup.inertia_kgm2 = s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (n * n);
   setup.angle_rad = n * centre;
   setup.applied_Nm = [&](double t, double motor_rad, double) {
@@ -41,10 +41,10 @@ Recording torque_driven_loop(const Scenario& s, const DrivingTorque& torque, dou
   setup.duration_s = duration_s;
   setup.sample_s = 1 / sample_rate_Hz;
   setup.relative_tolerance = 1e-8;
-  const ForcedMotion motion = simulate_forced_motion(*s.presliding, setup);
-  Recording r;
+  const simulate::ForcedMotion motion = simulate::simulate_forced_motion(*s.presliding, setup);
+  joint::Recording r;
   r.name = "torque-driven";
-  r.role = Role::oscillation;
+  r.role = joint::Role::oscillation;
   r.t_s = motion.t_s;
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     r.q_rad.push_back(motion.angle_rad[i] / n);
@@ -54,19 +54,19 @@ Recording torque_driven_loop(const Scenario& s, const DrivingTorque& torque, dou
   return r;
 }
 
-LuGreFit fit_traced(const std::vector<Recording>& loops) {
+method::hysteresis::LuGreFit fit_traced(const std::vector<joint::Recording>& loops) {
   constexpr double gear_ratio = 100;
-  std::vector<TracedMotion> motions;
-  for (const Recording& r : loops) {
-    MotionTrace trace = trace_motion(r);
+  std::vector<method::motion::TracedMotion> motions;
+  for (const joint::Recording& r : loops) {
+    method::motion::MotionTrace trace = method::motion::trace_motion(r);
     if (!trace.motion) throw std::invalid_argument(trace.refusal);
     motions.push_back(std::move(*trace.motion));
   }
-  std::vector<LuGreInput> inputs;
+  std::vector<method::hysteresis::LuGreInput> inputs;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     inputs.push_back({&loops[k], nullptr, &motions[k]});
   }
-  return fit_lugre(inputs, gear_ratio, true_q_peak_rad());
+  return method::hysteresis::fit_lugre(inputs, gear_ratio, true_q_peak_rad());
 }
 
 }  // namespace tribolog::test

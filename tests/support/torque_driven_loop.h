@@ -19,10 +19,10 @@ DrivingTorque growing_triangle(double first_Nm, double last_Nm, double frequency
                                double duration_s);
 
 /// The joint of the scenario at its gravity peak, from an unloaded contact, without noise.
-Recording torque_driven_loop(const Scenario& joint, const DrivingTorque& torque, double duration_s,
-                             double sample_rate_Hz);
+joint::Recording torque_driven_loop(const simulate::Scenario& joint, const DrivingTorque& torque,
+                                    double duration_s, double sample_rate_Hz);
 
 /// Fitted along their traced motions.
-LuGreFit fit_traced(const std::vector<Recording>& loops);
+method::hysteresis::LuGreFit fit_traced(const std::vector<joint::Recording>& loops);
 
 }  // namespace tribolog::test

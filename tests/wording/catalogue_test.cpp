@@ -9,8 +9,8 @@
 namespace tribolog {
 namespace {
 
-Catalogue catalogue() {
-  Catalogue c;
+wording::Catalogue catalogue() {
+  wording::Catalogue c;
   c.add(R"({"texts": {
     "gear ratio": "przełożenie", "LuGre fit": "dopasowanie LuGre", "łatwe": "źle",
     "the joint moves": "przegub się porusza", "it rests": "ćwiczenie: stoi",
@@ -23,7 +23,7 @@ Catalogue catalogue() {
 }
 
 TEST(Catalogue, TranslatesWholeMessages) {
-  const Catalogue c = catalogue();
+  const wording::Catalogue c = catalogue();
   EXPECT_EQ(c.translate("gear ratio"), "przełożenie");
   EXPECT_EQ(c.translate("3 runs"), "3 przejazdy");
   EXPECT_EQ(c.translate("LuGre fit of loop 7"), "loop 7: dopasowanie LuGre");
@@ -35,7 +35,7 @@ TEST(Catalogue, TheMessageThatSaysMostWins) {
 }
 
 TEST(Catalogue, WhatItDoesNotKnowStays) {
-  const Catalogue c = catalogue();
+  const wording::Catalogue c = catalogue();
   EXPECT_EQ(c.translate("Robot 7"), "Robot 7");
   EXPECT_EQ(c.translate(""), "");
   EXPECT_EQ(c.find("the joint moves. Robot 7."), "");
@@ -43,7 +43,7 @@ TEST(Catalogue, WhatItDoesNotKnowStays) {
 }
 
 TEST(Catalogue, SentencesAreTranslatedOneByOne) {
-  const Catalogue c = catalogue();
+  const wording::Catalogue c = catalogue();
   EXPECT_EQ(c.translate("the joint moves; 1 runs."), "przegub się porusza; 1 przejazd.");
   EXPECT_EQ(c.translate("Gear ratio: 5 runs"), "Przełożenie: 5 przejazdów");
   EXPECT_EQ(c.translate("It: whole; message. With ends. The joint moves."),
@@ -51,7 +51,7 @@ TEST(Catalogue, SentencesAreTranslatedOneByOne) {
 }
 
 TEST(Catalogue, ASentenceBeginsWithALargeLetterInEither) {
-  const Catalogue c = catalogue();
+  const wording::Catalogue c = catalogue();
   EXPECT_EQ(c.translate("It rests."), "Ćwiczenie: stoi.");
   // A name that begins large is no sentence.
   EXPECT_EQ(c.translate("GEAR ratio"), "GEAR ratio");
@@ -61,10 +61,10 @@ TEST(Catalogue, RefusesWhatIsNoCatalogue) {
   for (const char* wrong : {"", "[]", R"({"other": {}})", R"({"texts": {"a": 1}})",
                             R"({"texts": {"a": ""}})", R"({"texts": {"{n": "b"}})",
                             R"({"texts": {"{n} a": "{1}"}})", R"({"texts": {"{n} a": "{0|b}"}})"}) {
-    Catalogue c;
+    wording::Catalogue c;
     EXPECT_THROW(c.add(wrong, "test"), std::invalid_argument) << wrong;
   }
-  Catalogue c = catalogue();
+  wording::Catalogue c = catalogue();
   EXPECT_THROW(c.add(R"({"texts": {"gear ratio": "inaczej"}})", "test"), std::invalid_argument);
 }
 

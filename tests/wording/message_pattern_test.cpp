@@ -13,10 +13,10 @@ using Texts = std::vector<std::string>;
 
 /// What stood in the places; {"-"} where the text is another message.
 Texts placed(const std::string& message, const std::string& text) {
-  const auto found = MessagePattern(message).match(text);
+  const auto found = wording::MessagePattern(message).match(text);
   if (!found) return {"-"};
   Texts texts;
-  for (const PlacedText& one : *found) texts.emplace_back(one.text);
+  for (const wording::PlacedText& one : *found) texts.emplace_back(one.text);
   return texts;
 }
 
@@ -48,23 +48,23 @@ TEST(MessagePattern, LongTextsOfManyPlacesEnd) {
 
 TEST(MessagePattern, RefusesWrongPlaces) {
   for (const char* wrong : {"{", "{n", "{x}", "{}{}", "{n}{t} a"}) {
-    EXPECT_THROW(MessagePattern{wrong}, std::invalid_argument) << wrong;
+    EXPECT_THROW(wording::MessagePattern{wrong}, std::invalid_argument) << wrong;
   }
 }
 
 TEST(FillPlaces, OrderIsTheTranslations) {
-  EXPECT_EQ(fill_places("{1} z {0}", {"a", "b"}), "b z a");
-  EXPECT_EQ(fill_places("{0} {0|próbka|próbki|próbek}", {"22"}), "22 próbki");
+  EXPECT_EQ(wording::fill_places("{1} z {0}", {"a", "b"}), "b z a");
+  EXPECT_EQ(wording::fill_places("{0} {0|próbka|próbki|próbek}", {"22"}), "22 próbki");
   for (const char* wrong : {"{2}", "{0", "{0|a}", "{}", "{a}", "{-1}"}) {
-    EXPECT_THROW(fill_places(wrong, {"a", "b"}), std::invalid_argument) << wrong;
+    EXPECT_THROW(wording::fill_places(wrong, {"a", "b"}), std::invalid_argument) << wrong;
   }
 }
 
 TEST(PluralForm, IsThatOfPolish) {
-  for (const char* one : {"1"}) EXPECT_EQ(plural_form(one), 0) << one;
-  for (const char* few : {"2", "4", "22", "104"}) EXPECT_EQ(plural_form(few), 1) << few;
+  for (const char* one : {"1"}) EXPECT_EQ(wording::plural_form(one), 0) << one;
+  for (const char* few : {"2", "4", "22", "104"}) EXPECT_EQ(wording::plural_form(few), 1) << few;
   for (const char* many : {"0", "5", "11", "12", "14", "21", "112", "1.5", "2.0", "−2", "many"}) {
-    EXPECT_EQ(plural_form(many), 2) << many;
+    EXPECT_EQ(wording::plural_form(many), 2) << many;
   }
 }
 

@@ -10,8 +10,9 @@
 namespace tribolog::report {
 namespace {
 
-RoundedEstimate rounded(double value, double half_width, const Scale& scale = {}) {
-  return round_by_interval({value, value - half_width, value + half_width, ""}, scale);
+wording::RoundedEstimate rounded(double value, double half_width,
+                                 const wording::Scale& scale = {}) {
+  return wording::round_by_interval({value, value - half_width, value + half_width, ""}, scale);
 }
 
 TEST(Rounding, HalfWidthHasTwoDigitsAndTheEstimateFollows) {
@@ -33,24 +34,24 @@ TEST(Rounding, WideIntervalsRoundToTensAndHundreds) {
 
 TEST(Rounding, NegativeNumbersHaveAMinusSignAndZeroHasNone) {
   EXPECT_EQ(rounded(-0.388019, 0.00021).plus_minus(), "−0.38802 ± 0.00021");
-  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+  EXPECT_EQ(wording::fixed(-0.0001, 2), "0.00");
 }
 
 TEST(Rounding, DegreesTurnTheIntervalAlong) {
-  const Estimate link = scaled({-0.388019, -0.389, -0.387, ""}, -1.0);
-  const RoundedEstimate text = round_by_interval(link, degree_scale());
+  const statistics::Estimate link = statistics::scaled({-0.388019, -0.389, -0.387, ""}, -1.0);
+  const wording::RoundedEstimate text = wording::round_by_interval(link, wording::degree_scale());
   EXPECT_EQ(text.plus_minus(), "22.232 ± 0.057");
   EXPECT_EQ(text.range(), "22.173 … 22.288");
 }
 
 TEST(Rounding, ALopsidedIntervalIsGivenByItsEndsOnly) {
-  const RoundedEstimate text = round_by_interval({1.0, 0.9, 1.4, ""}, {});
+  const wording::RoundedEstimate text = wording::round_by_interval({1.0, 0.9, 1.4, ""}, {});
   EXPECT_EQ(text.plus_minus(), "1.00");
   EXPECT_EQ(text.range(), "0.90 … 1.40");
 }
 
 TEST(Rounding, NoMoreThanSevenDigits) {
-  const RoundedEstimate text = rounded(3.883185714321, 1e-12);
+  const wording::RoundedEstimate text = rounded(3.883185714321, 1e-12);
   EXPECT_EQ(text.plus_minus(), "3.883186 ± < 0.000001");
   EXPECT_EQ(text.range(), "");
 }
@@ -64,42 +65,43 @@ TEST(Rounding, WhatIsNotKnownIsSaid) {
 }
 
 TEST(Rounding, SignificantDigits) {
-  EXPECT_EQ(significant(0.0, 3), "0");
-  EXPECT_EQ(significant(0.99996, 4), "1.000");
-  EXPECT_EQ(significant(1234567.0, 3), "1230000");
-  EXPECT_EQ(significant(-1.5e-9, 2), "−1.5×10⁻⁹");
-  EXPECT_EQ(as_stated(100.0), "100");
-  EXPECT_EQ(as_stated(9.81), "9.81");
+  EXPECT_EQ(wording::significant(0.0, 3), "0");
+  EXPECT_EQ(wording::significant(0.99996, 4), "1.000");
+  EXPECT_EQ(wording::significant(1234567.0, 3), "1230000");
+  EXPECT_EQ(wording::significant(-1.5e-9, 2), "−1.5×10⁻⁹");
+  EXPECT_EQ(wording::as_stated(100.0), "100");
+  EXPECT_EQ(wording::as_stated(9.81), "9.81");
 }
 
 TEST(Rounding, AZeroHasNoSign) {
-  EXPECT_EQ(with_plus_sign(fixed(0.0004, 3)), "0.000");
-  EXPECT_EQ(with_plus_sign(fixed(-0.0004, 3)), "0.000");
-  EXPECT_EQ(with_plus_sign(fixed(0.0006, 3)), "+0.001");
-  EXPECT_EQ(with_plus_sign(fixed(-0.0006, 3)), "−0.001");
-  EXPECT_EQ(with_plus_sign("unknown"), "unknown");
+  EXPECT_EQ(wording::with_plus_sign(wording::fixed(0.0004, 3)), "0.000");
+  EXPECT_EQ(wording::with_plus_sign(wording::fixed(-0.0004, 3)), "0.000");
+  EXPECT_EQ(wording::with_plus_sign(wording::fixed(0.0006, 3)), "+0.001");
+  EXPECT_EQ(wording::with_plus_sign(wording::fixed(-0.0006, 3)), "−0.001");
+  EXPECT_EQ(wording::with_plus_sign("unknown"), "unknown");
 }
 
 TEST(Rounding, CountsAreGrouped) {
-  EXPECT_EQ(count(0), "0");
-  EXPECT_EQ(count(999), "999");
-  EXPECT_EQ(count(140410), "140\u202f410");
-  EXPECT_EQ(count(8003370), "8\u202f003\u202f370");
+  EXPECT_EQ(wording::count(0), "0");
+  EXPECT_EQ(wording::count(999), "999");
+  EXPECT_EQ(wording::count(140410), "140\u202f410");
+  EXPECT_EQ(wording::count(8003370), "8\u202f003\u202f370");
 }
 
 TEST(Units, PrefixesKeepNumbersReadable) {
-  EXPECT_EQ(torque_scale(3.9).unit, "N·m");
-  EXPECT_EQ(torque_scale(0.0012).unit, "mN·m");
-  EXPECT_EQ(torque_scale(-5e-6).unit, "µN·m");
-  EXPECT_EQ(torque_scale(0.0).unit, "N·m");
-  EXPECT_EQ(radian_scale(1e-4).unit, "mrad");
-  EXPECT_EQ(stiffness_scale(4.66e6).unit, "kN·m/rad");
+  EXPECT_EQ(wording::torque_scale(3.9).unit, "N·m");
+  EXPECT_EQ(wording::torque_scale(0.0012).unit, "mN·m");
+  EXPECT_EQ(wording::torque_scale(-5e-6).unit, "µN·m");
+  EXPECT_EQ(wording::torque_scale(0.0).unit, "N·m");
+  EXPECT_EQ(wording::radian_scale(1e-4).unit, "mrad");
+  EXPECT_EQ(wording::stiffness_scale(4.66e6).unit, "kN·m/rad");
 }
 
 TEST(Rounding, InWords) {
-  EXPECT_EQ(in_words({3.88318571, 3.87888, 3.88749, ""}, plain_scale("N·m")),
+  EXPECT_EQ(wording::in_words({3.88318571, 3.87888, 3.88749, ""}, wording::plain_scale("N·m")),
             "3.8832 ± 0.0043\u00a0N·m");
-  EXPECT_EQ(in_words({-0.388, -0.389, -0.387, ""}, degree_scale()), "−22.231° ± 0.057°");
+  EXPECT_EQ(wording::in_words({-0.388, -0.389, -0.387, ""}, wording::degree_scale()),
+            "−22.231° ± 0.057°");
 }
 
 }  // namespace

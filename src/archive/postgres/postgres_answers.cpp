@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::postgres {
 
 namespace {
 
@@ -113,9 +113,9 @@ std::uint64_t number_of(std::string_view bytes) {
 
 }  // namespace
 
-PostgresParameters::PostgresParameters(const std::vector<Value>& values) {
+PostgresParameters::PostgresParameters(const std::vector<sql::Value>& values) {
   numbers_.reserve(values.size());  // the pointers into it stay
-  for (const Value& value : values) {
+  for (const sql::Value& value : values) {
     if (const auto* whole = std::get_if<std::int64_t>(&value.content())) {
       add(bigint,
           numbers_.emplace_back(most_significant_first(static_cast<std::uint64_t>(*whole))));
@@ -124,7 +124,7 @@ PostgresParameters::PostgresParameters(const std::vector<Value>& values) {
           numbers_.emplace_back(most_significant_first(std::bit_cast<std::uint64_t>(*number))));
     } else if (const auto* words = std::get_if<std::string>(&value.content())) {
       add(text, *words);
-    } else if (const auto* blob = std::get_if<Blob>(&value.content())) {
+    } else if (const auto* blob = std::get_if<sql::Blob>(&value.content())) {
       add(bytea, blob->bytes);
     } else {
       types_.push_back(inferred);
@@ -145,7 +145,7 @@ void PostgresParameters::add(Oid type, const std::string& bytes) {
   formats_.push_back(binary);
 }
 
-Value field_of(const PGresult* result, int row, int column) {
+sql::Value field_of(const PGresult* result, int row, int column) {
   if (PQgetisnull(result, row, column) != 0) return {};
   const std::string_view bytes(PQgetvalue(result, row, column),
                                static_cast<std::size_t>(PQgetlength(result, row, column)));
@@ -157,11 +157,11 @@ Value field_of(const PGresult* result, int row, int column) {
     case text:
       return std::string(bytes);
     case bytea:
-      return Blob{std::string(bytes)};
+      return sql::Blob{std::string(bytes)};
     default:
       throw std::logic_error(fmt::format("PostgreSQL's type {} of column {}",
                                          PQftype(result, column), PQfname(result, column)));
   }
 }
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::postgres

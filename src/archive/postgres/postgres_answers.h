@@ -8,7 +8,7 @@
 
 #include "archive/sql/sql_connection.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::postgres {
 
 struct PostgresFailure {
   std::string state;    ///< SQLSTATE; empty where no server answered.
@@ -31,7 +31,7 @@ std::string in_one_line(const std::string& message);
 /// The parameters of one statement as PQexecParams() takes them. Lives as long as the values.
 class PostgresParameters {
  public:
-  explicit PostgresParameters(const std::vector<Value>& values);
+  explicit PostgresParameters(const std::vector<sql::Value>& values);
 
   [[nodiscard]] int count() const { return static_cast<int>(types_.size()); }
   [[nodiscard]] const Oid* types() const { return types_.data(); }
@@ -51,6 +51,6 @@ class PostgresParameters {
 
 /// One field of a binary result: BIGINT, DOUBLE PRECISION, TEXT or BYTEA.
 /// @throw std::logic_error: another type, which no table of an archive has.
-Value field_of(const PGresult* result, int row, int column);
+sql::Value field_of(const PGresult* result, int row, int column);
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::postgres

@@ -17,7 +17,7 @@
 #include "archive/sql/open_postgres.h"
 #include "base/error.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::postgres {
 
 // Which server an archive is on, by its connection string.
 
@@ -106,7 +106,7 @@ std::unique_ptr<PGconn, Disconnect> connected(const std::string& uri) {
   return connection;
 }
 
-class PostgresConnection final : public Connection {
+class PostgresConnection final : public sql::Connection {
  public:
   PostgresConnection(PostgresLocation location, int wait_ms, NoteKept note_kept)
       : name_(std::move(location.shown)),
@@ -116,25 +116,25 @@ class PostgresConnection final : public Connection {
     prepare_session();
   }
 
-  [[nodiscard]] Dialect dialect() const override { return Dialect::postgres; }
+  [[nodiscard]] sql::Dialect dialect() const override { return sql::Dialect::postgres; }
   [[nodiscard]] const std::string& name() const override { return name_; }
 
-  Rows run(const std::string& statement, const std::vector<Value>& parameters) override {
+  sql::Rows run(const std::string& statement, const std::vector<sql::Value>& parameters) override {
     constexpr int binary = 1;
     const PostgresParameters bound(parameters);
     const Result result =
         checked(PQexecParams(connection_.get(), statement.c_str(), bound.count(), bound.types(),
                              bound.values(), bound.lengths(), bound.formats(), binary));
-    Rows rows;
+    sql::Rows rows;
     for (int row = 0; row < PQntuples(result.get()); ++row) {
-      Row& fields = rows.emplace_back();
+      sql::Row& fields = rows.emplace_back();
       for (int column = 0; column < PQnfields(result.get()); ++column) {
         fields.push_back(field_of(result.get(), row, column));
       }
     }
     return rows;
   }
-  using Connection::run;
+  using sql::Connection::run;
 
   void run_script(const std::string& statements) override {
     (void)checked(PQexec(connection_.get(), statements.c_str()));
@@ -228,20 +228,21 @@ class PostgresConnection final : public Connection {
 
 }  // namespace
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::postgres
 
-tribolog::sql::Connection* tribolog_postgres_connection(const std::string& uri,
-                                                        tribolog::sql::Access access, int wait_ms,
-                                                        NoteKept note_kept) {
+tribolog::archive::sql::Connection* tribolog_postgres_connection(
+    const std::string& uri, tribolog::archive::sql::Access access, int wait_ms,
+    NoteKept note_kept) {
   using namespace tribolog;
-  auto connection =
-      std::make_unique<sql::PostgresConnection>(sql::postgres_location(uri), wait_ms, note_kept);
-  if (access == sql::Access::write &&
+  auto connection = std::make_unique<tribolog::archive::postgres::PostgresConnection>(
+      tribolog::archive::postgres::postgres_location(uri), wait_ms, note_kept);
+  if (access == tribolog::archive::sql::Access::write &&
       connection->run("SELECT current_setting('transaction_read_only')").front().front().text() ==
           "on") {
-    throw OutputError(printable(connection->name(), longest_path) +
-                      ": the archive cannot be written: the server is read-only; nothing was "
-                      "changed");
+    throw tribolog::OutputError(
+        tribolog::printable(connection->name(), tribolog::longest_path) +
+        ": the archive cannot be written: the server is read-only; nothing was "
+        "changed");
   }
   return connection.release();
 }

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/program_module.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::sql {
 
 std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms) {
   try {
@@ -21,4 +21,4 @@ std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access,
   }
 }
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::sql

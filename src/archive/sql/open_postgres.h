@@ -7,7 +7,7 @@
 
 #include "archive/sql/sql_connection.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::sql {
 
 /// Connects. write() waits for other writers at an advisory lock of the database; what it has kept
 /// is on the server's disk even where the server is set to answer earlier
@@ -20,7 +20,7 @@ namespace tribolog::sql {
 ///        connection string.
 std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access, int wait_ms);
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::sql
 
 // What the module tribolog_postgres gives to the program.
 
@@ -28,6 +28,6 @@ std::unique_ptr<Connection> open_postgres(const std::string& uri, Access access,
 using NoteKept = void (*)(const std::string& what);
 
 /// As open_postgres(). The caller owns it.
-extern "C" __attribute__((visibility("default"))) tribolog::sql::Connection*
-tribolog_postgres_connection(const std::string& uri, tribolog::sql::Access access, int wait_ms,
-                             NoteKept note_kept);
+extern "C" __attribute__((visibility("default"))) tribolog::archive::sql::Connection*
+tribolog_postgres_connection(const std::string& uri, tribolog::archive::sql::Access access,
+                             int wait_ms, NoteKept note_kept);

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "base/utf8.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::sql {
 
 /// Bytes that are no text.
 struct Blob {
@@ -115,4 +115,4 @@ class Connection {
   virtual void read(const std::function<void()>& work) = 0;
 };
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::sql

@@ -17,7 +17,7 @@
 #include "base/file_descriptor.h"
 #include "base/temporary_file.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::sql {
 namespace {
 
 struct CloseDatabase {
@@ -318,4 +318,4 @@ std::vector<std::string> faults_of_sqlite(Connection& connection) {
   return faults;
 }
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::sql

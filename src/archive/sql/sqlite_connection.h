@@ -6,7 +6,7 @@
 
 #include "archive/sql/sql_connection.h"
 
-namespace tribolog::sql {
+namespace tribolog::archive::sql {
 
 /// Says what the file is by SQLite's own field for it: "trib".
 inline constexpr int application_id = 0x74726962;
@@ -34,4 +34,4 @@ void copy_sqlite(Connection& from, const std::string& path);
 /// nothing.
 std::vector<std::string> faults_of_sqlite(Connection& connection);
 
-}  // namespace tribolog::sql
+}  // namespace tribolog::archive::sql

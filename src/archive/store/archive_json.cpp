@@ -5,15 +5,15 @@
 #include "archive/store/entry_rows.h"
 #include "base/shown_text.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json json_of(const Entry& e) {
-  const Facts& f = e.facts;
+Json json_of(const calibration::Entry& e) {
+  const calibration::Facts& f = e.facts;
   return {{"id", e.id},
           {"revision", e.revision},
           {"robot", f.of.robot},
@@ -31,7 +31,7 @@ Json json_of(const Entry& e) {
           {"temperature_C", number(f.temperature_C)},
           {"gear_ratio", f.gear_ratio},
           {"sampling_Hz", number(f.sampling_Hz)},
-          {"verdict", tribolog::to_string(f.verdict)},
+          {"verdict", calibration::to_string(f.verdict)},
           {"sentence", f.sentence},
           {"configuration", f.configuration},
           {"tool_version", f.tool_version},
@@ -45,35 +45,38 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string entries_json(const std::vector<Entry>& entries, const Decisions& decisions) {
+std::string entries_json(const std::vector<calibration::Entry>& entries,
+                         const calibration::Decisions& decisions) {
   Json list = Json::array();
-  for (const Entry& entry : entries) {
+  for (const calibration::Entry& entry : entries) {
     Json& one = list.emplace_back(json_of(entry));
     const auto decision = decisions.find(entry.id);
-    one["decision"] = decision == decisions.end() ? Json() : Json(to_string(decision->second));
+    one["decision"] =
+        decision == decisions.end() ? Json() : Json(calibration::to_string(decision->second));
   }
   return text_of({{"schema", "tribolog-archive-1"}, {"calibrations", std::move(list)}});
 }
 
-std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantities,
-                       const std::vector<Input>& inputs,
+std::string entry_json(const calibration::Entry& entry,
+                       const std::vector<calibration::Quantity>& quantities,
+                       const std::vector<calibration::Input>& inputs,
                        const std::vector<StoredDocument>& documents,
-                       const std::vector<Review>& reviews) {
+                       const std::vector<calibration::Review>& reviews) {
   Json json{{"schema", "tribolog-archive-entry-1"}};
   json.update(json_of(entry));
   json["quantities"] = Json::array();
-  for (const Quantity& q : quantities) {
+  for (const calibration::Quantity& q : quantities) {
     const auto& e = q.estimate;
     json["quantities"].push_back({{"name", q.name},
                                   {"words", q.words},
                                   {"unit", q.unit},
-                                  {"verdict", tribolog::to_string(q.verdict)},
+                                  {"verdict", calibration::to_string(q.verdict)},
                                   {"estimate", e ? Json(e->value) : Json()},
                                   {"low", e ? Json(e->low) : Json()},
                                   {"high", e ? Json(e->high) : Json()}});
   }
   json["inputs"] = Json::array();
-  for (const Input& input : inputs) {
+  for (const calibration::Input& input : inputs) {
     json["inputs"].push_back({{"name", input.name},
                               {"role", input.role},
                               {"bytes", input.bytes},
@@ -88,10 +91,10 @@ std::string entry_json(const Entry& entry, const std::vector<Quantity>& quantiti
                                  {"sha256", document.sha256}});
   }
   json["reviews"] = Json::array();
-  for (const Review& review : reviews) {
+  for (const calibration::Review& review : reviews) {
     json["reviews"].push_back({{"at_utc", review.at_utc},
                                {"reviewer", review.reviewer},
-                               {"decision", to_string(review.decision)},
+                               {"decision", calibration::to_string(review.decision)},
                                {"note", review.note}});
   }
   return text_of(json);
@@ -102,9 +105,9 @@ std::string added_json(const Added& added, const std::string& file) {
   return json_without_hidden(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-std::string removed_json(const std::vector<Entry>& entries) {
+std::string removed_json(const std::vector<calibration::Entry>& entries) {
   Json ids = Json::array();
-  for (const Entry& entry : entries) ids.push_back(entry.id);
+  for (const calibration::Entry& entry : entries) ids.push_back(entry.id);
   return text_of({{"schema", "tribolog-archive-removed-1"}, {"removed", std::move(ids)}});
 }
 
@@ -118,4 +121,4 @@ std::string verification_json(const Verification& outcome) {
                   {"faults", outcome.faults}});
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -13,7 +13,7 @@
 #include "base/early_end.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 namespace {
 
@@ -130,4 +130,4 @@ CalibrationArchive open_archive(const std::string& location, sql::Access access,
   return CalibrationArchive(std::move(connection));
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

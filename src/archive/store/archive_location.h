@@ -10,7 +10,7 @@
 #include "archive/sql/sqlite_connection.h"
 #include "archive/store/calibration_archive.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// Brings a schema to the next number.
 using UpgradeStep = std::function<void(sql::Connection&)>;
@@ -52,4 +52,4 @@ void check_can_be_made(const std::string& location);
 CalibrationArchive open_archive(const std::string& location, sql::Access access,
                                 int wait_ms = sql::usual_wait_ms);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -13,7 +13,7 @@
 #include "base/encodings.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 namespace {
 
@@ -22,9 +22,9 @@ using sql::Rows;
 using sql::Value;
 
 /// " WHERE robot = $1 ...", and its parameters.
-std::pair<std::string, std::vector<Value>> conditions(const Filter& filter) {
+std::pair<std::string, std::vector<sql::Value>> conditions(const Filter& filter) {
   std::string text;
-  std::vector<Value> values;
+  std::vector<sql::Value> values;
   const auto add = [&](const char* column, const std::optional<std::string>& wanted) {
     if (!wanted) return;
     values.emplace_back(*wanted);
@@ -44,28 +44,30 @@ std::pair<std::string, std::vector<Value>> conditions(const Filter& filter) {
   return {text, values};
 }
 
-auto place_of(const Entry& e) {
+auto place_of(const calibration::Entry& e) {
   return std::tie(e.facts.of.robot, e.facts.of.serial, e.facts.of.joint, e.facts.measured_at,
                   e.identity, e.revision);
 }
 
 }  // namespace
 
-std::vector<Entry> CalibrationArchive::list(const Filter& filter) {
+std::vector<calibration::Entry> CalibrationArchive::list(const Filter& filter) {
   const auto [where, values] = conditions(filter);
-  std::vector<Entry> entries;
+  std::vector<calibration::Entry> entries;
   for (const Row& row : connection_->run(
            fmt::format("SELECT {} FROM calibration{}", entry_columns, where), values)) {
     entries.push_back(entry_of(row));
   }
   // Not by the database, whose order of texts depends on its locale.
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return place_of(a) < place_of(b); });
+            [](const calibration::Entry& a, const calibration::Entry& b) {
+              return place_of(a) < place_of(b);
+            });
   return entries;
 }
 
-Decisions CalibrationArchive::decisions(const Filter& filter) {
-  Decisions last;
+calibration::Decisions CalibrationArchive::decisions(const Filter& filter) {
+  calibration::Decisions last;
   if (version_of(*connection_) < first_schema_with_reviews) return last;
   const auto [where, values] = conditions(filter);
   for (const Row& row :
@@ -73,12 +75,12 @@ Decisions CalibrationArchive::decisions(const Filter& filter) {
                         "calibration.number = review.calibration" +
                             where + " ORDER BY review.calibration, review.place",
                         values)) {
-    last[row[0].text()] = decision_of(row[1].text());
+    last[row[0].text()] = calibration::decision_of(row[1].text());
   }
   return last;
 }
 
-Entry CalibrationArchive::find(const std::string& digits) {
+calibration::Entry CalibrationArchive::find(const std::string& digits) {
   constexpr std::size_t fewest = 4;
   const bool is_hex = digits.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (digits.size() < fewest || !is_hex) {
@@ -97,14 +99,14 @@ Entry CalibrationArchive::find(const std::string& digits) {
   }
   if (rows.size() > 1) {
     throw UsageError(fmt::format("{} is the start of several ids: {}..., {}...", digits,
-                                 rows[0][1].text().substr(0, 2 * shown_digits),
-                                 rows[1][1].text().substr(0, 2 * shown_digits)));
+                                 rows[0][1].text().substr(0, 2 * calibration::shown_digits),
+                                 rows[1][1].text().substr(0, 2 * calibration::shown_digits)));
   }
   return entry_of(rows.front());
 }
 
-std::vector<Quantity> CalibrationArchive::quantities(const Entry& entry) {
-  std::vector<Quantity> quantities;
+std::vector<calibration::Quantity> CalibrationArchive::quantities(const calibration::Entry& entry) {
+  std::vector<calibration::Quantity> quantities;
   for (const Row& row :
        connection_->run(fmt::format("SELECT {} FROM quantity WHERE calibration = $1 ORDER BY place",
                                     quantity_columns),
@@ -114,8 +116,8 @@ std::vector<Quantity> CalibrationArchive::quantities(const Entry& entry) {
   return quantities;
 }
 
-std::vector<Input> CalibrationArchive::inputs(const Entry& entry) {
-  std::vector<Input> inputs;
+std::vector<calibration::Input> CalibrationArchive::inputs(const calibration::Entry& entry) {
+  std::vector<calibration::Input> inputs;
   for (const Row& row : connection_->run(
            fmt::format("SELECT {} FROM input WHERE calibration = $1 ORDER BY place", input_columns),
            {entry.number})) {
@@ -124,7 +126,7 @@ std::vector<Input> CalibrationArchive::inputs(const Entry& entry) {
   return inputs;
 }
 
-std::vector<StoredDocument> CalibrationArchive::documents(const Entry& entry) {
+std::vector<StoredDocument> CalibrationArchive::documents(const calibration::Entry& entry) {
   std::vector<StoredDocument> documents;
   for (const Row& row : connection_->run(
            fmt::format("SELECT {} FROM document WHERE calibration = $1 ORDER BY number",
@@ -135,11 +137,11 @@ std::vector<StoredDocument> CalibrationArchive::documents(const Entry& entry) {
   return documents;
 }
 
-std::vector<Measured> CalibrationArchive::measured(const Filter& filter) {
-  std::vector<Measured> found;
+std::vector<calibration::Measured> CalibrationArchive::measured(const Filter& filter) {
+  std::vector<calibration::Measured> found;
   connection_->read([&] {
     std::map<std::int64_t, std::size_t> place;
-    for (Entry& entry : list(filter)) {
+    for (calibration::Entry& entry : list(filter)) {
       place[entry.number] = found.size();
       found.push_back({std::move(entry), {}});
     }
@@ -155,7 +157,8 @@ std::vector<Measured> CalibrationArchive::measured(const Filter& filter) {
   return found;
 }
 
-std::optional<std::string> CalibrationArchive::document(const Entry& entry, DocumentKind kind,
+std::optional<std::string> CalibrationArchive::document(const calibration::Entry& entry,
+                                                        calibration::DocumentKind kind,
                                                         const std::string& name) {
   const Rows rows = connection_->run(
       "SELECT zstd, bytes, sha256 FROM document JOIN content ON content.document = document.number "
@@ -167,7 +170,7 @@ std::optional<std::string> CalibrationArchive::document(const Entry& entry, Docu
                    connection_->name());
   if (sha256_hex(bytes) != rows.front()[2].text()) {
     throw ArchiveError(printable(connection_->name(), longest_path) + ": the " + to_string(kind) +
-                       " of " + entry.id.substr(0, shown_digits) +
+                       " of " + entry.id.substr(0, calibration::shown_digits) +
                        " is not what was archived; restore a backup");
   }
   return bytes;
@@ -175,7 +178,8 @@ std::optional<std::string> CalibrationArchive::document(const Entry& entry, Docu
 
 // What reviewers decided.
 
-void CalibrationArchive::add_review(const Entry& entry, const Review& review) {
+void CalibrationArchive::add_review(const calibration::Entry& entry,
+                                    const calibration::Review& review) {
   refuse_unkept_texts(std::vector<sql::Value>{review.reviewer, review.note});
   connection_->write([&] {
     const std::size_t place = reviews(entry).size();
@@ -187,8 +191,8 @@ void CalibrationArchive::add_review(const Entry& entry, const Review& review) {
   });
 }
 
-std::vector<Review> CalibrationArchive::reviews(const Entry& entry) {
-  std::vector<Review> found;
+std::vector<calibration::Review> CalibrationArchive::reviews(const calibration::Entry& entry) {
+  std::vector<calibration::Review> found;
   if (version_of(*connection_) < first_schema_with_reviews) return found;
   for (const sql::Row& row :
        connection_->run(fmt::format("SELECT {} FROM review WHERE calibration = $1 ORDER BY place",
@@ -199,7 +203,7 @@ std::vector<Review> CalibrationArchive::reviews(const Entry& entry) {
   return found;
 }
 
-std::optional<Entry> CalibrationArchive::find_report(const std::string& sha256) {
+std::optional<calibration::Entry> CalibrationArchive::find_report(const std::string& sha256) {
   const sql::Rows rows = connection_->run(
       fmt::format("SELECT {} FROM calibration WHERE number IN (SELECT calibration FROM document "
                   "WHERE kind = 'report' AND sha256 = $1) ORDER BY number LIMIT 1",
@@ -208,4 +212,4 @@ std::optional<Entry> CalibrationArchive::find_report(const std::string& sha256) 
   return rows.empty() ? std::nullopt : std::optional(entry_of(rows.front()));
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

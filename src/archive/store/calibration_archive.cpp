@@ -10,7 +10,7 @@
 #include "base/encodings.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 using sql::Blob;
@@ -33,9 +33,9 @@ CalibrationArchive::CalibrationArchive(std::unique_ptr<sql::Connection> connecti
   refuse_damaged_schema(*connection_, version_of(*connection_));
 }
 
-Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
+Added CalibrationArchive::add(const calibration::NewCalibration& calibration, bool again,
                               const std::string& now_utc) {
-  Entry entry;
+  calibration::Entry entry;
   entry.facts = calibration.facts;
   entry.identity = identity_of(calibration.inputs);
   refuse_unkept_texts(calibration);
@@ -54,7 +54,7 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
     entry.id = id_of(entry.identity, entry.revision);
     entry.digest =
         digest_of(entry.id, entry.facts, calibration.quantities, calibration.inputs, kept);
-    const std::vector<Value> values = values_of(entry);
+    const std::vector<sql::Value> values = values_of(entry);
     const std::string columns = std::string(entry_columns).substr(sizeof "number," - 1);
     const std::int64_t number =
         connection_
@@ -78,7 +78,8 @@ Added CalibrationArchive::add(const NewCalibration& calibration, bool again,
                                    input_columns, places(row.size())),
                        row);
     }
-    for (const Document& document : calibration.documents) add_document(number, document);
+    for (const calibration::Document& document : calibration.documents)
+      add_document(number, document);
     append_event("added", entry.id, entry.digest, now_utc);
     added = {entry.id, true, entry.facts.tool_version};
   });
@@ -94,7 +95,7 @@ bool CalibrationArchive::attach_report(const std::string& id, std::string_view h
         "document.calibration = calibration.number AND document.kind = 'report' WHERE id = $1",
         {id});
     if (rows.empty() || !rows.front()[1].is_null()) return;
-    const Document report{DocumentKind::report, "", std::string(html)};
+    const calibration::Document report{calibration::DocumentKind::report, "", std::string(html)};
     add_document(rows.front()[0].integer(), report);
     append_event("report", id, sha256_hex(html), now_utc);
     is_attached = true;
@@ -102,7 +103,8 @@ bool CalibrationArchive::attach_report(const std::string& id, std::string_view h
   return is_attached;
 }
 
-void CalibrationArchive::add_document(std::int64_t calibration, const Document& document) {
+void CalibrationArchive::add_document(std::int64_t calibration,
+                                      const calibration::Document& document) {
   const std::string stored = compressed(document.bytes);
   StoredDocument fingerprint = fingerprint_of(document);
   fingerprint.stored_bytes = stored.size();
@@ -115,7 +117,8 @@ void CalibrationArchive::add_document(std::int64_t calibration, const Document& 
           .front()
           .front()
           .integer();
-  connection_->run("INSERT INTO content (document, zstd) VALUES ($1, $2)", {number, Blob{stored}});
+  connection_->run("INSERT INTO content (document, zstd) VALUES ($1, $2)",
+                   {number, sql::Blob{stored}});
 }
 
 void CalibrationArchive::append_event(const char* what, const std::string& id,
@@ -130,7 +133,7 @@ void CalibrationArchive::append_event(const char* what, const std::string& id,
        chain_link(previous, event)});
 }
 
-void CalibrationArchive::remove(const Entry& entry, const std::string& now_utc) {
+void CalibrationArchive::remove(const calibration::Entry& entry, const std::string& now_utc) {
   connection_->write([&] {
     const Rows gone =
         connection_->run("DELETE FROM calibration WHERE id = $1 RETURNING number", {entry.id});
@@ -145,4 +148,4 @@ void CalibrationArchive::backup(const std::string& path) {
   sql::copy_sqlite(*connection_, path);
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -14,7 +14,7 @@
 #include "archive/sql/sql_connection.h"
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// Which entries; what is absent excludes none.
 struct Filter {
@@ -32,7 +32,7 @@ struct Added {
 
 /// A document's place and fingerprint, without its bytes.
 struct StoredDocument {
-  DocumentKind kind{};
+  calibration::DocumentKind kind{};
   std::string name;
   std::uint64_t bytes{};
   std::uint64_t stored_bytes{};
@@ -55,44 +55,44 @@ class CalibrationArchive {
 
   /// @param again archives it as a new revision where the same inputs are archived already.
   /// @param now_utc for the chain.
-  Added add(const NewCalibration& calibration, bool again, const std::string& now_utc);
+  Added add(const calibration::NewCalibration& calibration, bool again, const std::string& now_utc);
 
   /// The report that was made of an entry. @return false: it has one already, which stays.
   bool attach_report(const std::string& id, std::string_view html, const std::string& now_utc);
 
   /// By robot, serial, joint, time and revision, in the order of the texts' bytes.
-  std::vector<Entry> list(const Filter& filter);
+  std::vector<calibration::Entry> list(const Filter& filter);
 
   /// @param digits the first of an id; at least four.
   /// @throw UsageError: none has them, or several do.
-  Entry find(const std::string& digits);
+  calibration::Entry find(const std::string& digits);
 
-  std::vector<Quantity> quantities(const Entry& entry);
-  std::vector<Input> inputs(const Entry& entry);
-  std::vector<StoredDocument> documents(const Entry& entry);
+  std::vector<calibration::Quantity> quantities(const calibration::Entry& entry);
+  std::vector<calibration::Input> inputs(const calibration::Entry& entry);
+  std::vector<StoredDocument> documents(const calibration::Entry& entry);
 
   /// The filtered entries with their results, in the order of list(), of one state of the archive.
-  std::vector<Measured> measured(const Filter& filter);
+  std::vector<calibration::Measured> measured(const Filter& filter);
 
   /// Its bytes as they were. @return nothing where it has none.
   /// @throw ArchiveError: they are not what was archived.
-  std::optional<std::string> document(const Entry& entry, DocumentKind kind,
-                                      const std::string& name = "");
+  std::optional<std::string> document(const calibration::Entry& entry,
+                                      calibration::DocumentKind kind, const std::string& name = "");
 
   /// Kept behind those that are there, with a link of the chain at its own time.
   /// @throw UsageError: a text that no archive keeps.
-  void add_review(const Entry& entry, const Review& review);
+  void add_review(const calibration::Entry& entry, const calibration::Review& review);
 
   /// In the order in which they were given.
-  std::vector<Review> reviews(const Entry& entry);
+  std::vector<calibration::Review> reviews(const calibration::Entry& entry);
 
   /// On the filtered entries, in one query.
-  Decisions decisions(const Filter& filter);
+  calibration::Decisions decisions(const Filter& filter);
 
   /// The entry whose report, as it was archived, has this fingerprint.
-  std::optional<Entry> find_report(const std::string& sha256);
+  std::optional<calibration::Entry> find_report(const std::string& sha256);
 
-  void remove(const Entry& entry, const std::string& now_utc);
+  void remove(const calibration::Entry& entry, const std::string& now_utc);
 
   /// Reads everything. @param head a link that the chain has to have; empty: none.
   Verification verify(const std::string& head,
@@ -107,9 +107,9 @@ class CalibrationArchive {
  private:
   void append_event(const char* what, const std::string& id, const std::string& digest,
                     const std::string& now_utc);
-  void add_document(std::int64_t calibration, const Document& document);
+  void add_document(std::int64_t calibration, const calibration::Document& document);
 
   std::unique_ptr<sql::Connection> connection_;
 };
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -7,7 +7,7 @@
 
 #include "base/encodings.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 class Fields {
@@ -31,7 +31,7 @@ class Fields {
   Sha256 hash_;
 };
 
-void add_facts(Fields& fields, const std::string& id, const Facts& f,
+void add_facts(Fields& fields, const std::string& id, const calibration::Facts& f,
                const std::string& calibration_sha256) {
   for (const std::string* text :
        {&id, &f.of.robot, &f.of.serial, &f.of.joint, &f.measured_at, &f.measured_on, &f.created_utc,
@@ -40,16 +40,16 @@ void add_facts(Fields& fields, const std::string& id, const Facts& f,
     fields.add(*text);
   }
   fields.add(std::uint64_t{f.time_is_stated ? 1U : 0U});
-  fields.add(to_string(f.verdict));
+  fields.add(calibration::to_string(f.verdict));
   for (const auto& number : {f.payload_kg, f.payload_distance_m, f.temperature_C, f.sampling_Hz}) {
     fields.add(number);
   }
   fields.add(f.gear_ratio);
 }
 
-void add_quantities(Fields& fields, const std::vector<Quantity>& quantities) {
-  for (const Quantity& q : quantities) {
-    for (const std::string& text : {q.name, q.words, q.unit, to_string(q.verdict)}) {
+void add_quantities(Fields& fields, const std::vector<calibration::Quantity>& quantities) {
+  for (const calibration::Quantity& q : quantities) {
+    for (const std::string& text : {q.name, q.words, q.unit, calibration::to_string(q.verdict)}) {
       fields.add(text);
     }
     fields.add(q.estimate ? std::optional(q.estimate->value) : std::nullopt);
@@ -58,24 +58,26 @@ void add_quantities(Fields& fields, const std::vector<Quantity>& quantities) {
   }
 }
 
-void add_inputs(Fields& fields, const std::vector<Input>& inputs) {
-  for (const Input& input : inputs) {
+void add_inputs(Fields& fields, const std::vector<calibration::Input>& inputs) {
+  for (const calibration::Input& input : inputs) {
     for (const std::string& text : {input.name, input.role, input.sha256}) fields.add(text);
     fields.add(input.bytes);
   }
 }
 
 std::string calibration_sha256(const std::vector<StoredDocument>& documents) {
-  const auto at = std::find_if(
-      documents.begin(), documents.end(),
-      [](const StoredDocument& document) { return document.kind == DocumentKind::calibration; });
+  const auto at =
+      std::find_if(documents.begin(), documents.end(), [](const StoredDocument& document) {
+        return document.kind == calibration::DocumentKind::calibration;
+      });
   return at == documents.end() ? "" : at->sha256;
 }
 
 }  // namespace
 
-std::string digest_of(const std::string& id, const Facts& facts,
-                      const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
+std::string digest_of(const std::string& id, const calibration::Facts& facts,
+                      const std::vector<calibration::Quantity>& quantities,
+                      const std::vector<calibration::Input>& inputs,
                       const std::vector<StoredDocument>& kept) {
   Fields fields("tribolog-entry-2");
   add_facts(fields, id, facts, calibration_sha256(kept));
@@ -84,16 +86,16 @@ std::string digest_of(const std::string& id, const Facts& facts,
   fields.add(std::uint64_t{inputs.size()});
   add_inputs(fields, inputs);
   for (const StoredDocument& document : kept) {
-    if (document.kind != DocumentKind::input) continue;
+    if (document.kind != calibration::DocumentKind::input) continue;
     for (const std::string& text : {document.name, document.sha256}) fields.add(text);
     fields.add(document.bytes);
   }
   return fields.hex();
 }
 
-std::string narrow_digest_of(const std::string& id, const Facts& facts,
-                             const std::vector<Quantity>& quantities,
-                             const std::vector<Input>& inputs,
+std::string narrow_digest_of(const std::string& id, const calibration::Facts& facts,
+                             const std::vector<calibration::Quantity>& quantities,
+                             const std::vector<calibration::Input>& inputs,
                              const std::vector<StoredDocument>& kept) {
   Fields fields("tribolog-entry-1");
   add_facts(fields, id, facts, calibration_sha256(kept));
@@ -102,11 +104,12 @@ std::string narrow_digest_of(const std::string& id, const Facts& facts,
   return fields.hex();
 }
 
-std::string digest_of(const std::string& id, std::size_t place, const Review& review) {
+std::string digest_of(const std::string& id, std::size_t place, const calibration::Review& review) {
   Fields fields("tribolog-review-1");
   fields.add(static_cast<std::uint64_t>(place));
   for (const std::string& text :
-       {id, review.at_utc, review.reviewer, std::string(to_string(review.decision)), review.note}) {
+       {id, review.at_utc, review.reviewer, std::string(calibration::to_string(review.decision)),
+        review.note}) {
     fields.add(text);
   }
   return fields.hex();
@@ -129,13 +132,13 @@ std::string chain_link(const std::string& previous, const Event& event) {
   return fields.hex();
 }
 
-std::string identity_of(const std::vector<Input>& inputs) {
+std::string identity_of(const std::vector<calibration::Input>& inputs) {
   std::vector<std::string> fingerprints;
-  for (const Input& input : inputs) fingerprints.push_back(input.sha256);
+  for (const calibration::Input& input : inputs) fingerprints.push_back(input.sha256);
   std::sort(fingerprints.begin(), fingerprints.end());
   Fields fields("tribolog-identity-1");
   for (const std::string& fingerprint : fingerprints) fields.add(fingerprint);
   return fields.hex();
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

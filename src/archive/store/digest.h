@@ -7,29 +7,30 @@
 #include "archive/store/calibration_archive.h"
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// Of an entry's facts, quantities and inputs and of the fingerprints of what was kept with it: its
 /// calibration and, where wanted, its inputs. A report comes later and is a link of the chain. Each
 /// field goes in with its length, each list with its own, numbers with all their bits.
-std::string digest_of(const std::string& id, const Facts& facts,
-                      const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
+std::string digest_of(const std::string& id, const calibration::Facts& facts,
+                      const std::vector<calibration::Quantity>& quantities,
+                      const std::vector<calibration::Input>& inputs,
                       const std::vector<StoredDocument>& kept);
 
 /// The same as archives before schema 3 have it: of the documents the calibration's fingerprint
 /// alone.
-std::string narrow_digest_of(const std::string& id, const Facts& facts,
-                             const std::vector<Quantity>& quantities,
-                             const std::vector<Input>& inputs,
+std::string narrow_digest_of(const std::string& id, const calibration::Facts& facts,
+                             const std::vector<calibration::Quantity>& quantities,
+                             const std::vector<calibration::Input>& inputs,
                              const std::vector<StoredDocument>& kept);
 
 /// SHA-256 over the fingerprints of all inputs, manifest and recordings: what is measured again
 /// is another calibration; the same is the same, whatever the settings, the program's version and
 /// the files' names. Identified otherwise, it is a revision of the same.
-std::string identity_of(const std::vector<Input>& inputs);
+std::string identity_of(const std::vector<calibration::Input>& inputs);
 
 /// Of a review: the place is its number among those of the entry, from 0.
-std::string digest_of(const std::string& id, std::size_t place, const Review& review);
+std::string digest_of(const std::string& id, std::size_t place, const calibration::Review& review);
 
 /// The id of a revision of an identity.
 std::string id_of(const std::string& identity, int revision);
@@ -46,4 +47,4 @@ struct Event {
 /// The link that follows `previous`; empty: the first one.
 std::string chain_link(const std::string& previous, const Event& event);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

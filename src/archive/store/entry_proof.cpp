@@ -8,7 +8,7 @@
 #include "base/encodings.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 using sql::Row;
@@ -16,14 +16,15 @@ using sql::Rows;
 
 class Prover {
  public:
-  Prover(sql::Connection& connection, int version, const Entry& entry, const ChainedEntries& chain)
+  Prover(sql::Connection& connection, int version, const calibration::Entry& entry,
+         const ChainedEntries& chain)
       : connection_(connection), version_(version), entry_(entry), chain_(chain) {}
 
   EntryProof prove() {
-    const auto quantities = read<Quantity>(
+    const auto quantities = read<calibration::Quantity>(
         "quantity", "name, words, unit, verdict, value, low, high",
         [](const Row& row) { return quantity_of(row, 2); }, "quantities");
-    const auto inputs = read<Input>(
+    const auto inputs = read<calibration::Input>(
         "input", input_columns, [](const Row& row) { return input_of(row, 2); }, "inputs");
     check_facts(inputs);
     const std::vector<StoredDocument> documents = checked_documents();
@@ -53,7 +54,7 @@ class Prover {
     return parts;
   }
 
-  void check_facts(const std::vector<Input>& inputs) {
+  void check_facts(const std::vector<calibration::Input>& inputs) {
     const Rows rows =
         connection_.run(fmt::format("SELECT {} FROM calibration WHERE number = $1", entry_columns),
                         {entry_.number});
@@ -81,7 +82,8 @@ class Prover {
       check_document(row, documents);
     }
     if (documents.empty()) fault("its calibration is missing");
-    const bool has_report = !documents.empty() && documents.back().kind == DocumentKind::report;
+    const bool has_report =
+        !documents.empty() && documents.back().kind == calibration::DocumentKind::report;
     if (!has_report && chain_.reports.count(entry_.id) > 0) fault("its report is missing");
     return documents;
   }
@@ -93,18 +95,18 @@ class Prover {
     Row expected = row_of(stored, entry_.number);
     expected.push_back(row[expected.size()]);  // the number, which the order shows
     expected.emplace_back(static_cast<std::int64_t>(stored.stored_bytes));
-    const bool has_name = stored.kind == DocumentKind::input;
+    const bool has_name = stored.kind == calibration::DocumentKind::input;
     if (row.back().is_null()) return fault("its " + what + " is missing");
     if (row != expected || (!has_name && !stored.name.empty())) {
       fault("its " + what + " is not kept as tribolog keeps it");
     }
-    if (is_first != (stored.kind == DocumentKind::calibration)) {
+    if (is_first != (stored.kind == calibration::DocumentKind::calibration)) {
       fault("its documents are not in the order in which they were kept");
     }
-    if (!is_first && up_to_this[up_to_this.size() - 2].kind == DocumentKind::report) {
+    if (!is_first && up_to_this[up_to_this.size() - 2].kind == calibration::DocumentKind::report) {
       fault("it has a document behind its report");
     }
-    if (stored.kind == DocumentKind::report) {
+    if (stored.kind == calibration::DocumentKind::report) {
       const auto report = chain_.reports.find(entry_.id);
       if (report == chain_.reports.end() || report->second != stored.sha256) {
         fault("its report is not the one that was archived");
@@ -123,7 +125,8 @@ class Prover {
     }
   }
 
-  void check_digest(const std::vector<Quantity>& quantities, const std::vector<Input>& inputs,
+  void check_digest(const std::vector<calibration::Quantity>& quantities,
+                    const std::vector<calibration::Input>& inputs,
                     const std::vector<StoredDocument>& documents) {
     const auto known = chain_.digests.find(entry_.id);
     if (known == chain_.digests.end()) {
@@ -142,11 +145,11 @@ class Prover {
   }
 
   /// Where the digest does not say which inputs were kept: all or none.
-  void check_kept_inputs(const std::vector<Input>& inputs,
+  void check_kept_inputs(const std::vector<calibration::Input>& inputs,
                          const std::vector<StoredDocument>& documents) {
     std::vector<StoredDocument> kept;
     for (const StoredDocument& document : documents) {
-      if (document.kind == DocumentKind::input) kept.push_back(document);
+      if (document.kind == calibration::DocumentKind::input) kept.push_back(document);
     }
     bool are_those = kept.empty() || kept.size() == inputs.size();
     for (std::size_t k = 0; are_those && k < kept.size(); ++k) {
@@ -156,10 +159,10 @@ class Prover {
   }
 
   void check_reviews() {
-    const auto reviews = read<Review>(
+    const auto reviews = read<calibration::Review>(
         "review", review_columns, [](const Row& row) { return review_of(row, 2); }, "reviews");
     std::vector<std::string> digests;
-    for (const Review& review : reviews) {
+    for (const calibration::Review& review : reviews) {
       digests.push_back(digest_of(entry_.id, digests.size(), review));
     }
     const auto given = chain_.reviews.find(entry_.id);
@@ -170,16 +173,16 @@ class Prover {
 
   sql::Connection& connection_;
   int version_;
-  const Entry& entry_;
+  const calibration::Entry& entry_;
   const ChainedEntries& chain_;
   EntryProof proof_;
 };
 
 }  // namespace
 
-EntryProof prove(sql::Connection& connection, int version, const Entry& entry,
+EntryProof prove(sql::Connection& connection, int version, const calibration::Entry& entry,
                  const ChainedEntries& chain) {
   return Prover(connection, version, entry, chain).prove();
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -8,7 +8,7 @@
 #include "archive/sql/sql_connection.h"
 #include "calibration/archived_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// What the chain says of the entries that have to be there, by their ids.
 struct ChainedEntries {
@@ -25,7 +25,7 @@ struct EntryProof {
 /// Every column of every row of the entry is covered: by its digest, by the chain, by a fingerprint
 /// over what stands beside it, or since nothing else would have been written there.
 /// @param version of the archive's schema.
-EntryProof prove(sql::Connection& connection, int version, const Entry& entry,
+EntryProof prove(sql::Connection& connection, int version, const calibration::Entry& entry,
                  const ChainedEntries& chain);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

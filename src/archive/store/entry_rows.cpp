@@ -10,22 +10,24 @@
 #include "base/encodings.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 namespace {
 
-Verdict verdict_of(const std::string& word) {
-  for (const Verdict verdict : {Verdict::usable, Verdict::doubtful}) {
-    if (tribolog::to_string(verdict) == word) return verdict;
+calibration::Verdict verdict_of(const std::string& word) {
+  for (const calibration::Verdict verdict :
+       {calibration::Verdict::usable, calibration::Verdict::doubtful}) {
+    if (calibration::to_string(verdict) == word) return verdict;
   }
-  return Verdict::not_identifiable;
+  return calibration::Verdict::not_identifiable;
 }
 
-DocumentKind kind_of(const std::string& word) {
-  for (const DocumentKind kind : {DocumentKind::calibration, DocumentKind::report}) {
+calibration::DocumentKind kind_of(const std::string& word) {
+  for (const calibration::DocumentKind kind :
+       {calibration::DocumentKind::calibration, calibration::DocumentKind::report}) {
     if (to_string(kind) == word) return kind;
   }
-  return DocumentKind::input;
+  return calibration::DocumentKind::input;
 }
 
 std::int64_t whole(std::uint64_t number) { return static_cast<std::int64_t>(number); }
@@ -38,12 +40,12 @@ const char* const entry_columns =
     "temperature_C, gear_ratio, sampling_Hz, verdict, sentence, configuration, tool_version, "
     "git_revision, digest";
 
-Entry entry_of(const sql::Row& row) {
+calibration::Entry entry_of(const sql::Row& row) {
   std::size_t at = 0;
   const auto text = [&]() -> const std::string& { return row[at++].text(); };
   const auto number = [&] { return row[at++].number_if_any(); };
-  Entry e;
-  Facts& f = e.facts;
+  calibration::Entry e;
+  calibration::Facts& f = e.facts;
   e.number = row[at++].integer();
   e.id = text();
   e.identity = text();
@@ -72,8 +74,8 @@ Entry entry_of(const sql::Row& row) {
   return e;
 }
 
-std::vector<sql::Value> values_of(const Entry& e) {
-  const Facts& f = e.facts;
+std::vector<sql::Value> values_of(const calibration::Entry& e) {
+  const calibration::Facts& f = e.facts;
   return {e.id,
           e.identity,
           std::int64_t{e.revision},
@@ -92,7 +94,7 @@ std::vector<sql::Value> values_of(const Entry& e) {
           f.temperature_C,
           f.gear_ratio,
           f.sampling_Hz,
-          tribolog::to_string(f.verdict),
+          calibration::to_string(f.verdict),
           f.sentence,
           f.configuration,
           f.tool_version,
@@ -102,31 +104,31 @@ std::vector<sql::Value> values_of(const Entry& e) {
 
 const char* const quantity_columns = "name, words, unit, quantity.verdict, value, low, high";
 
-Quantity quantity_of(const sql::Row& row, std::size_t first) {
-  Quantity q;
+calibration::Quantity quantity_of(const sql::Row& row, std::size_t first) {
+  calibration::Quantity q;
   q.name = row[first].text();
   q.words = row[first + 1].text();
   q.unit = row[first + 2].text();
   q.verdict = verdict_of(row[first + 3].text());
   const auto value = row[first + 4].number_if_any();
   if (value) {
-    q.estimate = Estimate{*value, row[first + 5].number_if_any().value_or(*value),
-                          row[first + 6].number_if_any().value_or(*value), ""};
+    q.estimate = statistics::Estimate{*value, row[first + 5].number_if_any().value_or(*value),
+                                      row[first + 6].number_if_any().value_or(*value), ""};
   }
   return q;
 }
 
 const char* const input_columns = "name, role, bytes, sha256";
 
-Input input_of(const sql::Row& row, std::size_t first) {
+calibration::Input input_of(const sql::Row& row, std::size_t first) {
   return {row[first].text(), row[first + 1].text(),
           static_cast<std::uint64_t>(row[first + 2].integer()), row[first + 3].text()};
 }
 
 const char* const review_columns = "at_utc, reviewer, decision, note";
 
-Review review_of(const sql::Row& row, std::size_t first) {
-  return {row[first].text(), row[first + 1].text(), decision_of(row[first + 2].text()),
+calibration::Review review_of(const sql::Row& row, std::size_t first) {
+  return {row[first].text(), row[first + 1].text(), calibration::decision_of(row[first + 2].text()),
           row[first + 3].text()};
 }
 
@@ -138,12 +140,12 @@ StoredDocument stored_document_of(const sql::Row& row, std::size_t first) {
           static_cast<std::uint64_t>(row[first + 4].integer()), row[first + 3].text()};
 }
 
-std::string to_string(DocumentKind kind) {
+std::string to_string(calibration::DocumentKind kind) {
   static const std::array words{"calibration", "report", "input"};
   return words[static_cast<std::size_t>(kind)];
 }
 
-sql::Row row_of(const Quantity& q, std::int64_t calibration, std::size_t place) {
+sql::Row row_of(const calibration::Quantity& q, std::int64_t calibration, std::size_t place) {
   std::optional<double> value;
   std::optional<double> low;
   std::optional<double> high;
@@ -152,20 +154,20 @@ sql::Row row_of(const Quantity& q, std::int64_t calibration, std::size_t place) 
     low = q.estimate->low;
     high = q.estimate->high;
   }
-  return {calibration, whole(place), q.name, q.words, q.unit, tribolog::to_string(q.verdict),
+  return {calibration, whole(place), q.name, q.words, q.unit, calibration::to_string(q.verdict),
           value,       low,          high};
 }
 
-sql::Row row_of(const Input& input, std::int64_t calibration, std::size_t place) {
+sql::Row row_of(const calibration::Input& input, std::int64_t calibration, std::size_t place) {
   return {calibration, whole(place), input.name, input.role, whole(input.bytes), input.sha256};
 }
 
-sql::Row row_of(const Review& review, std::int64_t calibration, std::size_t place) {
+sql::Row row_of(const calibration::Review& review, std::int64_t calibration, std::size_t place) {
   return {calibration,
           whole(place),
           review.at_utc,
           review.reviewer,
-          std::string(to_string(review.decision)),
+          std::string(calibration::to_string(review.decision)),
           review.note};
 }
 
@@ -174,13 +176,14 @@ sql::Row row_of(const StoredDocument& document, std::int64_t calibration) {
           whole(document.bytes), document.sha256,          whole(document.stored_bytes)};
 }
 
-StoredDocument fingerprint_of(const Document& document) {
+StoredDocument fingerprint_of(const calibration::Document& document) {
   return {document.kind, document.name, document.bytes.size(), 0, sha256_hex(document.bytes)};
 }
 
-std::vector<StoredDocument> fingerprints_of(const std::vector<Document>& documents) {
+std::vector<StoredDocument> fingerprints_of(const std::vector<calibration::Document>& documents) {
   std::vector<StoredDocument> fingerprints;
-  for (const Document& document : documents) fingerprints.push_back(fingerprint_of(document));
+  for (const calibration::Document& document : documents)
+    fingerprints.push_back(fingerprint_of(document));
   return fingerprints;
 }
 
@@ -201,17 +204,17 @@ void refuse_unkept_texts(const std::vector<sql::Value>& values) {
   }
 }
 
-void refuse_unkept_texts(const NewCalibration& calibration) {
-  Entry entry;
+void refuse_unkept_texts(const calibration::NewCalibration& calibration) {
+  calibration::Entry entry;
   entry.facts = calibration.facts;
   refuse_unkept_texts(values_of(entry));
-  for (const Quantity& q : calibration.quantities) {
+  for (const calibration::Quantity& q : calibration.quantities) {
     for (const std::string* text : {&q.name, &q.words, &q.unit}) refuse_unkept(*text);
   }
-  for (const Input& input : calibration.inputs) {
+  for (const calibration::Input& input : calibration.inputs) {
     for (const std::string* text : {&input.name, &input.role}) refuse_unkept(*text);
   }
-  for (const Document& document : calibration.documents) refuse_unkept(document.name);
+  for (const calibration::Document& document : calibration.documents) refuse_unkept(document.name);
 }
 
 namespace {
@@ -252,4 +255,4 @@ std::string uncompressed(const std::string& stored, std::uint64_t bytes, const s
   return out;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 // INT, REAL_, TEXT, BYTES, KEY and STRICT_ are written as each database has them.
@@ -205,4 +205,4 @@ void refuse_other_versions(sql::Connection& connection, int known) {
   }
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -3,7 +3,7 @@
 
 #include "archive/sql/sql_connection.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// Number of the schema that this program writes.
 inline constexpr int schema_version = 3;
@@ -34,4 +34,4 @@ void set_version(sql::Connection& connection, int version);
 /// @throw ArchiveError: the archive's is newer, or it has no tables of an archive.
 void refuse_other_versions(sql::Connection& connection, int known = schema_version);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -12,7 +12,7 @@
 #include "archive/store/schema.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
 using sql::Row;
@@ -178,4 +178,4 @@ void refuse_damaged_schema(sql::Connection& connection, int version) {
   }
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -3,7 +3,7 @@
 
 #include "archive/sql/sql_connection.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 
 /// Holds tables, columns, indices and triggers against those of a new archive of the same schema:
 /// in SQLite the whole text of each; on a server columns with their types, the number of rules and
@@ -12,4 +12,4 @@ namespace tribolog::archive {
 /// @throw ArchiveError naming the first that is missing, altered or of another program.
 void refuse_damaged_schema(sql::Connection& connection, int version);
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -12,10 +12,10 @@
 #include "archive/store/schema.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::store {
 namespace {
 
-std::string short_id(const std::string& id) { return id.substr(0, shown_digits); }
+std::string short_id(const std::string& id) { return id.substr(0, calibration::shown_digits); }
 
 /// The chain's links, and what has to be there by them.
 class ChainReader {
@@ -84,11 +84,13 @@ void find_strays(sql::Connection& connection, int version, std::vector<std::stri
 }
 
 /// Numbers are given once, in the order of the additions.
-void check_order(std::vector<Entry> entries, ChainReader& chain, std::vector<std::string>& faults) {
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.number < b.number; });
+void check_order(std::vector<calibration::Entry> entries, ChainReader& chain,
+                 std::vector<std::string>& faults) {
+  std::sort(
+      entries.begin(), entries.end(),
+      [](const calibration::Entry& a, const calibration::Entry& b) { return a.number < b.number; });
   std::int64_t before = 0;
-  for (const Entry& entry : entries) {
+  for (const calibration::Entry& entry : entries) {
     const std::int64_t addition = chain.added[entry.id];
     if (addition < before) faults.push_back(short_id(entry.id) + ": has another one's number");
     before = addition;
@@ -134,10 +136,10 @@ Verification CalibrationArchive::verify(
              "SELECT number, at_utc, what, id, digest, chain FROM event ORDER BY number")) {
       chain.take(row);
     }
-    const std::vector<Entry> entries = list({});
+    const std::vector<calibration::Entry> entries = list({});
     outcome.entries = entries.size();
     std::size_t done = 0;
-    for (const Entry& entry : entries) {
+    for (const calibration::Entry& entry : entries) {
       if (progress) progress(done++, entries.size());
       const EntryProof proof = prove(*connection_, version, entry, chain.entries);
       outcome.documents += proof.documents;
@@ -159,4 +161,4 @@ Verification CalibrationArchive::verify(
   return outcome;
 }
 
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::store

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/program_module.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 ArrayLibraries array_libraries(const std::string& path) {
   try {
@@ -18,4 +18,4 @@ ArrayLibraries array_libraries(const std::string& path) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -5,7 +5,7 @@
 
 #include "ingest/arrays/array_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array,
                  FileArrays& found) {
@@ -39,4 +39,4 @@ bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array
   return true;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "ingest/text/csv_dialect.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 namespace {
 
 constexpr std::size_t widest_guessed_matrix = 64;
@@ -45,8 +45,8 @@ double value_at(const NamedArray& array, std::size_t row, std::size_t column) {
   return array.values[array.by_columns ? column * array.rows + row : row * array.columns + column];
 }
 
-LogColumn column_of(const NamedArray& array, std::size_t column, const std::string& name) {
-  LogColumn result{read_header_field(name), {}, 0};
+log::LogColumn column_of(const NamedArray& array, std::size_t column, const std::string& name) {
+  log::LogColumn result{text::read_header_field(name), {}, 0};
   if (!array.unit.empty() && result.header.unit.empty()) result.header.unit = array.unit;
   result.values.resize(array.rows);
   for (std::size_t row = 0; row < array.rows; ++row) {
@@ -65,7 +65,7 @@ std::string free_name(const std::string& wanted, const std::set<std::string>& ta
   }
 }
 
-void add_columns(NamedArray array, LogTable& table, std::set<std::string>& taken) {
+void add_columns(NamedArray array, log::LogTable& table, std::set<std::string>& taken) {
   for (std::size_t i = 0; i < array.columns; ++i) {
     const std::string wanted = is_matrix(array) ? fmt::format("{}_{}", array.name, i) : array.name;
     const std::string name = taken.contains(wanted) ? free_name(wanted, taken) : wanted;
@@ -97,9 +97,9 @@ std::string common_group(const std::vector<NamedArray>& arrays) {
   return is_shared ? group : "";
 }
 
-void name_groups(std::vector<LogTable>& tables, const std::vector<std::string>& first_names) {
+void name_groups(std::vector<log::LogTable>& tables, const std::vector<std::string>& first_names) {
   std::map<std::string, int> uses;
-  for (const LogTable& table : tables) ++uses[table.group];
+  for (const log::LogTable& table : tables) ++uses[table.group];
   for (std::size_t i = 0; i < tables.size(); ++i) {
     std::string& group = tables[i].group;
     if (group.empty() || uses[group] > 1) group = first_names[i];
@@ -143,7 +143,7 @@ std::vector<std::string> notes_of(const FileArrays& found) {
 
 }  // namespace
 
-std::vector<LogTable> tables_of(FileArrays found, const std::string& file) {
+std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file) {
   std::vector<std::string> notes = notes_of(found);
   std::set<std::size_t> vector_lengths;
   for (const NamedArray& array : found.arrays) {
@@ -160,10 +160,10 @@ std::vector<LogTable> tables_of(FileArrays found, const std::string& file) {
   }
   if (by_length.empty()) refuse_without_rows(notes, file);
 
-  std::vector<LogTable> tables;
+  std::vector<log::LogTable> tables;
   std::vector<std::string> first_names;
   for (auto& [rows, arrays] : by_length) {
-    LogTable& table = tables.emplace_back();
+    log::LogTable& table = tables.emplace_back();
     table.file = file;
     table.rows = rows;
     if (by_length.size() > 1) table.group = common_group(arrays);
@@ -175,9 +175,9 @@ std::vector<LogTable> tables_of(FileArrays found, const std::string& file) {
     for (NamedArray& array : arrays) add_columns(std::move(array), table, taken);
   }
   if (tables.size() > 1) name_groups(tables, first_names);
-  LogTable& first = tables.front();
+  log::LogTable& first = tables.front();
   first.notes.insert(first.notes.begin(), notes.begin(), notes.end());
   return tables;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -10,7 +10,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// Most numbers that are read from one file, in all its arrays.
 inline constexpr std::uint64_t most_values = std::uint64_t{1} << 31;
@@ -59,6 +59,6 @@ bool shape_array(const std::vector<std::uint64_t>& dimensions, NamedArray& array
 /// taken for columns. Of two columns with the same name the later one gets a number, which is
 /// noted. Scalars, texts and what was left out become notes of the first table.
 /// @throw InputError naming what the file holds, where nothing has two rows.
-std::vector<LogTable> tables_of(FileArrays found, const std::string& file);
+std::vector<log::LogTable> tables_of(FileArrays found, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// The number of `sizeof(Number)` bytes at an offset; the caller has checked that they are there.
 template <class Number>
@@ -28,4 +28,4 @@ Number number_at(std::string_view bytes, std::size_t offset, bool big_endian = f
   return number;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

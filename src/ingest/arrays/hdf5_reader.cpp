@@ -4,11 +4,11 @@
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/isolated_reading.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
-std::vector<LogTable> read_hdf5(const std::string& path) {
+std::vector<log::LogTable> read_hdf5(const std::string& path) {
   const ArrayLibraries libraries = array_libraries(path);
   return tables_of(read_isolated(path, [&] { return libraries.hdf5_arrays(path); }), path);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

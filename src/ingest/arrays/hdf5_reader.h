@@ -6,7 +6,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// Tables of an HDF5 file by the rule of tables_of(); a dataset is named by its path, "run/q", and
 /// has the unit of its text attribute "units" or "unit". Numbers and enumerations (booleans of
@@ -17,6 +17,6 @@ namespace tribolog {
 /// its own, see isolated_reading.h.
 /// @throw InputError: the library is not installed; the file cannot be read, is no HDF5 file, is
 /// damaged, or holds no rows.
-std::vector<LogTable> read_hdf5(const std::string& path);
+std::vector<log::LogTable> read_hdf5(const std::string& path);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -21,7 +21,7 @@
 #include "base/input_file.h"
 #include "ingest/arrays/array_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 // FileArrays from one process to another through a pipe.
 
@@ -289,4 +289,4 @@ FileArrays read_isolated(const std::string& path, const std::function<FileArrays
   return std::move(received.found);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

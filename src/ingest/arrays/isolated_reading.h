@@ -7,7 +7,7 @@
 
 #include "ingest/arrays/array_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// What `read` throws to refuse the file, as one line without the file's name.
 class UnreadableFile : public std::runtime_error {
@@ -23,4 +23,4 @@ class UnreadableFile : public std::runtime_error {
 ///        threw, crashed or ran over a bound.
 FileArrays read_isolated(const std::string& path, const std::function<FileArrays()>& read);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

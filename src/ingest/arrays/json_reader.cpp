@@ -8,7 +8,7 @@
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/json_text.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
@@ -181,15 +181,15 @@ void add_value(const std::string& name, const JsonValue& value, bool only_record
 
 }  // namespace
 
-std::vector<LogTable> parse_json_log(std::string_view bytes, const std::string& file) {
+std::vector<log::LogTable> parse_json_log(std::string_view bytes, const std::string& file) {
   const JsonValue root = parse_json_text(bytes, file);
   FileArrays found;
   add_value("", root, count_records(root) == 1, found);
   return tables_of(std::move(found), file);
 }
 
-std::vector<LogTable> read_bam_json(const std::string& path) {
+std::vector<log::LogTable> read_bam_json(const std::string& path) {
   return parse_json_log(read_file(path, largest_json_bytes), path);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

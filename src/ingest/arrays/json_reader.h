@@ -8,7 +8,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// Largest JSON file that is read; in memory it takes several times its size.
 inline constexpr std::uint64_t largest_json_bytes = std::uint64_t{256} << 20;
@@ -24,9 +24,9 @@ inline constexpr std::uint64_t largest_json_bytes = std::uint64_t{256} << 20;
 /// texts become notes.
 /// @throw InputError: the file cannot be read, is no JSON (with line and column), names a key twice
 ///        in one object, or holds no rows of numbers.
-std::vector<LogTable> read_bam_json(const std::string& path);
+std::vector<log::LogTable> read_bam_json(const std::string& path);
 
 /// The same of a file's bytes. @param file its name, for messages.
-std::vector<LogTable> parse_json_log(std::string_view bytes, const std::string& file);
+std::vector<log::LogTable> parse_json_log(std::string_view bytes, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

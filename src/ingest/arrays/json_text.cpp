@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "ingest/arrays/array_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 namespace {
 
 /// A text with null in place of numbers that JSON does not know.
@@ -153,4 +153,4 @@ JsonValue parse_json_text(std::string_view text, const std::string& file) {
   return builder.take();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

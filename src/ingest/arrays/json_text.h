@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// Deepest nesting that is read.
 inline constexpr std::size_t deepest_json = 32;
@@ -39,4 +39,4 @@ struct JsonContent {
 ///        object.
 JsonValue parse_json_text(std::string_view text, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -15,7 +15,7 @@
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/arrays/mat_stream.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 // The variables of a MAT file as its bytes lay them out, before a library interprets them.
 
@@ -151,9 +151,9 @@ FileArrays read_variables(const std::string& path, const ArrayLibraries& librari
 
 }  // namespace
 
-std::vector<LogTable> read_mat(const std::string& path) {
+std::vector<log::LogTable> read_mat(const std::string& path) {
   const ArrayLibraries libraries = array_libraries(path);
   return tables_of(read_isolated(path, [&] { return read_variables(path, libraries); }), path);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -6,7 +6,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// Tables of a MAT file (version 4, 5, 7, 7.3) by the rule of tables_of(); fields of structs are
 /// named "struct.field", of an array of structs "struct_0.field". Complex, sparse and text arrays,
@@ -16,6 +16,6 @@ namespace tribolog {
 /// other files is refused.
 /// @throw InputError: matio is not installed; the file cannot be read, is no MAT file, is damaged,
 /// or holds no rows.
-std::vector<LogTable> read_mat(const std::string& path);
+std::vector<log::LogTable> read_mat(const std::string& path);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -9,7 +9,7 @@
 
 #include "ingest/arrays/byte_order.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::string check_mat_matrix(MatStream& stream, bool big_endian) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -8,7 +8,7 @@
 
 #include <zlib.h>
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// A file read at any place.
 class MatBytes {
@@ -61,4 +61,4 @@ class MatStream {
 ///         holds it, no array, nested too deeply.
 std::string check_mat_matrix(MatStream& stream, bool big_endian);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -21,7 +21,7 @@
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/npy_header.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 // Numbers and times of a NumPy array, from their places in its bytes to doubles.
 
@@ -282,4 +282,4 @@ void add_npy_array(std::string_view bytes, const std::string& name, const std::s
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -6,7 +6,7 @@
 
 #include "ingest/arrays/array_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// What the fields of an array of records are called.
 enum class RecordNames {
@@ -23,4 +23,4 @@ enum class RecordNames {
 void add_npy_array(std::string_view bytes, const std::string& name, const std::string& file,
                    RecordNames names, FileArrays& found);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -13,7 +13,7 @@
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/python_text.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 namespace {
 
@@ -201,4 +201,4 @@ NpyHeader read_npy_header(std::string_view bytes, const std::string& name,
   return header;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

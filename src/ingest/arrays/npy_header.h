@@ -11,7 +11,7 @@
 
 #include "ingest/arrays/python_text.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 /// A dimension of an array: so many values, each so many bytes behind the one before.
 struct NpyDimension {
@@ -58,4 +58,4 @@ struct NpyHeader {
 /// @throw InputError saying what is wrong with the header of array `name`.
 NpyHeader read_npy_header(std::string_view bytes, const std::string& name, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -17,7 +17,7 @@
 #include "ingest/arrays/byte_order.h"
 #include "ingest/arrays/npy_array.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 // The entries of a zip archive, stored or deflated, with zip64 as NumPy writes it.
 
@@ -232,7 +232,7 @@ void add_entry(std::string_view archive, const ZipEntry& entry, const std::strin
 
 }  // namespace
 
-std::vector<LogTable> parse_npz(std::string_view bytes, const std::string& file) {
+std::vector<log::LogTable> parse_npz(std::string_view bytes, const std::string& file) {
   FileArrays found;
   if (bytes.starts_with("\x93NUMPY")) {
     add_npy_array(bytes, std::filesystem::path(file).stem().string(), file, RecordNames::by_field,
@@ -243,6 +243,8 @@ std::vector<LogTable> parse_npz(std::string_view bytes, const std::string& file)
   return tables_of(std::move(found), file);
 }
 
-std::vector<LogTable> read_npz(const std::string& path) { return parse_npz(read_file(path), path); }
+std::vector<log::LogTable> read_npz(const std::string& path) {
+  return parse_npz(read_file(path), path);
+}
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

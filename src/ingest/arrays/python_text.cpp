@@ -6,7 +6,7 @@
 
 #include "base/utf8.h"
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 namespace {
 
 /// Digits of the code point behind \x, \u and \U.
@@ -106,4 +106,4 @@ bool PythonText::is_at_end() {
   return rest_.empty();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::arrays {
 
 class PythonText {
  public:
@@ -27,4 +27,4 @@ class PythonText {
   std::string_view rest_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::arrays

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 namespace {
 
 /// A small source gets a small buffer; where it grows meanwhile, it is read in more pieces.
@@ -46,4 +46,4 @@ std::uint64_t ByteReader::skip(std::uint64_t bytes) {
   return skipped;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

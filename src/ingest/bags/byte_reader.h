@@ -8,7 +8,7 @@
 
 #include "base/input_file.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 class ByteReader {
  public:
@@ -32,4 +32,4 @@ class ByteReader {
   std::uint64_t position_{0};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 namespace {
 
 constexpr std::size_t encapsulation_bytes = 4;
@@ -114,4 +114,4 @@ void CdrReader::skip(Primitive kind, std::size_t count) {
   (void)take(count * size_of(kind));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

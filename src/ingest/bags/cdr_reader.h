@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 enum class Primitive : std::uint8_t {
   boolean,
@@ -65,4 +65,4 @@ class CdrReader {
   bool swaps_{false};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -18,7 +18,7 @@
 #include "base/error.h"
 #include "ingest/bags/mcap_records.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 // The records of a compressed chunk, unpacked as its bytes come: a chunk that the file's end cuts
 // gives what stands before the cut.
@@ -228,4 +228,4 @@ UnpackedChunk unpack_chunk(ByteReader& source, std::uint64_t content_bytes,
   return chunk;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

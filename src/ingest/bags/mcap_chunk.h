@@ -6,7 +6,7 @@
 
 #include "ingest/bags/byte_reader.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 struct UnpackedChunk {
   std::string records;  ///< Where is_cut: those that could be unpacked, the last one in part.
@@ -20,4 +20,4 @@ struct UnpackedChunk {
 UnpackedChunk unpack_chunk(ByteReader& source, std::uint64_t content_bytes,
                            std::uint64_t largest_bytes);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -16,7 +16,7 @@
 #include "ingest/bags/mcap_records.h"
 #include "ingest/bags/topic_tables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 // From records to tables: which channel a message belongs to, and what its topic holds.
 
@@ -46,7 +46,7 @@ class McapMessages {
   void note(const std::string& text) { tables_.note(text); }
   [[nodiscard]] const std::string& file() const { return tables_.file(); }
   /// @throw InputError as TopicTables::finish.
-  std::vector<LogTable> finish() &&;
+  std::vector<log::LogTable> finish() &&;
 
  private:
   struct Channel {
@@ -149,7 +149,7 @@ TopicTable* McapMessages::open(const McapChannel& channel) {
   return tables_.table_for({channel.topic, type.name, channel.encoding, type.encoding, type.data});
 }
 
-std::vector<LogTable> McapMessages::finish() && {
+std::vector<log::LogTable> McapMessages::finish() && {
   if (without_channel_ > 0) {
     note(fmt::format("messages left out because no channel record stands before them: {}",
                      without_channel_));
@@ -164,7 +164,7 @@ class McapReader {
   McapReader(ByteReader& source, const std::string& file, std::uint64_t largest_record_bytes)
       : source_(source), messages_(file), largest_record_bytes_(largest_record_bytes) {}
 
-  std::vector<LogTable> read() && {
+  std::vector<log::LogTable> read() && {
     check_magic();
     while (take_record()) {
     }
@@ -289,17 +289,17 @@ class McapReader {
 
 }  // namespace
 
-std::vector<LogTable> read_mcap(const std::string& path) {
+std::vector<log::LogTable> read_mcap(const std::string& path) {
   InputFileSource file(path);
   ByteReader source(file);
   return McapReader(source, path, largest_mcap_record_bytes).read();
 }
 
-std::vector<LogTable> read_mcap_bytes(std::string_view bytes, const std::string& file,
-                                      std::uint64_t largest_record_bytes) {
+std::vector<log::LogTable> read_mcap_bytes(std::string_view bytes, const std::string& file,
+                                           std::uint64_t largest_record_bytes) {
   MemorySource memory(bytes);
   ByteReader source(memory);
   return McapReader(source, file, largest_record_bytes).read();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -14,7 +14,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 /// Largest record, and largest unpacked chunk, that is read: 1 GiB.
 inline constexpr std::uint64_t largest_mcap_record_bytes = std::uint64_t{1} << 30;
@@ -24,11 +24,11 @@ inline constexpr std::uint64_t largest_mcap_record_bytes = std::uint64_t{1} << 3
 /// @throw InputError naming file and byte: it is no regular file or no MCAP file, a record is
 ///        damaged, or no topic can be read. A topic in which a message does not agree with its
 ///        type (its number is stated) is a table that is refused.
-std::vector<LogTable> read_mcap(const std::string& path);
+std::vector<log::LogTable> read_mcap(const std::string& path);
 
 /// The same from memory. @param file its name, for messages. @param largest_record_bytes see above.
-std::vector<LogTable> read_mcap_bytes(
+std::vector<log::LogTable> read_mcap_bytes(
     std::string_view bytes, const std::string& file,
     std::uint64_t largest_record_bytes = largest_mcap_record_bytes);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 namespace {
 
 /// Fields of a record, one after the other; integers are little-endian.
@@ -107,4 +107,4 @@ McapChunkStart mcap_chunk_start(std::string_view start) {
   return chunk;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 inline constexpr std::string_view mcap_magic{"\x89MCAP0\r\n", 8};
 
@@ -81,4 +81,4 @@ std::uint32_t mcap_chunk_name_bytes(std::string_view fixed);
 /// @param start all bytes before the records.
 McapChunkStart mcap_chunk_start(std::string_view start);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

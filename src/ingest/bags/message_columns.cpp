@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 namespace {
 
 constexpr std::size_t longest_unnamed_array = 64;
@@ -221,8 +221,8 @@ MessageColumns::Place* MessageColumns::added(std::unique_ptr<Place>& where, std:
   return where.get();
 }
 
-std::vector<LogColumn> MessageColumns::finish() && {
-  for (LogColumn& column : columns_) {
+std::vector<log::LogColumn> MessageColumns::finish() && {
+  for (log::LogColumn& column : columns_) {
     column.values.resize(rows_, std::numeric_limits<double>::quiet_NaN());
     column.gaps =
         static_cast<std::size_t>(std::count_if(column.values.begin(), column.values.end(),
@@ -231,4 +231,4 @@ std::vector<LogColumn> MessageColumns::finish() && {
   return std::move(columns_);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

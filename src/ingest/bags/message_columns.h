@@ -21,7 +21,7 @@
 #include "ingest/bags/ros2msg_schema.h"
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 class MessageColumns {
  public:
@@ -43,7 +43,7 @@ class MessageColumns {
   [[nodiscard]] bool has_too_many_columns() const { return has_too_many_columns_; }
 
   /// All columns, each with as many values as there are rows, in the order in which they occurred.
-  std::vector<LogColumn> finish() &&;
+  std::vector<log::LogColumn> finish() &&;
 
  private:
   /// What is known of one place in the message's tree. Places appear as messages need them.
@@ -66,11 +66,11 @@ class MessageColumns {
   MessageSchema schema_;
   std::unique_ptr<Place> root_;
   std::size_t places_{0};
-  std::vector<LogColumn> columns_;
+  std::vector<log::LogColumn> columns_;
   std::vector<std::string> long_arrays_;
   bool has_too_many_columns_{false};
   std::size_t rows_{0};
   std::size_t too_long_{0};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

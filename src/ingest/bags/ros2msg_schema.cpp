@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 std::optional<std::string_view> known_message_type(std::string_view name) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> types = {{
@@ -229,4 +229,4 @@ MessageSchema parse_ros2msg(std::string_view type, std::string_view text) {
   return Parser(type, text).schema();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

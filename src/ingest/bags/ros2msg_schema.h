@@ -12,7 +12,7 @@
 
 #include "ingest/bags/cdr_reader.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 /// @param name "sensor_msgs/JointState". @return the fields in the .msg language.
 std::optional<std::string_view> known_message_type(std::string_view name);
@@ -57,4 +57,4 @@ std::string short_type_name(std::string_view type);
 ///        not the same everywhere), a type that contains itself.
 MessageSchema parse_ros2msg(std::string_view type, std::string_view text);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

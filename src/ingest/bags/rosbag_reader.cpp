@@ -18,7 +18,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 // An SQLite file that is only read, behind a plain interface.
 
@@ -236,7 +236,7 @@ void note_files_beside(const std::string& path, TopicTables& tables) {
 
 }  // namespace
 
-std::vector<LogTable> read_rosbag_db3(const std::string& path) {
+std::vector<log::LogTable> read_rosbag_db3(const std::string& path) {
   check_start(path);
   TopicTables tables(path);
   SqliteDatabase database(path);
@@ -245,4 +245,4 @@ std::vector<LogTable> read_rosbag_db3(const std::string& path) {
   return std::move(tables).finish();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -10,7 +10,7 @@
 
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 /// One table for each topic in CDR whose type is known; see TopicTable for its columns. Other
 /// topics are named in a note.
@@ -18,6 +18,6 @@ namespace tribolog {
 ///        (`.db3.zstd`), is damaged or lacks the tables of rosbag2, or no topic can be read. A
 ///        topic in which a message does not agree with its type (its number and its row are
 ///        stated) is a table that is refused.
-std::vector<LogTable> read_rosbag_db3(const std::string& path);
+std::vector<log::LogTable> read_rosbag_db3(const std::string& path);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

@@ -9,15 +9,15 @@
 #include "base/error.h"
 #include "ingest/bags/ros2msg_schema.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 namespace {
 
 /// Two's complement: the difference is right wherever it fits, whatever the sign of the times.
 template <class Integer>
-LogColumn seconds_since_first(const char* name, const std::vector<Integer>& times_ns) {
+log::LogColumn seconds_since_first(const char* name, const std::vector<Integer>& times_ns) {
   constexpr double ns_per_s = 1e9;
-  LogColumn column{{std::string(name) + " [s]", name, "s"}, {}, 0};
+  log::LogColumn column{{std::string(name) + " [s]", name, "s"}, {}, 0};
   column.values.reserve(times_ns.size());
   const auto first = static_cast<std::uint64_t>(times_ns.front());
   for (const Integer time_ns : times_ns) {
@@ -34,9 +34,9 @@ std::size_t times_going_back(const std::vector<std::uint64_t>& times_ns) {
 }
 
 /// A joint's or field's name may be the same as another's path.
-void make_names_differ(std::vector<LogColumn>& columns) {
+void make_names_differ(std::vector<log::LogColumn>& columns) {
   std::set<std::string> taken;
-  for (LogColumn& column : columns) {
+  for (log::LogColumn& column : columns) {
     while (!taken.insert(column.header.name).second) {
       column.header.name = "message." + column.header.name;
       column.header.full = column.header.name;
@@ -73,22 +73,22 @@ void TopicTable::take(std::string_view message, std::uint64_t log_time_ns) {
   log_times_ns_.push_back(log_time_ns);
 }
 
-std::optional<LogTable> TopicTable::finish(const std::string& file) && {
-  LogTable table;
+std::optional<log::LogTable> TopicTable::finish(const std::string& file) && {
+  log::LogTable table;
   table.file = file;
   table.group = topic_;
   table.rows = columns_.rows();
   table.notes = notes_of(columns_, printable(topic_));
   table.refusal = refusal_;
-  std::vector<LogColumn> numbers = std::move(columns_).finish();
+  std::vector<log::LogColumn> numbers = std::move(columns_).finish();
   if (numbers.empty() && refusal_.empty()) return std::nullopt;
   if (!stamps_ns_.empty()) table.columns.push_back(seconds_since_first("time", stamps_ns_));
   if (!log_times_ns_.empty()) {
     table.columns.push_back(seconds_since_first("log_time", log_times_ns_));
   }
-  for (LogColumn& column : numbers) table.columns.push_back(std::move(column));
+  for (log::LogColumn& column : numbers) table.columns.push_back(std::move(column));
   make_names_differ(table.columns);
-  for (const LogColumn& column : table.columns) table.header.push_back(column.header.full);
+  for (const log::LogColumn& column : table.columns) table.header.push_back(column.header.full);
   if (const std::size_t back = times_going_back(log_times_ns_); back > 0) {
     table.notes.push_back(
         fmt::format("{}: rows stand in the file's order; log_time goes back at {} of {}",
@@ -136,8 +136,8 @@ TopicTable* TopicTables::table_for(const TopicDescription& topic) {
   return entry->second;
 }
 
-std::vector<LogTable> TopicTables::finish() && {
-  std::vector<LogTable> finished;
+std::vector<log::LogTable> TopicTables::finish() && {
+  std::vector<log::LogTable> finished;
   for (TopicTable& table : tables_) {
     const std::string topic = table.topic();
     if (auto made = std::move(table).finish(file_)) {
@@ -153,13 +153,14 @@ std::vector<LogTable> TopicTables::finish() && {
                      {"holds no topic with numbers that can be read", reasons,
                       "messages of ROS 2 in CDR, such as sensor_msgs/JointState", ""});
   }
-  const bool any_whole = std::any_of(finished.begin(), finished.end(),
-                                     [](const LogTable& table) { return table.refusal.empty(); });
+  const bool any_whole =
+      std::any_of(finished.begin(), finished.end(),
+                  [](const log::LogTable& table) { return table.refusal.empty(); });
   if (!any_whole) throw InputError({file_, 0, 0}, {finished.front().refusal, "", "", ""});
-  for (LogTable& table : finished) {
+  for (log::LogTable& table : finished) {
     table.notes.insert(table.notes.end(), notes_.begin(), notes_.end());
   }
   return finished;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

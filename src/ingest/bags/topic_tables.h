@@ -12,7 +12,7 @@
 #include "ingest/bags/message_columns.h"
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::bags {
 
 class TopicTable {
  public:
@@ -32,7 +32,7 @@ class TopicTable {
   /// seconds since the topic's first, formed from differences in whole nanoseconds; then those of
   /// MessageColumns. A field that is called `time` itself is `message.time`.
   /// @param file for messages. @return nothing where no message holds a number to read.
-  std::optional<LogTable> finish(const std::string& file) &&;
+  std::optional<log::LogTable> finish(const std::string& file) &&;
 
  private:
   std::string topic_;
@@ -66,7 +66,7 @@ class TopicTables {
   /// @throw InputError: no topic holds a number (the notes are its hint), or each has a message
   /// that
   ///        cannot be read.
-  std::vector<LogTable> finish() &&;
+  std::vector<log::LogTable> finish() &&;
 
  private:
   std::string file_;
@@ -75,4 +75,4 @@ class TopicTables {
   std::vector<std::string> notes_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::bags

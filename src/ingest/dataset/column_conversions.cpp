@@ -4,47 +4,49 @@
 #include <optional>
 #include <utility>
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 namespace {
 
-using Reason = ConversionStep::Reason;
+using Reason = joint::ConversionStep::Reason;
 
-const char* si_unit_of(LoggedSignal signal) {
+const char* si_unit_of(joint::LoggedSignal signal) {
   switch (signal) {
-    case LoggedSignal::time:
+    case joint::LoggedSignal::time:
       return "s";
-    case LoggedSignal::angle:
-    case LoggedSignal::bristle:
+    case joint::LoggedSignal::angle:
+    case joint::LoggedSignal::bristle:
       return "rad";
-    case LoggedSignal::speed:
-    case LoggedSignal::bristle_rate:
+    case joint::LoggedSignal::speed:
+    case joint::LoggedSignal::bristle_rate:
       return "rad/s";
-    case LoggedSignal::effort:
+    case joint::LoggedSignal::effort:
       return "N·m";
-    case LoggedSignal::temperature:
+    case joint::LoggedSignal::temperature:
       return "°C";
   }
   return "";
 }
 
-void refer_to_joint(ColumnConversion& conversion, Side logged, double gear_ratio) {
-  conversion.side = Side::joint;
-  if (logged == Side::motor && gear_ratio != 1) {
+void refer_to_joint(joint::ColumnConversion& conversion, joint::Side logged, double gear_ratio) {
+  conversion.side = joint::Side::joint;
+  if (logged == joint::Side::motor && gear_ratio != 1) {
     conversion.steps.push_back({Reason::gear, gear_ratio, true});
   }
 }
 
-void make_motor_torque(ColumnConversion& conversion, const Drive& drive, double effort_sign) {
-  conversion.side = Side::motor;
+void make_motor_torque(joint::ColumnConversion& conversion, const joint::Drive& drive,
+                       double effort_sign) {
+  conversion.side = joint::Side::motor;
   if (effort_sign != 1) conversion.steps.push_back({Reason::sign, effort_sign});
-  for (const ConversionStep& step : steps_to_motor_torque(drive)) conversion.steps.push_back(step);
+  for (const joint::ConversionStep& step : joint::steps_to_motor_torque(drive))
+    conversion.steps.push_back(step);
 }
 
 }  // namespace
 
-std::vector<LoggedColumn> logged_columns(const ColumnEntries& c) {
-  using enum LoggedSignal;
-  using Column = std::pair<LoggedSignal, const std::optional<ColumnEntry>*>;
+std::vector<LoggedColumn> logged_columns(const manifest::ColumnEntries& c) {
+  using enum joint::LoggedSignal;
+  using Column = std::pair<joint::LoggedSignal, const std::optional<manifest::ColumnEntry>*>;
   const std::array in_order = {Column{time, &c.time},
                                Column{angle, &c.angle},
                                Column{effort, &c.effort},
@@ -59,37 +61,38 @@ std::vector<LoggedColumn> logged_columns(const ColumnEntries& c) {
   return columns;
 }
 
-ColumnConversion conversion_of(const LoggedColumn& column, const Drive& drive, double effort_sign) {
-  const ColumnEntry& entry = *column.entry;
-  ColumnConversion conversion{column.signal, entry.name, entry.unit, {}, si_unit_of(column.signal),
-                              std::nullopt};
+joint::ColumnConversion conversion_of(const LoggedColumn& column, const joint::Drive& drive,
+                                      double effort_sign) {
+  const manifest::ColumnEntry& entry = *column.entry;
+  joint::ColumnConversion conversion{
+      column.signal, entry.name, entry.unit, {}, si_unit_of(column.signal), std::nullopt};
   if (entry.si_factor != 1) conversion.steps.push_back({Reason::unit, entry.si_factor});
   switch (column.signal) {
-    case LoggedSignal::angle:
-    case LoggedSignal::speed:
+    case joint::LoggedSignal::angle:
+    case joint::LoggedSignal::speed:
       refer_to_joint(conversion, entry.side, drive.gear_ratio());
       break;
-    case LoggedSignal::effort:
+    case joint::LoggedSignal::effort:
       make_motor_torque(conversion, drive, effort_sign);
       break;
-    case LoggedSignal::bristle:
-    case LoggedSignal::bristle_rate:
-      conversion.side = Side::motor;
+    case joint::LoggedSignal::bristle:
+    case joint::LoggedSignal::bristle_rate:
+      conversion.side = joint::Side::motor;
       break;
-    case LoggedSignal::time:
-    case LoggedSignal::temperature:
+    case joint::LoggedSignal::time:
+    case joint::LoggedSignal::temperature:
       break;
   }
   return conversion;
 }
 
-std::vector<ColumnConversion> conversions_of(const ColumnEntries& columns, const Drive& drive,
-                                             double effort_sign) {
-  std::vector<ColumnConversion> conversions;
+std::vector<joint::ColumnConversion> conversions_of(const manifest::ColumnEntries& columns,
+                                                    const joint::Drive& drive, double effort_sign) {
+  std::vector<joint::ColumnConversion> conversions;
   for (const LoggedColumn& column : logged_columns(columns)) {
     conversions.push_back(conversion_of(column, drive, effort_sign));
   }
   return conversions;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -16,7 +16,7 @@
 #include "base/requirements.h"
 #include "ingest/dataset/column_conversions.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 double median_clock_step(const std::vector<double>& times) {
   std::vector<double> steps;
@@ -33,12 +33,12 @@ namespace {
 
 constexpr double largest_time_difference = 0.5;  // of a step: beyond, another row is nearer
 
-bool is_beside(const RecordingEntry& entry, const ColumnEntry& column) {
+bool is_beside(const manifest::RecordingEntry& entry, const manifest::ColumnEntry& column) {
   return !column.file.empty() && column.file != entry.file;
 }
 
 template <class Condition>
-void keep_if(ColumnEntries& columns, const Condition& condition) {
+void keep_if(manifest::ColumnEntries& columns, const Condition& condition) {
   for (auto* column : {&columns.time, &columns.angle, &columns.speed, &columns.effort,
                        &columns.bristle, &columns.bristle_rate, &columns.temperature}) {
     if (*column && !condition(**column)) column->reset();
@@ -46,10 +46,11 @@ void keep_if(ColumnEntries& columns, const Condition& condition) {
 }
 
 /// Stated, or of the same name as the recording's. A position names no column of another file.
-std::optional<WantedColumn> time_to_compare(const ColumnEntry& time, const ColumnEntries& columns) {
+std::optional<log::WantedColumn> time_to_compare(const manifest::ColumnEntry& time,
+                                                 const manifest::ColumnEntries& columns) {
   std::string stated;
   for (const LoggedColumn& column : logged_columns(columns)) {
-    const ColumnEntry& entry = *column.entry;
+    const manifest::ColumnEntry& entry = *column.entry;
     if (entry.time_in_file.empty()) continue;
     if (!stated.empty() && entry.time_in_file != stated) {
       throw InputError(entry.where,
@@ -58,12 +59,12 @@ std::optional<WantedColumn> time_to_compare(const ColumnEntry& time, const Colum
     }
     stated = entry.time_in_file;
   }
-  if (!stated.empty()) return WantedColumn{stated, "", time.reading};
+  if (!stated.empty()) return log::WantedColumn{stated, "", time.reading};
   if (time.name.starts_with('#')) return std::nullopt;
-  return WantedColumn{time.name, "", time.reading, true};
+  return log::WantedColumn{time.name, "", time.reading, true};
 }
 
-void refuse_left_out_rows(const LogTable& table) {
+void refuse_left_out_rows(const log::LogTable& table) {
   if (table.bad_rows == 0) return;
   throw InputError({table.file, 0, 0},
                    {"the rows of several files are matched one by one, and rows are left out here "
@@ -71,8 +72,8 @@ void refuse_left_out_rows(const LogTable& table) {
                     fmt::format("{}", table.bad_rows), "none", "mend them, or write nan"});
 }
 
-void refuse_other_number_of_rows(const RecordingEntry& entry, const LogTable& own,
-                                 const LogTable& other) {
+void refuse_other_number_of_rows(const manifest::RecordingEntry& entry, const log::LogTable& own,
+                                 const log::LogTable& other) {
   const std::size_t rows = own.rows + own.cut_rows;
   const std::size_t found = other.rows + other.cut_rows;
   if (found == rows) return;
@@ -84,12 +85,13 @@ void refuse_other_number_of_rows(const RecordingEntry& entry, const LogTable& ow
 }
 
 /// A time that is a gap in either file says nothing.
-void refuse_other_times(const RecordingEntry& entry, const LogColumn& own, const LogTable& table) {
-  const LogColumn& other = table.columns.back();
+void refuse_other_times(const manifest::RecordingEntry& entry, const log::LogColumn& own,
+                        const log::LogTable& table) {
+  const log::LogColumn& other = table.columns.back();
   const double allowed = largest_time_difference * median_clock_step(own.values);
   const double later = other.origin - own.origin;
-  const ColumnEntry& time = present(entry.columns.time);
-  const bool is_iso = time.reading == ColumnReading::iso_time;
+  const manifest::ColumnEntry& time = present(entry.columns.time);
+  const bool is_iso = time.reading == log::ColumnReading::iso_time;
   const std::string unit = is_iso ? "s" : printable(time.unit);
   for (std::size_t row = 0; row < table.rows; ++row) {
     const double found = other.values[row] + later;
@@ -106,15 +108,15 @@ void refuse_other_times(const RecordingEntry& entry, const LogColumn& own, const
   }
 }
 
-std::shared_ptr<const LogTable> lines_of(const LogTable& table) {
-  LogTable lines;
+std::shared_ptr<const log::LogTable> lines_of(const log::LogTable& table) {
+  log::LogTable lines;
   lines.file = table.file;
   lines.line_breaks = table.line_breaks;
-  return std::make_shared<const LogTable>(std::move(lines));
+  return std::make_shared<const log::LogTable>(std::move(lines));
 }
 
-void shorten(LogTable& table, std::size_t rows) {
-  for (LogColumn& column : table.columns) {
+void shorten(log::LogTable& table, std::size_t rows) {
+  for (log::LogColumn& column : table.columns) {
     for (std::size_t row = rows; row < table.rows; ++row) {
       column.gaps -= std::isnan(column.values[row]) ? 1 : 0;
     }
@@ -125,11 +127,12 @@ void shorten(LogTable& table, std::size_t rows) {
 }
 
 /// All rows that every file has, where the last ones of some are cut off.
-void match_rows(const RecordingEntry& entry, const std::vector<RecordingEntry>& entries,
-                std::vector<LogTable>& companions, LogTable& table) {
+void match_rows(const manifest::RecordingEntry& entry,
+                const std::vector<manifest::RecordingEntry>& entries,
+                std::vector<log::LogTable>& companions, log::LogTable& table) {
   refuse_left_out_rows(table);
   std::size_t rows = table.rows;
-  for (const LogTable& companion : companions) {
+  for (const log::LogTable& companion : companions) {
     refuse_left_out_rows(companion);
     refuse_other_number_of_rows(entry, table, companion);
     rows = std::min(rows, companion.rows);
@@ -144,42 +147,44 @@ void match_rows(const RecordingEntry& entry, const std::vector<RecordingEntry>& 
 
 }  // namespace
 
-RecordingEntry without_companions(const RecordingEntry& entry) {
-  RecordingEntry own = entry;
-  keep_if(own.columns, [&](const ColumnEntry& column) { return !is_beside(entry, column); });
+manifest::RecordingEntry without_companions(const manifest::RecordingEntry& entry) {
+  manifest::RecordingEntry own = entry;
+  keep_if(own.columns,
+          [&](const manifest::ColumnEntry& column) { return !is_beside(entry, column); });
   return own;
 }
 
-std::vector<RecordingEntry> companions_of(const RecordingEntry& entry) {
-  std::vector<RecordingEntry> companions;
+std::vector<manifest::RecordingEntry> companions_of(const manifest::RecordingEntry& entry) {
+  std::vector<manifest::RecordingEntry> companions;
   for (const LoggedColumn& column : logged_columns(entry.columns)) {
     const std::string& file = column.entry->file;
-    const bool is_known =
-        std::any_of(companions.begin(), companions.end(),
-                    [&](const RecordingEntry& companion) { return companion.file == file; });
+    const bool is_known = std::any_of(
+        companions.begin(), companions.end(),
+        [&](const manifest::RecordingEntry& companion) { return companion.file == file; });
     if (!is_beside(entry, *column.entry) || is_known) continue;
-    RecordingEntry companion;
+    manifest::RecordingEntry companion;
     companion.role = entry.role;
     companion.file = file;
     companion.where = column.entry->where;
     companion.columns = entry.columns;
-    keep_if(companion.columns, [&](const ColumnEntry& other) { return other.file == file; });
+    keep_if(companion.columns,
+            [&](const manifest::ColumnEntry& other) { return other.file == file; });
     companion.time_to_compare = time_to_compare(present(entry.columns.time), companion.columns);
     companions.push_back(std::move(companion));
   }
   return companions;
 }
 
-void join_companions(const RecordingEntry& entry, std::vector<LogTable> companions,
-                     LogTable& table) {
+void join_companions(const manifest::RecordingEntry& entry, std::vector<log::LogTable> companions,
+                     log::LogTable& table) {
   if (companions.empty()) return;
-  const std::vector<RecordingEntry> entries = companions_of(entry);
+  const std::vector<manifest::RecordingEntry> entries = companions_of(entry);
   match_rows(entry, entries, companions, table);
-  for (LogTable& companion : companions) {
+  for (log::LogTable& companion : companions) {
     const auto lines = lines_of(companion);
-    for (LogColumn& column : companion.columns) column.stands_in = lines;
+    for (log::LogColumn& column : companion.columns) column.stands_in = lines;
   }
-  std::vector<LogColumn> joined;
+  std::vector<log::LogColumn> joined;
   std::vector<std::size_t> next(companions.size());
   std::size_t next_own = 0;
   for (const LoggedColumn& column : logged_columns(entry.columns)) {
@@ -187,9 +192,9 @@ void join_companions(const RecordingEntry& entry, std::vector<LogTable> companio
       joined.push_back(std::move(table.columns[next_own++]));
       continue;
     }
-    const auto at = std::find_if(entries.begin(), entries.end(), [&](const RecordingEntry& e) {
-      return e.file == column.entry->file;
-    });
+    const auto at = std::find_if(
+        entries.begin(), entries.end(),
+        [&](const manifest::RecordingEntry& e) { return e.file == column.entry->file; });
     const auto k = static_cast<std::size_t>(at - entries.begin());
     joined.push_back(std::move(companions[k].columns[next[k]++]));
   }
@@ -198,4 +203,4 @@ void join_companions(const RecordingEntry& entry, std::vector<LogTable> companio
   table.columns = std::move(joined);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

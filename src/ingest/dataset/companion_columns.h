@@ -6,7 +6,7 @@
 #include "ingest/log/log_table.h"
 #include "ingest/manifest/manifest_file.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 /// Median of the rising steps, in the unit of the times; 0 where none rises. Gaps (NaN) and steps
 /// back or of no length say nothing.
@@ -16,12 +16,12 @@ double median_clock_step(const std::vector<double>& times);
 // and the torques into another. The rows of such files are those of the recording's, one by one.
 
 /// The entry with the columns of its own file alone.
-RecordingEntry without_companions(const RecordingEntry& entry);
+manifest::RecordingEntry without_companions(const manifest::RecordingEntry& entry);
 
 /// One for each file beside the recording's, in the order of the columns: that file and the columns
 /// in it, with its time to compare.
 /// @throw InputError if two columns state different names for the time of one file.
-std::vector<RecordingEntry> companions_of(const RecordingEntry& entry);
+std::vector<manifest::RecordingEntry> companions_of(const manifest::RecordingEntry& entry);
 
 /// Puts the columns of the companions into the recording's table, each where
 /// logged_columns(entry.columns) has it.
@@ -29,7 +29,7 @@ std::vector<RecordingEntry> companions_of(const RecordingEntry& entry);
 /// @param companions the tables of companions_of(entry), one for each.
 /// @throw InputError if rows cannot be matched: there are more or fewer of them, some that cannot
 ///        be used were left out, or times differ by more than half of the median step.
-void join_companions(const RecordingEntry& entry, std::vector<LogTable> companions,
-                     LogTable& table);
+void join_companions(const manifest::RecordingEntry& entry, std::vector<log::LogTable> companions,
+                     log::LogTable& table);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -25,7 +25,7 @@
 #include "ingest/manifest/robot_file.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 // Columns of the logs that no recording uses: nothing is left out in silence.
 
@@ -33,7 +33,7 @@ namespace {
 
 class UnusedColumns {
  public:
-  void add(const LogTable& table);
+  void add(const log::LogTable& table);
   /// One for all logs; empty if every column is used.
   [[nodiscard]] std::string note() const;
 
@@ -43,11 +43,11 @@ class UnusedColumns {
   std::set<std::string> used_;
 };
 
-void UnusedColumns::add(const LogTable& table) {
+void UnusedColumns::add(const log::LogTable& table) {
   for (const std::string& name : table.header) {
     if (!name.empty() && known_.insert(name).second) names_.push_back(name);
   }
-  for (const LogColumn& column : table.columns) used_.insert(column.header.full);
+  for (const log::LogColumn& column : table.columns) used_.insert(column.header.full);
 }
 
 std::string UnusedColumns::note() const {
@@ -60,8 +60,9 @@ std::string UnusedColumns::note() const {
 
 constexpr double noticeable_rad = 1e-3;  // of an angle beyond a limit that is given in degrees
 
-InputFile fingerprint(const std::string& name, const std::string& role, std::string_view bytes) {
-  InputFile input;
+joint::InputFile fingerprint(const std::string& name, const std::string& role,
+                             std::string_view bytes) {
+  joint::InputFile input;
   input.name = name;
   input.role = role;
   input.bytes = bytes.size();
@@ -70,11 +71,12 @@ InputFile fingerprint(const std::string& name, const std::string& role, std::str
 }
 
 /// The description, its fingerprint, and a note where it is of another joint.
-void add_robot(const std::filesystem::path& directory, Dataset& dataset) {
+void add_robot(const std::filesystem::path& directory, joint::Dataset& dataset) {
   const std::string& file = dataset.manifest.robot_description;
   const std::string path = (directory / file).string();
-  const std::string text = read_file(path, largest_robot_bytes);
-  dataset.robot = std::make_shared<const RobotDescription>(parse_robot(text, path));
+  const std::string text = read_file(path, manifest::largest_robot_bytes);
+  dataset.robot =
+      std::make_shared<const robot::RobotDescription>(manifest::parse_robot(text, path));
   dataset.inputs.push_back(fingerprint(file, "robot", text));
   const std::string& tested = dataset.robot->under_test.joint().name;
   if (tested == dataset.manifest.joint) return;
@@ -86,11 +88,11 @@ void add_robot(const std::filesystem::path& directory, Dataset& dataset) {
 
 /// A note where a log's angles leave the described range of motion: it counts otherwise, or the
 /// description is wrong.
-void compare_angles(Dataset& dataset) {
-  const ArmJoint& joint = dataset.robot->under_test.joint();
+void compare_angles(joint::Dataset& dataset) {
+  const robot::ArmJoint& joint = dataset.robot->under_test.joint();
   double lowest_rad = joint.lowest_rad;
   double highest_rad = joint.highest_rad;
-  for (const Recording& recording : dataset.recordings) {
+  for (const joint::Recording& recording : dataset.recordings) {
     for (const double q_rad : recording.q_rad) {
       lowest_rad = std::min(lowest_rad, q_rad);
       highest_rad = std::max(highest_rad, q_rad);
@@ -102,57 +104,57 @@ void compare_angles(Dataset& dataset) {
   dataset.notes.push_back(fmt::format(
       "the logs reach {:.4g}°, outside the range of motion of joint {} in {}, {:.4g}° to {:.4g}°: "
       "do both count the angle from the same zero and with the same sign?",
-      degrees_per_rad * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad),
+      joint::degrees_per_rad * (lowest_rad < joint.lowest_rad ? lowest_rad : highest_rad),
       in_quotes(joint.name), printable(dataset.manifest.robot_description),
-      degrees_per_rad * joint.lowest_rad, degrees_per_rad * joint.highest_rad));
+      joint::degrees_per_rad * joint.lowest_rad, joint::degrees_per_rad * joint.highest_rad));
 }
 
 /// What became of the rows, which a recording's files share.
-void count_rows(const Recording& recording, InputFile& input) {
+void count_rows(const joint::Recording& recording, joint::InputFile& input) {
   input.rows_read = recording.rows_read;
   input.rows_used = recording.size();
   input.skipped = recording.skipped;
 }
 
 /// The table with the columns of its companions, in the order of logged_columns().
-LogTable joined(const RecordingEntry& entry, const LogTable& own,
-                const std::vector<std::shared_ptr<const ReadLog>>& companions) {
-  std::vector<LogTable> tables;
+log::LogTable joined(const manifest::RecordingEntry& entry, const log::LogTable& own,
+                     const std::vector<std::shared_ptr<const ReadLog>>& companions) {
+  std::vector<log::LogTable> tables;
   for (const auto& companion : companions) tables.push_back(companion->table);
-  LogTable table = own;
+  log::LogTable table = own;
   join_companions(entry, std::move(tables), table);
   return table;
 }
 
-void add_recording(const RecordingEntry& entry, const ManifestFile& manifest, KeptLogs& logs,
-                   Dataset& dataset, UnusedColumns& unused) {
-  std::vector<KnownLoad>& loads = dataset.manifest.known_loads;
+void add_recording(const manifest::RecordingEntry& entry, const manifest::ManifestFile& manifest,
+                   KeptLogs& logs, joint::Dataset& dataset, UnusedColumns& unused) {
+  std::vector<joint::KnownLoad>& loads = dataset.manifest.known_loads;
   const auto own = logs.read(without_companions(entry), loads, dataset.notes);
   unused.add(own->table);
   std::vector<std::shared_ptr<const ReadLog>> companions;
-  for (const RecordingEntry& beside : companions_of(entry)) {
+  for (const manifest::RecordingEntry& beside : companions_of(entry)) {
     companions.push_back(logs.read(beside, {}, dataset.notes));
     RecordingNotes notes(beside.file, dataset.notes);
     note_reading(companions.back()->table, notes);
     unused.add(companions.back()->table);
   }
-  LogTable with_companions;
+  log::LogTable with_companions;
   if (!companions.empty()) with_companions = joined(entry, own->table, companions);
-  Recording recording =
+  joint::Recording recording =
       make_recording(entry, companions.empty() ? own->table : with_companions,
                      dataset.manifest.drive, manifest.effort_sign, dataset.notes, &loads);
-  InputFile input = own->file;
-  input.role = to_string(entry.role);
+  joint::InputFile input = own->file;
+  input.role = joint::to_string(entry.role);
   count_rows(recording, input);
   input.conversions = conversions_of(entry.columns, dataset.manifest.drive, manifest.effort_sign);
   if (entry.columns.effort) {
     input.logged_effort =
-        known_effort(present(entry.columns.angle).name, entry.columns.effort->name);
+        layout::known_effort(present(entry.columns.angle).name, entry.columns.effort->name);
   }
   dataset.inputs.push_back(std::move(input));
   for (const auto& companion : companions) {
-    InputFile beside = companion->file;
-    beside.role = to_string(entry.role);
+    joint::InputFile beside = companion->file;
+    beside.role = joint::to_string(entry.role);
     count_rows(recording, beside);
     dataset.inputs.push_back(std::move(beside));
   }
@@ -162,18 +164,18 @@ void add_recording(const RecordingEntry& entry, const ManifestFile& manifest, Ke
 
 }  // namespace
 
-Dataset read_dataset(const std::string& manifest_path) {
-  const std::string text = read_file(manifest_path, largest_manifest_bytes);
-  ManifestFile manifest = parse_manifest(text, manifest_path);
+joint::Dataset read_dataset(const std::string& manifest_path) {
+  const std::string text = read_file(manifest_path, manifest::largest_manifest_bytes);
+  manifest::ManifestFile manifest = manifest::parse_manifest(text, manifest_path);
   const std::filesystem::path path(manifest_path);
-  Dataset dataset;
+  joint::Dataset dataset;
   dataset.manifest = std::move(manifest.manifest);
   dataset.inputs.push_back(fingerprint(path.filename().string(), "manifest", text));
   const std::filesystem::path directory = path.parent_path();
   if (!dataset.manifest.robot_description.empty()) add_robot(directory, dataset);
   UnusedColumns unused;
   KeptLogs logs(manifest, directory);
-  for (const RecordingEntry& entry : manifest.recordings) {
+  for (const manifest::RecordingEntry& entry : manifest.recordings) {
     add_recording(entry, manifest, logs, dataset, unused);
   }
   if (const std::string note = unused.note(); !note.empty()) dataset.notes.push_back(note);
@@ -181,4 +183,4 @@ Dataset read_dataset(const std::string& manifest_path) {
   return dataset;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -5,7 +5,7 @@
 
 #include "joint/dataset.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 /// Reads a manifest (manifest_file.h says what it holds), its logs (csv_reader.h says which) and
 /// the robot's description where one is named (robot_file.h). Paths in it are relative to the
@@ -13,6 +13,6 @@ namespace tribolog {
 /// at the motor. A description of another joint, or whose range of motion the logs leave, gives a
 /// note.
 /// @throw InputError for a manifest, description or log that cannot be used, at file:line:column.
-Dataset read_dataset(const std::string& manifest_path);
+joint::Dataset read_dataset(const std::string& manifest_path);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

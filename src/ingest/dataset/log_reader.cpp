@@ -18,41 +18,41 @@
 #include "ingest/dataset/recording_rows.h"
 #include "ingest/text/csv_reader.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 namespace {
 
 /// Index among the table's columns: by the full name, with the group in front, or without unit.
-std::optional<std::size_t> index_of(const LogTable& table, const std::string& name) {
+std::optional<std::size_t> index_of(const log::LogTable& table, const std::string& name) {
   std::optional<std::size_t> bare;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    const ColumnHeader& header = table.columns[k].header;
+    const log::ColumnHeader& header = table.columns[k].header;
     if (header.full == name || table.group + "/" + header.full == name) return k;
     if (header.name == name && !bare) bare = k;
   }
   return bare;
 }
 
-std::vector<std::string> missing_in(const LogTable& table,
-                                    const std::vector<WantedColumn>& columns) {
+std::vector<std::string> missing_in(const log::LogTable& table,
+                                    const std::vector<log::WantedColumn>& columns) {
   std::vector<std::string> missing;
-  for (const WantedColumn& wanted : columns) {
+  for (const log::WantedColumn& wanted : columns) {
     if (!wanted.is_optional && !index_of(table, wanted.name)) missing.push_back(wanted.name);
   }
   return missing;
 }
 
-std::vector<std::string> names_of(const LogTable& table) {
+std::vector<std::string> names_of(const log::LogTable& table) {
   std::vector<std::string> names;
-  for (const LogColumn& column : table.columns) names.push_back(column.header.full);
+  for (const log::LogColumn& column : table.columns) names.push_back(column.header.full);
   return names;
 }
 
-[[noreturn]] void refuse_missing(const std::vector<LogTable>& tables,
-                                 const std::vector<WantedColumn>& columns) {
+[[noreturn]] void refuse_missing(const std::vector<log::LogTable>& tables,
+                                 const std::vector<log::WantedColumn>& columns) {
   // What is missing in the table that lacks least, of those the largest.
-  const auto best =
-      std::min_element(tables.begin(), tables.end(), [&](const LogTable& a, const LogTable& b) {
+  const auto best = std::min_element(
+      tables.begin(), tables.end(), [&](const log::LogTable& a, const log::LogTable& b) {
         const std::size_t lacks_a = missing_in(a, columns).size();
         const std::size_t lacks_b = missing_in(b, columns).size();
         return lacks_a != lacks_b ? lacks_a < lacks_b : a.columns.size() > b.columns.size();
@@ -60,7 +60,7 @@ std::vector<std::string> names_of(const LogTable& table) {
   const std::string name = missing_in(*best, columns).front();
   const std::vector<std::string> names = names_of(*best);
   std::string hint = did_you_mean(name, names);
-  for (const WantedColumn& wanted : columns) {
+  for (const log::WantedColumn& wanted : columns) {
     if (wanted.name == name && !wanted.if_missing.empty()) {
       hint += (hint.empty() ? "" : " ") + wanted.if_missing;
     }
@@ -72,9 +72,9 @@ std::vector<std::string> names_of(const LogTable& table) {
 
 }  // namespace
 
-LogFormat format_of_log(const std::string& path) {
+log::LogFormat format_of_log(const std::string& path) {
   InputFileSource file(path);
-  std::string start(log_format_bytes, '\0');
+  std::string start(log::log_format_bytes, '\0');
   std::size_t filled = 0;
   while (filled < start.size()) {
     const std::size_t got = file.read(start.data() + filled, start.size() - filled);
@@ -82,39 +82,40 @@ LogFormat format_of_log(const std::string& path) {
     filled += got;
   }
   start.resize(filled);
-  return detect_log_format(start, path);
+  return log::detect_log_format(start, path);
 }
 
-std::vector<LogTable> read_tables(const std::string& path, LogFormat format) {
+std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format) {
   switch (format) {
-    case LogFormat::mcap:
-      return read_mcap(path);
-    case LogFormat::sqlite_bag:
-      return read_rosbag_db3(path);
-    case LogFormat::mat:
-      return read_mat(path);
-    case LogFormat::hdf5:
-      return read_hdf5(path);
-    case LogFormat::npz:
-    case LogFormat::npy:
-      return read_npz(path);
-    case LogFormat::json:
-      return read_bam_json(path);
-    case LogFormat::text:
+    case log::LogFormat::mcap:
+      return bags::read_mcap(path);
+    case log::LogFormat::sqlite_bag:
+      return bags::read_rosbag_db3(path);
+    case log::LogFormat::mat:
+      return arrays::read_mat(path);
+    case log::LogFormat::hdf5:
+      return arrays::read_hdf5(path);
+    case log::LogFormat::npz:
+    case log::LogFormat::npy:
+      return arrays::read_npz(path);
+    case log::LogFormat::json:
+      return arrays::read_bam_json(path);
+    case log::LogFormat::text:
       break;
   }
   throw InputError({path, 0, 0}, {"is a text log", "", "", ""});
 }
 
-void count_from_first(LogColumn& clock) {
+void count_from_first(log::LogColumn& clock) {
   const auto first = std::find_if(clock.values.begin(), clock.values.end(),
                                   [](double value) { return !std::isnan(value); });
-  if (first == clock.values.end() || std::abs(*first) < counts_from_1970) return;
+  if (first == clock.values.end() || std::abs(*first) < log::counts_from_1970) return;
   clock.origin = std::floor(*first);
   for (double& value : clock.values) value -= clock.origin;
 }
 
-LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns) {
+log::LogTable take_columns(std::vector<log::LogTable> tables,
+                           const std::vector<log::WantedColumn>& columns) {
   std::vector<std::size_t> having;
   for (std::size_t k = 0; k < tables.size(); ++k) {
     if (missing_in(tables[k], columns).empty()) having.push_back(k);
@@ -128,14 +129,14 @@ LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColu
                       "put the table in front of a column's name: " +
                           in_quotes(groups[0] + "/" + columns.front().name)});
   }
-  LogTable& table = tables[having[0]];
+  log::LogTable& table = tables[having[0]];
   if (!table.refusal.empty()) throw InputError({table.file, 0, 0}, {table.refusal, "", "", ""});
-  std::vector<LogColumn> chosen;
-  for (const WantedColumn& wanted : columns) {
+  std::vector<log::LogColumn> chosen;
+  for (const log::WantedColumn& wanted : columns) {
     const auto index = index_of(table, wanted.name);
     if (!index) continue;
     chosen.push_back(table.columns[*index]);
-    if (wanted.reading == ColumnReading::clock) count_from_first(chosen.back());
+    if (wanted.reading == log::ColumnReading::clock) count_from_first(chosen.back());
   }
   table.columns = std::move(chosen);
   return std::move(table);
@@ -151,15 +152,15 @@ void read_to_the_end(ByteSource& bytes) {
   }
 }
 
-ReadLog read_log(const RecordingEntry& entry, const std::string& path,
-                 const std::vector<WantedColumn>& columns, const TextLogRules& rules,
+ReadLog read_log(const manifest::RecordingEntry& entry, const std::string& path,
+                 const std::vector<log::WantedColumn>& columns, const text::TextLogRules& rules,
                  std::vector<std::string>& notes) {
   InputFileSource log(path);
   FingerprintedSource bytes(log);
-  const LogFormat format = format_of_log(path);
+  const log::LogFormat format = format_of_log(path);
   ReadLog read;
-  read.table = format == LogFormat::text ? read_csv(bytes, path, columns, rules)
-                                         : take_columns(read_tables(path, format), columns);
+  read.table = format == log::LogFormat::text ? text::read_csv(bytes, path, columns, rules)
+                                              : take_columns(read_tables(path, format), columns);
   read_to_the_end(bytes);
   if (log.has_grown()) {
     notes.push_back(printable(entry.file) +
@@ -174,23 +175,24 @@ ReadLog read_log(const RecordingEntry& entry, const std::string& path,
 
 }  // namespace
 
-KeptLogs::KeptLogs(const ManifestFile& manifest, std::filesystem::path directory)
+KeptLogs::KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path directory)
     : directory_(std::move(directory)), rules_(manifest.text_logs) {
-  for (const RecordingEntry& entry : manifest.recordings) {
+  for (const manifest::RecordingEntry& entry : manifest.recordings) {
     ++still_named_[entry.file];
-    for (const RecordingEntry& companion : companions_of(entry)) ++still_named_[companion.file];
+    for (const manifest::RecordingEntry& companion : companions_of(entry))
+      ++still_named_[companion.file];
   }
 }
 
-std::shared_ptr<const ReadLog> KeptLogs::read(const RecordingEntry& entry,
-                                              const std::vector<KnownLoad>& loads,
+std::shared_ptr<const ReadLog> KeptLogs::read(const manifest::RecordingEntry& entry,
+                                              const std::vector<joint::KnownLoad>& loads,
                                               std::vector<std::string>& notes) {
   if (entry.file.find('\0') != std::string::npos) {
     throw InputError(entry.where,
                      {"NUL byte in the name of a file", in_quotes(entry.file), "", ""});
   }
   const std::string path = (directory_ / entry.file).string();
-  std::vector<WantedColumn> columns = columns_wanted(entry, loads);
+  std::vector<log::WantedColumn> columns = columns_wanted(entry, loads);
   Kept& kept = kept_[entry.file];
   if (!kept.log || kept.columns != columns) {
     kept.log.reset();
@@ -203,4 +205,4 @@ std::shared_ptr<const ReadLog> KeptLogs::read(const RecordingEntry& entry,
   return log;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -13,59 +13,60 @@
 #include "joint/dataset.h"
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 /// What a log is, by its first bytes. Text is read as a stream; all else goes through
 /// read_tables().
 /// @throw InputError as read_file() does.
-LogFormat format_of_log(const std::string& path);
+log::LogFormat format_of_log(const std::string& path);
 
 /// All tables of a log that is no text: MCAP, rosbag2 (.db3), MAT, HDF5, NumPy, JSON.
 /// @throw InputError as the format's reader does, and for text.
-std::vector<LogTable> read_tables(const std::string& path, LogFormat format);
+std::vector<log::LogTable> read_tables(const std::string& path, log::LogFormat format);
 
 /// Of a clock that counts from 1970 the whole units of its first reading are taken off, as a text
 /// log's are.
-void count_from_first(LogColumn& clock);
+void count_from_first(log::LogColumn& clock);
 
 /// The one table that has all the columns, with these alone and in their order. Where several
 /// tables have a column of the same name, it is named with its group:
 /// "/left/joint_states/q.position".
 /// @throw InputError if no table has them all (naming what is missing), several have, or the one
 /// that has them is damaged.
-LogTable take_columns(std::vector<LogTable> tables, const std::vector<WantedColumn>& columns);
+log::LogTable take_columns(std::vector<log::LogTable> tables,
+                           const std::vector<log::WantedColumn>& columns);
 
 // The logs that recordings are cut from: one with many recordings in it is read once.
 
 /// A log with the columns that a recording wants.
 struct ReadLog {
-  LogTable table;
-  InputFile file;  ///< Name, size and fingerprint.
+  log::LogTable table;
+  joint::InputFile file;  ///< Name, size and fingerprint.
 };
 
 class KeptLogs {
  public:
   /// @param manifest whose recordings are read, each once and in any order.
-  KeptLogs(const ManifestFile& manifest, std::filesystem::path directory);
+  KeptLogs(const manifest::ManifestFile& manifest, std::filesystem::path directory);
 
   /// A recording's own file, or one beside it. It is kept until the last recording that names it
   /// was read.
   /// @param loads whose angles are read with it.
   /// @param notes receives what the user should know of the reading.
   /// @throw InputError as read_csv(), take_columns() and refuse_unusable_columns().
-  std::shared_ptr<const ReadLog> read(const RecordingEntry& entry,
-                                      const std::vector<KnownLoad>& loads,
+  std::shared_ptr<const ReadLog> read(const manifest::RecordingEntry& entry,
+                                      const std::vector<joint::KnownLoad>& loads,
                                       std::vector<std::string>& notes);
 
  private:
   struct Kept {
-    std::vector<WantedColumn> columns;
+    std::vector<log::WantedColumn> columns;
     std::shared_ptr<const ReadLog> log;
   };
   std::filesystem::path directory_;
-  TextLogRules rules_;
+  text::TextLogRules rules_;
   std::map<std::string, std::size_t> still_named_;  ///< By file, by so many recordings.
   std::map<std::string, Kept> kept_;                ///< By file.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -12,7 +12,7 @@
 #include "base/requirements.h"
 #include "ingest/log/units.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 namespace {
 
 constexpr double likely_largest_angle_rad = 7.0;  // a little more than a turn
@@ -42,10 +42,10 @@ double median_rate_Hz(const std::vector<double>& t_s) {
 }
 
 /// "in ms they would be 100"
-std::string likelier_units(const ColumnEntry& time, double rate_Hz) {
+std::string likelier_units(const manifest::ColumnEntry& time, double rate_Hz) {
   std::string text;
   for (const char* const unit : {"s", "ms", "us", "ns"}) {
-    const double factor = si_factor(Quantity::time, unit, time.where);
+    const double factor = log::si_factor(log::Quantity::time, unit, time.where);
     const double rate = rate_Hz * time.si_factor / factor;
     if (rate < slowest_likely_Hz || rate > fastest_likely_Hz) continue;
     text += fmt::format("{}in {} they would be {:.3g}", text.empty() ? "" : ", ", unit, rate);
@@ -53,8 +53,9 @@ std::string likelier_units(const ColumnEntry& time, double rate_Hz) {
   return text;
 }
 
-[[noreturn]] void refuse_rate(const ColumnEntry& time, const LogTable& table, double rate_Hz) {
-  const bool is_iso = time.reading == ColumnReading::iso_time;
+[[noreturn]] void refuse_rate(const manifest::ColumnEntry& time, const log::LogTable& table,
+                              double rate_Hz) {
+  const bool is_iso = time.reading == log::ColumnReading::iso_time;
   const std::string likelier = is_iso ? "" : likelier_units(time, rate_Hz);
   throw InputError(
       {table.file, 0, 0},
@@ -67,11 +68,11 @@ std::string likelier_units(const ColumnEntry& time, double rate_Hz) {
 }
 
 /// Jumps by a turn of the side on which the angle was logged, between samples that hardly move.
-void note_wrapped_angle(const ColumnEntry& angle, const Drive& drive, const Recording& r,
-                        RecordingNotes& notes) {
+void note_wrapped_angle(const manifest::ColumnEntry& angle, const joint::Drive& drive,
+                        const joint::Recording& r, RecordingNotes& notes) {
   constexpr double tolerance = 0.1;  // of a turn: the joint goes on moving meanwhile
   const double turn_rad =
-      2 * std::numbers::pi / (angle.side == Side::motor ? drive.gear_ratio() : 1.0);
+      2 * std::numbers::pi / (angle.side == joint::Side::motor ? drive.gear_ratio() : 1.0);
   std::size_t jumps = 0;
   double first_s = 0;
   for (std::size_t i = 2; i < r.size(); ++i) {
@@ -87,15 +88,15 @@ void note_wrapped_angle(const ColumnEntry& angle, const Drive& drive, const Reco
                   jumps, jumps == 1 ? "" : "s", first_s));
 }
 
-void judge_rate(const RecordingEntry& entry, const LogTable& table, const Recording& r,
-                RecordingNotes& notes) {
-  const ColumnEntry& time = present(entry.columns.time);
+void judge_rate(const manifest::RecordingEntry& entry, const log::LogTable& table,
+                const joint::Recording& r, RecordingNotes& notes) {
+  const manifest::ColumnEntry& time = present(entry.columns.time);
   if (time.any_rate) return;
   const double rate_Hz = median_rate_Hz(r.t_s);
   if (!(rate_Hz >= slowest_possible_Hz && rate_Hz <= fastest_possible_Hz)) {
     refuse_rate(time, table, rate_Hz);
   }
-  const bool has_loops = r.role == Role::oscillation || r.role == Role::break_away;
+  const bool has_loops = r.role == joint::Role::oscillation || r.role == joint::Role::break_away;
   if (rate_Hz < slowest_likely_Hz) {
     notes.add(fmt::format("{:.3g} samples a second, read in {}: another unit of time?", rate_Hz,
                           printable(time.unit)));
@@ -108,37 +109,38 @@ void judge_rate(const RecordingEntry& entry, const LogTable& table, const Record
 
 }  // namespace
 
-double largest_possible(Quantity quantity) {
+double largest_possible(log::Quantity quantity) {
   switch (quantity) {
-    case Quantity::time:
+    case log::Quantity::time:
       break;
-    case Quantity::angle:
-    case Quantity::angular_speed:
+    case log::Quantity::angle:
+    case log::Quantity::angular_speed:
       return 1e6;  // rad, rad/s: a motor's hundred thousand turns
-    case Quantity::torque:
+    case log::Quantity::torque:
       return 1e7;  // N·m
-    case Quantity::current:
+    case log::Quantity::current:
       return 1e5;  // A
-    case Quantity::temperature:
+    case log::Quantity::temperature:
       return 1e4;  // °C
   }
   return std::numeric_limits<double>::infinity();
 }
 
-void refuse_impossible_value(const ColumnEntry& column, double value, const LogTable& table,
-                             std::size_t row) {
+void refuse_impossible_value(const manifest::ColumnEntry& column, double value,
+                             const log::LogTable& table, std::size_t row) {
   throw InputError(
       {table.file, table.line_of(row), 0},
       {fmt::format("column {}: no joint has {} of this size", in_quotes(column.name),
-                   to_string(column.quantity)),
+                   log::to_string(column.quantity)),
        fmt::format("{:.6g} {}", value, printable(column.unit)),
        fmt::format("at most {:.6g} {}", largest_possible(column.quantity) / column.si_factor,
                    printable(column.unit)),
        "another unit? where only this row is damaged, write nan"});
 }
 
-void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive& drive,
-                 const Recording& recording, RecordingNotes& notes) {
+void judge_units(const manifest::RecordingEntry& entry, const log::LogTable& table,
+                 const joint::Drive& drive, const joint::Recording& recording,
+                 RecordingNotes& notes) {
   const double angle_rad = largest(recording.q_rad);
   if (angle_rad > likely_largest_angle_rad) {
     notes.add(fmt::format("the joint's angle reaches {:.4g} rad, read as {}: degrees?", angle_rad,
@@ -155,4 +157,4 @@ void judge_units(const RecordingEntry& entry, const LogTable& table, const Drive
   judge_rate(entry, table, recording, notes);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

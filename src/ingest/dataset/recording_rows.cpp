@@ -18,27 +18,27 @@
 #include "joint/gravity_load.h"
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 // Known further loads, subtracted from the torque of a log that is being read.
 
 namespace {
 
-const LogColumn& column_named(const LogTable& table, const std::string& name) {
-  return *std::find_if(table.columns.begin(), table.columns.end(), [&](const LogColumn& c) {
+const log::LogColumn& column_named(const log::LogTable& table, const std::string& name) {
+  return *std::find_if(table.columns.begin(), table.columns.end(), [&](const log::LogColumn& c) {
     return c.header.name == name || c.header.full == name;
   });
 }
 
 /// Adds the columns that the loads of this role follow, each once, to those wanted.
-void add_load_columns(const std::vector<KnownLoad>& loads, Role role,
-                      std::vector<WantedColumn>& wanted) {
-  for (const KnownLoad& load : loads) {
+void add_load_columns(const std::vector<joint::KnownLoad>& loads, joint::Role role,
+                      std::vector<log::WantedColumn>& wanted) {
+  for (const joint::KnownLoad& load : loads) {
     if (!load.loads(role)) continue;
     for (const std::string& name : load.angles) {
       const bool is_wanted =
           std::any_of(wanted.begin(), wanted.end(),
-                      [&](const WantedColumn& column) { return column.name == name; });
+                      [&](const log::WantedColumn& column) { return column.name == name; });
       if (is_wanted) continue;
       wanted.push_back({name, fmt::format("the [[known_load]] of {} follows it; 'roles' there "
                                           "limits it to recordings that have the column",
@@ -48,13 +48,13 @@ void add_load_columns(const std::vector<KnownLoad>& loads, Role role,
 }
 
 /// @throw InputError for a unit in the log's header that contradicts the manifest.
-void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role,
-                                  const LogTable& table) {
-  for (const KnownLoad& load : loads) {
+void refuse_unusable_load_columns(const std::vector<joint::KnownLoad>& loads, joint::Role role,
+                                  const log::LogTable& table) {
+  for (const joint::KnownLoad& load : loads) {
     if (!load.loads(role)) continue;
     for (const std::string& name : load.angles) {
-      const ColumnHeader& header = column_named(table, name).header;
-      const auto factor = find_si_factor(Quantity::angle, header.unit);
+      const log::ColumnHeader& header = column_named(table, name).header;
+      const auto factor = log::find_si_factor(log::Quantity::angle, header.unit);
       if (!factor || *factor == load.radian_per_unit) continue;
       throw InputError(
           {table.file, 1, 0},
@@ -66,9 +66,10 @@ void refuse_unusable_load_columns(const std::vector<KnownLoad>& loads, Role role
 
 /// Takes each load of the recording's role out of its torque, and counts it in the load.
 /// @param rows of the table, one for each sample of the recording.
-void subtract_known_loads(const LogTable& table, const std::vector<std::size_t>& rows,
-                          double gear_ratio, std::vector<KnownLoad>& loads, Recording& recording) {
-  for (KnownLoad& load : loads) {
+void subtract_known_loads(const log::LogTable& table, const std::vector<std::size_t>& rows,
+                          double gear_ratio, std::vector<joint::KnownLoad>& loads,
+                          joint::Recording& recording) {
+  for (joint::KnownLoad& load : loads) {
     if (!load.loads(recording.role)) continue;
     std::vector<const std::vector<double>*> angles;
     for (const std::string& name : load.angles) {
@@ -88,28 +89,29 @@ void subtract_known_loads(const LogTable& table, const std::vector<std::size_t>&
 constexpr double many_gaps = 0.2;  ///< Share of a column from which on the user is told.
 constexpr const char* without_effort = "without torque or current nothing can be identified";
 
-std::vector<double>& signal_of(Recording& r, LoggedSignal signal) {
+std::vector<double>& signal_of(joint::Recording& r, joint::LoggedSignal signal) {
   switch (signal) {
-    case LoggedSignal::time:
+    case joint::LoggedSignal::time:
       break;
-    case LoggedSignal::angle:
+    case joint::LoggedSignal::angle:
       return r.q_rad;
-    case LoggedSignal::speed:
+    case joint::LoggedSignal::speed:
       return r.dq_rad_s;
-    case LoggedSignal::effort:
+    case joint::LoggedSignal::effort:
       return r.torque_Nm;
-    case LoggedSignal::bristle:
+    case joint::LoggedSignal::bristle:
       return r.z_rad;
-    case LoggedSignal::bristle_rate:
+    case joint::LoggedSignal::bristle_rate:
       return r.dz_rad_s;
-    case LoggedSignal::temperature:
+    case joint::LoggedSignal::temperature:
       return r.temperature_C;
   }
   return r.t_s;
 }
 
-void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& header) {
-  const auto factor = find_si_factor(entry.quantity, header.unit);
+void refuse_contradicting_unit(const manifest::ColumnEntry& entry,
+                               const log::ColumnHeader& header) {
+  const auto factor = log::find_si_factor(entry.quantity, header.unit);
   if (!factor || *factor == entry.si_factor) return;
   throw InputError(entry.where, {"unit contradicts the header of the log", in_quotes(entry.unit),
                                  in_quotes(header.unit) + " as in " + in_quotes(header.full), ""});
@@ -117,11 +119,11 @@ void refuse_contradicting_unit(const ColumnEntry& entry, const ColumnHeader& hea
 
 }  // namespace
 
-std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
-                                         const std::vector<KnownLoad>& loads) {
-  std::vector<WantedColumn> wanted;
+std::vector<log::WantedColumn> columns_wanted(const manifest::RecordingEntry& entry,
+                                              const std::vector<joint::KnownLoad>& loads) {
+  std::vector<log::WantedColumn> wanted;
   for (const LoggedColumn& column : logged_columns(entry.columns)) {
-    const bool is_effort = column.signal == LoggedSignal::effort;
+    const bool is_effort = column.signal == joint::LoggedSignal::effort;
     wanted.push_back({column.entry->name, is_effort ? without_effort : "", column.entry->reading});
   }
   if (entry.time_to_compare) wanted.push_back(*entry.time_to_compare);
@@ -129,12 +131,13 @@ std::vector<WantedColumn> columns_wanted(const RecordingEntry& entry,
   return wanted;
 }
 
-void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<KnownLoad>& loads,
-                             const std::string& path, const LogTable& table) {
+void refuse_unusable_columns(const manifest::RecordingEntry& entry,
+                             const std::vector<joint::KnownLoad>& loads, const std::string& path,
+                             const log::LogTable& table) {
   refuse_unusable_load_columns(loads, entry.role, table);
   const std::vector<LoggedColumn> stated = logged_columns(entry.columns);
   for (std::size_t k = 0; k < stated.size(); ++k) {
-    const LogColumn& column = table.columns[k];
+    const log::LogColumn& column = table.columns[k];
     refuse_contradicting_unit(*stated[k].entry, column.header);
     if (column.gaps < table.rows) continue;
     throw InputError({path, 0, 0}, {"column " + in_quotes(column.header.full) +
@@ -143,9 +146,9 @@ void refuse_unusable_columns(const RecordingEntry& entry, const std::vector<Know
   }
 }
 
-void note_reading(const LogTable& table, RecordingNotes& notes) {
+void note_reading(const log::LogTable& table, RecordingNotes& notes) {
   for (const std::string& note : table.notes) notes.add(note);
-  for (const LogColumn& column : table.columns) {
+  for (const log::LogColumn& column : table.columns) {
     if (column.stands_in) continue;  // noted of its own file
     const double share = static_cast<double>(column.gaps) / static_cast<double>(table.rows);
     if (share <= many_gaps) continue;
@@ -154,9 +157,10 @@ void note_reading(const LogTable& table, RecordingNotes& notes) {
   }
 }
 
-Recording make_recording(const RecordingEntry& entry, const LogTable& table, const Drive& drive,
-                         double effort_sign, std::vector<std::string>& notes_of_all,
-                         std::vector<KnownLoad>* loads) {
+joint::Recording make_recording(const manifest::RecordingEntry& entry, const log::LogTable& table,
+                                const joint::Drive& drive, double effort_sign,
+                                std::vector<std::string>& notes_of_all,
+                                std::vector<joint::KnownLoad>* loads) {
   RecordingNotes notes(entry.file, notes_of_all);
   note_reading(table, notes);
   if (table.columns.front().origin != 0) {
@@ -166,16 +170,17 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   }
   const RowChoice choice = choose_rows(entry, table, notes);
 
-  Recording r;
+  joint::Recording r;
   r.name = entry.file;
   r.role = entry.role;
   r.rows_read = table.rows + table.cut_rows + table.bad_rows;
   r.skipped = choice.skipped;
   const std::vector<LoggedColumn> columns = logged_columns(entry.columns);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const ColumnEntry& column = *columns[k].entry;
+    const manifest::ColumnEntry& column = *columns[k].entry;
     const std::vector<double>& logged = table.columns[k].values;
-    const LogTable& stands_in = table.columns[k].stands_in ? *table.columns[k].stands_in : table;
+    const log::LogTable& stands_in =
+        table.columns[k].stands_in ? *table.columns[k].stands_in : table;
     const double factor = conversion_of(columns[k], drive, effort_sign).factor();
     const double bound = largest_possible(column.quantity) / column.si_factor;
     std::vector<double>& signal = signal_of(r, columns[k].signal);
@@ -192,4 +197,4 @@ Recording make_recording(const RecordingEntry& entry, const LogTable& table, con
   return r;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -9,7 +9,7 @@
 #include "base/closest_match.h"
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 namespace {
 
 constexpr const char* outside_window = "outside the window ";
@@ -21,7 +21,8 @@ constexpr double most_repeated_stamps = 0.05;  ///< Share of the rows.
 
 class RowChooser {
  public:
-  RowChooser(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes)
+  RowChooser(const manifest::RecordingEntry& entry, const log::LogTable& table,
+             RecordingNotes& notes)
       : entry_(entry),
         table_(table),
         notes_(notes),
@@ -73,9 +74,9 @@ class RowChooser {
         ++outside;
         continue;
       }
-      const auto gap =
-          std::find_if(table_.columns.begin(), table_.columns.end(),
-                       [row](const LogColumn& column) { return std::isnan(column.values[row]); });
+      const auto gap = std::find_if(
+          table_.columns.begin(), table_.columns.end(),
+          [row](const log::LogColumn& column) { return std::isnan(column.values[row]); });
       if (gap == table_.columns.end()) {
         rows_.push_back(row);
       } else {
@@ -116,7 +117,7 @@ class RowChooser {
 
   [[noreturn]] void refuse_too_few() const {
     std::string reasons;
-    for (const SkippedRows& skipped : skipped_) {
+    for (const joint::SkippedRows& skipped : skipped_) {
       reasons += fmt::format("{}{}: {}", reasons.empty() ? "left out: " : ", ", skipped.reason,
                              skipped.count);
     }
@@ -125,14 +126,14 @@ class RowChooser {
                       fmt::format("at least {}", fewest_rows), reasons});
   }
 
-  const RecordingEntry& entry_;
-  const LogTable& table_;
+  const manifest::RecordingEntry& entry_;
+  const log::LogTable& table_;
   RecordingNotes& notes_;
   double to_seconds_;
   std::size_t steps_back_{0};
   long first_back_line_{0};
   std::vector<std::size_t> rows_;
-  std::vector<SkippedRows> skipped_;
+  std::vector<joint::SkippedRows> skipped_;
 };
 
 }  // namespace
@@ -144,16 +145,17 @@ void RecordingNotes::add(const std::string& note) {
   }
 }
 
-bool is_outside_window(const SkippedRows& skipped) {
+bool is_outside_window(const joint::SkippedRows& skipped) {
   return skipped.reason.starts_with(outside_window);
 }
 
-bool is_of_whole_file(const SkippedRows& skipped) {
+bool is_of_whole_file(const joint::SkippedRows& skipped) {
   return skipped.reason == cut_off || skipped.reason == not_usable;
 }
 
-RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes) {
+RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable& table,
+                      RecordingNotes& notes) {
   return RowChooser(entry, table, notes).choose();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -10,7 +10,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::ingest::dataset {
 
 /// Notes of one recording, each as "<file>: <note>"; what several recordings of a file have in
 /// common is noted once.
@@ -26,19 +26,20 @@ class RecordingNotes {
 };
 
 /// Rows left out as those of another time: with a file of several recordings, most of them.
-bool is_outside_window(const SkippedRows& skipped);
+bool is_outside_window(const joint::SkippedRows& skipped);
 /// Rows that every recording of the file lacks, whatever its window.
-bool is_of_whole_file(const SkippedRows& skipped);
+bool is_of_whole_file(const joint::SkippedRows& skipped);
 
 struct RowChoice {
-  std::vector<std::size_t> rows;     ///< Of the table; their times rise strictly.
-  std::vector<SkippedRows> skipped;  ///< All of the log = rows.size() + their sum.
+  std::vector<std::size_t> rows;            ///< Of the table; their times rise strictly.
+  std::vector<joint::SkippedRows> skipped;  ///< All of the log = rows.size() + their sum.
 };
 
 /// @param table its first column is the time; a gap in any column leaves the row out.
 /// @throw InputError if time runs back by more than a second, more than 5 % of the time stamps
 /// stand
 ///        twice, or fewer than 20 rows are left.
-RowChoice choose_rows(const RecordingEntry& entry, const LogTable& table, RecordingNotes& notes);
+RowChoice choose_rows(const manifest::RecordingEntry& entry, const log::LogTable& table,
+                      RecordingNotes& notes);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::dataset

@@ -11,7 +11,7 @@
 
 #include "ingest/arrays/isolated_reading.h"
 
-namespace tribolog {
+namespace tribolog::ingest::hdf5_matlab {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::string hdf5_reason() {
 
 hid_t open_hdf5_file(const std::string& path) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (file < 0) throw UnreadableFile("damaged or no HDF5 file: " + hdf5_reason());
+  if (file < 0) throw arrays::UnreadableFile("damaged or no HDF5 file: " + hdf5_reason());
   return file;
 }
 
@@ -212,4 +212,4 @@ std::string chunk_damage(hid_t dataset, const Hdf5Chunks& chunks,
   return {};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::hdf5_matlab

@@ -12,7 +12,7 @@
 // One interface for HDF5 1.10, 1.12 and 1.14.
 #define H5_USE_110_API
 
-namespace tribolog {
+namespace tribolog::ingest::hdf5_matlab {
 
 /// Owns a handle of any kind; negative where the library could not give one.
 class Hdf5Handle {
@@ -61,4 +61,4 @@ Hdf5Chunks chunks_of(hid_t dataset);
 std::string chunk_damage(hid_t dataset, const Hdf5Chunks& chunks,
                          const std::vector<std::uint64_t>& sides, std::size_t number_bytes);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::hdf5_matlab

@@ -10,8 +10,9 @@
 #include "ingest/arrays/array_tables.h"
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
+#include "ingest/hdf5_matlab/mat_variables.h"
 
-namespace tribolog {
+namespace tribolog::ingest::hdf5_matlab {
 
 namespace {
 
@@ -77,7 +78,7 @@ class FileWalk {
   explicit FileWalk(const std::string& path) : file_(open_hdf5_file(path), H5Fclose) {
     visit_group(file_.get(), "/", "", 0);
   }
-  FileArrays found;
+  arrays::FileArrays found;
   bool leads_elsewhere{};
 
   void read_arrays() {
@@ -136,7 +137,8 @@ class FileWalk {
     if (!is_new(*info)) {
       return found.leave_out(full, "it is another name of an object that was met already");
     }
-    if (seen_.size() > most_objects) throw UnreadableFile("more than 100000 objects in the file");
+    if (seen_.size() > most_objects)
+      throw arrays::UnreadableFile("more than 100000 objects in the file");
     if (info->type == H5O_TYPE_GROUP) {
       if (depth == deepest_group) return found.leave_out(full, "groups are nested too deeply");
       visit_group(group, link.name, full, depth + 1);
@@ -194,10 +196,10 @@ class FileWalk {
 
   void read_numbers(const std::string& name, hid_t dataset, hid_t type,
                     const std::vector<std::uint64_t>& sides) {
-    NamedArray array;
+    arrays::NamedArray array;
     array.name = name;
     const std::uint64_t values_before = found.values;
-    if (!shape_array(sides, array, found)) return;
+    if (!arrays::shape_array(sides, array, found)) return;
     const std::uint64_t count = found.values - values_before;
     if (const std::string unkept = unkept_claim(dataset, type, sides, count); !unkept.empty()) {
       found.values = values_before;
@@ -210,7 +212,7 @@ class FileWalk {
     }
     if (H5Tget_class(type) != H5T_FLOAT && H5Tget_size(type) == 8) {
       array.was_rounded = std::any_of(array.values.begin(), array.values.end(), [](double value) {
-        return std::abs(value) >= first_rounded_integer;
+        return std::abs(value) >= arrays::first_rounded_integer;
       });
     }
     array.unit = unit_of(dataset);
@@ -228,23 +230,23 @@ class FileWalk {
   std::vector<std::string> datasets_;
 };
 
-}  // namespace
-
 bool hdf5_leads_to_other_files(const std::string& path) {
   prepare_hdf5();
   return FileWalk(path).leads_elsewhere;
 }
 
-FileArrays hdf5_arrays(const std::string& path) {
+arrays::FileArrays hdf5_arrays(const std::string& path) {
   prepare_hdf5();
   FileWalk walk(path);
   walk.read_arrays();
   return std::move(walk.found);
 }
 
-}  // namespace tribolog
+}  // namespace
+}  // namespace tribolog::ingest::hdf5_matlab
 
-void tribolog_array_libraries(tribolog::ArrayLibraries& libraries) {
-  libraries = {tribolog::hdf5_arrays, tribolog::hdf5_leads_to_other_files,
-               tribolog::read_mat_variables};
+void tribolog_array_libraries(tribolog::ingest::arrays::ArrayLibraries& libraries) {
+  libraries = {tribolog::ingest::hdf5_matlab::hdf5_arrays,
+               tribolog::ingest::hdf5_matlab::hdf5_leads_to_other_files,
+               tribolog::ingest::hdf5_matlab::read_mat_variables};
 }

@@ -1,3 +1,5 @@
+#include "ingest/hdf5_matlab/mat_variables.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,11 +9,10 @@
 #include <fmt/format.h>
 #include <matio.h>
 
-#include "ingest/arrays/array_libraries.h"
 #include "ingest/arrays/isolated_reading.h"
 #include "ingest/hdf5_matlab/hdf5_chunks.h"
 
-namespace tribolog {
+namespace tribolog::ingest::hdf5_matlab {
 namespace {
 
 constexpr int deepest_struct = 16;
@@ -50,24 +51,25 @@ std::uint64_t values_claimed(const matvar_t& variable, int depth = 0) {
   const auto* members = static_cast<matvar_t* const*>(variable.data);
   const std::size_t known = variable.nbytes / sizeof(matvar_t*);
   std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < known && sum <= most_values; ++i) {
+  for (std::size_t i = 0; i < known && sum <= arrays::most_values; ++i) {
     if (members[i] != nullptr) sum += values_claimed(*members[i], depth + 1);
   }
   return sum;
 }
 
 template <class Number>
-void convert(const matvar_t& variable, NamedArray& array) {
+void convert(const matvar_t& variable, arrays::NamedArray& array) {
   const auto* values = static_cast<const Number*>(variable.data);
   for (std::size_t i = 0; i < array.values.size(); ++i) {
     array.values[i] = static_cast<double>(values[i]);
     if constexpr (std::is_integral_v<Number> && sizeof(Number) == 8) {
-      array.was_rounded = array.was_rounded || std::abs(array.values[i]) >= first_rounded_integer;
+      array.was_rounded =
+          array.was_rounded || std::abs(array.values[i]) >= arrays::first_rounded_integer;
     }
   }
 }
 
-bool convert_all(const matvar_t& variable, NamedArray& array) {
+bool convert_all(const matvar_t& variable, arrays::NamedArray& array) {
   switch (variable.data_type) {
     case MAT_T_DOUBLE:
       convert<double>(variable, array);
@@ -126,7 +128,7 @@ std::string why_left_out(const matvar_t& variable) {
 }
 
 /// The values of a numeric variable or of characters. @return "" or why there are none.
-std::string read_values(const matvar_t& variable, NamedArray& array) {
+std::string read_values(const matvar_t& variable, arrays::NamedArray& array) {
   const std::uint64_t count = count_of(variable);
   const std::size_t value_bytes = Mat_SizeOf(variable.data_type);
   if (variable.data == nullptr || value_bytes == 0 || variable.nbytes / value_bytes < count) {
@@ -137,10 +139,10 @@ std::string read_values(const matvar_t& variable, NamedArray& array) {
 }
 
 /// A row of characters with what is not ASCII as '?'.
-void add_text(const std::string& name, const matvar_t& variable, FileArrays& found) {
+void add_text(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
   const bool is_row = variable.rank == 2 && variable.dims[0] == 1;
   if (!is_row || count_of(variable) > longest_text) return found.leave_out(name, "it holds texts");
-  NamedArray codes;
+  arrays::NamedArray codes;
   const std::string reason = read_values(variable, codes);
   if (!reason.empty()) return found.leave_out(name, reason);
   std::string text;
@@ -150,17 +152,18 @@ void add_text(const std::string& name, const matvar_t& variable, FileArrays& fou
   found.texts.emplace_back(name, text);
 }
 
-void add_numbers(const std::string& name, const matvar_t& variable, FileArrays& found) {
-  NamedArray array;
+void add_numbers(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
+  arrays::NamedArray array;
   array.name = name;
   array.by_columns = true;
-  if (!shape_array(sides_of(variable), array, found)) return;
+  if (!arrays::shape_array(sides_of(variable), array, found)) return;
   const std::string reason = read_values(variable, array);
   if (!reason.empty()) return found.leave_out(name, reason);
   found.arrays.push_back(std::move(array));
 }
 
-void add_variable(const std::string& name, matvar_t& variable, int depth, FileArrays& found) {
+void add_variable(const std::string& name, matvar_t& variable, int depth,
+                  arrays::FileArrays& found) {
   const std::string reason = why_left_out(variable);
   if (!reason.empty()) return found.leave_out(name, reason);
   if (variable.class_type == MAT_C_CHAR) return add_text(name, variable, found);
@@ -190,9 +193,9 @@ void add_variable(const std::string& name, matvar_t& variable, int depth, FileAr
   }
 }
 
-void read_variable(mat_t* file, matvar_t& variable, FileArrays& found) {
+void read_variable(mat_t* file, matvar_t& variable, arrays::FileArrays& found) {
   const std::string name = variable.name == nullptr ? "(no name)" : variable.name;
-  const std::uint64_t left = most_values - std::min(found.values, most_values);
+  const std::uint64_t left = arrays::most_values - std::min(found.values, arrays::most_values);
   if (values_claimed(variable) > left) {
     return found.leave_out(name, "it would give more than 2^31 numbers in one file");
   }
@@ -206,10 +209,11 @@ void read_variable(mat_t* file, matvar_t& variable, FileArrays& found) {
 
 }  // namespace
 
-std::size_t read_mat_variables(const std::string& path, std::size_t count, FileArrays& found) {
+std::size_t read_mat_variables(const std::string& path, std::size_t count,
+                               arrays::FileArrays& found) {
   prepare_hdf5();  // which matio reads version 7.3 with
   const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (!file) throw UnreadableFile("damaged or no MAT file");
+  if (!file) throw arrays::UnreadableFile("damaged or no MAT file");
   std::size_t number = 0;
   for (; number < count; ++number) {
     const Variable variable(Mat_VarReadNextInfo(file.get()));
@@ -219,4 +223,4 @@ std::size_t read_mat_variables(const std::string& path, std::size_t count, FileA
   return number;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::hdf5_matlab

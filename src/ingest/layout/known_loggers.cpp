@@ -5,11 +5,11 @@
 
 #include "ingest/layout/name_words.h"
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 
 namespace {
 
-using enum Quantity;
+using enum log::Quantity;
 
 constexpr std::string_view needs_constant =
     "a motor current: it takes the torque constant of the motor";
@@ -24,44 +24,46 @@ constexpr std::array ur_rtde = {
     KnownColumn{"timestamp", time, "s"},
     KnownColumn{"actual_q_{}", angle, "rad"},
     KnownColumn{"actual_qd_{}", angular_speed, "rad/s"},
-    KnownColumn{"actual_current_{}", current, "A", false, EffortKind::motor_current, Side::motor,
-                needs_constant},
-    KnownColumn{"actual_current_as_torque_{}", torque, "Nm", false, EffortKind::joint_torque,
-                Side::joint, "a current times the controller's own constant"},
-    KnownColumn{"actual_moment_{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint},
+    KnownColumn{"actual_current_{}", current, "A", false, joint::EffortKind::motor_current,
+                joint::Side::motor, needs_constant},
+    KnownColumn{"actual_current_as_torque_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, "a current times the controller's own constant"},
+    KnownColumn{"actual_moment_{}", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint},
     KnownColumn{"target_q_{}", angle, "rad", true},
     KnownColumn{"target_qd_{}", angular_speed, "rad/s", true},
-    KnownColumn{"target_current_{}", current, "A", true, EffortKind::motor_current, Side::motor,
-                a_model},
-    KnownColumn{"target_moment_{}", torque, "Nm", true, EffortKind::target_torque, Side::joint,
-                a_model},
+    KnownColumn{"target_current_{}", current, "A", true, joint::EffortKind::motor_current,
+                joint::Side::motor, a_model},
+    KnownColumn{"target_moment_{}", torque, "Nm", true, joint::EffortKind::target_torque,
+                joint::Side::joint, a_model},
     KnownColumn{"joint_temperatures_{}", temperature, "degC"}};
 
 constexpr std::array libfranka = {
     KnownColumn{"time", time, "ms"},
     KnownColumn{"state.q[{}]", angle, "rad"},
     KnownColumn{"state.dq[{}]", angular_speed, "rad/s"},
-    KnownColumn{"state.tau_J[{}]", torque, "Nm", false, EffortKind::joint_torque, Side::joint,
-                behind_the_gear, true},
+    KnownColumn{"state.tau_J[{}]", torque, "Nm", false, joint::EffortKind::joint_torque,
+                joint::Side::joint, behind_the_gear, true},
     KnownColumn{"state.q_d[{}]", angle, "rad", true},
     KnownColumn{"state.dq_d[{}]", angular_speed, "rad/s", true},
     KnownColumn{"cmd.q_d[{}]", angle, "rad", true},
-    KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, EffortKind::target_torque, Side::joint,
-                "a command, no measurement"}};
+    KnownColumn{"cmd.tau_J_d[{}]", torque, "Nm", true, joint::EffortKind::target_torque,
+                joint::Side::joint, "a command, no measurement"}};
 
 constexpr std::array kuka_fri = {
     KnownColumn{"time", time, "s"}, KnownColumn{"mp{}", angle, "rad"},
     KnownColumn{"ip{}", angle, "rad", true},
-    KnownColumn{"mt{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint, behind_the_gear,
-                true},
-    KnownColumn{"et{}", torque, "Nm", true, EffortKind::target_torque, Side::joint,
+    KnownColumn{"mt{}", torque, "Nm", false, joint::EffortKind::joint_torque, joint::Side::joint,
+                behind_the_gear, true},
+    KnownColumn{"et{}", torque, "Nm", true, joint::EffortKind::target_torque, joint::Side::joint,
                 "the controller's estimate of the outer torque, no measurement of the drive"}};
 
-constexpr std::array flobaroid = {
-    KnownColumn{"times", time, "s"}, KnownColumn{"positions_{}", angle, "rad"},
-    KnownColumn{"velocities_{}", angular_speed, "rad/s"},
-    KnownColumn{"torques_{}", torque, "Nm", false, EffortKind::joint_torque, Side::joint},
-    KnownColumn{"target_positions_{}", angle, "rad", true}};
+constexpr std::array flobaroid = {KnownColumn{"times", time, "s"},
+                                  KnownColumn{"positions_{}", angle, "rad"},
+                                  KnownColumn{"velocities_{}", angular_speed, "rad/s"},
+                                  KnownColumn{"torques_{}", torque, "Nm", false,
+                                              joint::EffortKind::joint_torque, joint::Side::joint},
+                                  KnownColumn{"target_positions_{}", angle, "rad", true}};
 
 constexpr std::array joint_states = {KnownColumn{"time", time, "s"},
                                      KnownColumn{"{}.position", angle, "rad"},
@@ -100,24 +102,26 @@ namespace {
 
 bool has_angle(const KnownLogger& logger, const std::string& column, const std::string& joint) {
   return std::any_of(logger.columns.begin(), logger.columns.end(), [&](const KnownColumn& known) {
-    return known.quantity == Quantity::angle && joint_in_name(column, known.pattern) == joint;
+    return known.quantity == log::Quantity::angle && joint_in_name(column, known.pattern) == joint;
   });
 }
 
 }  // namespace
 
-std::optional<LoggedEffort> known_effort(const std::string& angle_column,
-                                         const std::string& effort_column) {
+std::optional<joint::LoggedEffort> known_effort(const std::string& angle_column,
+                                                const std::string& effort_column) {
   for (const KnownLogger& logger : known_loggers()) {
     for (const KnownColumn& known : logger.columns) {
-      if (known.quantity != Quantity::torque && known.quantity != Quantity::current) continue;
+      if (known.quantity != log::Quantity::torque && known.quantity != log::Quantity::current)
+        continue;
       const auto joint = joint_in_name(effort_column, known.pattern);
       if (!joint || !has_angle(logger, angle_column, *joint)) continue;
-      return LoggedEffort{std::string(logger.name), effort_column,       known.kind, known.side,
-                          known.is_target,          known.is_behind_gear};
+      return joint::LoggedEffort{
+          std::string(logger.name), effort_column,       known.kind, known.side,
+          known.is_target,          known.is_behind_gear};
     }
   }
   return std::nullopt;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

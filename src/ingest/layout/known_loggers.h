@@ -10,15 +10,15 @@
 #include "joint/dataset.h"
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 
 struct KnownColumn {
   std::string_view pattern;  ///< See joint_in_name().
-  Quantity quantity{};
+  log::Quantity quantity{};
   std::string_view unit;
   bool is_target{};
-  std::optional<EffortKind> kind{};
-  std::optional<Side> side{};
+  std::optional<joint::EffortKind> kind{};
+  std::optional<joint::Side> side{};
   std::string_view remark{};
   bool is_behind_gear{};  ///< Of a sensor that most of the gear's friction does not pass.
 };
@@ -37,7 +37,7 @@ std::span<const KnownLogger> known_loggers();
 /// @param angle_column name of the joint's angle: it tells loggers apart that share a name, and has
 ///        to be of the same joint.
 /// @return nothing where no logger that is known has both columns.
-std::optional<LoggedEffort> known_effort(const std::string& angle_column,
-                                         const std::string& effort_column);
+std::optional<joint::LoggedEffort> known_effort(const std::string& angle_column,
+                                                const std::string& effort_column);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

@@ -7,39 +7,39 @@
 #include "ingest/layout/known_loggers.h"
 #include "ingest/layout/name_words.h"
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 namespace {
 
 /// A word that names a quantity, as the start of a column's name.
 struct Word {
   std::string_view word;
-  Quantity quantity;
+  log::Quantity quantity;
 };
 
-constexpr std::array words = {Word{"time", Quantity::time},
-                              Word{"timestamp", Quantity::time},
-                              Word{"stamp", Quantity::time},
-                              Word{"t", Quantity::time},
-                              Word{"q", Quantity::angle},
-                              Word{"angle", Quantity::angle},
-                              Word{"pos", Quantity::angle},
-                              Word{"position", Quantity::angle},
-                              Word{"theta", Quantity::angle},
-                              Word{"dq", Quantity::angular_speed},
-                              Word{"qd", Quantity::angular_speed},
-                              Word{"vel", Quantity::angular_speed},
-                              Word{"velocity", Quantity::angular_speed},
-                              Word{"speed", Quantity::angular_speed},
-                              Word{"omega", Quantity::angular_speed},
-                              Word{"tau", Quantity::torque},
-                              Word{"torque", Quantity::torque},
-                              Word{"effort", Quantity::torque},
-                              Word{"moment", Quantity::torque},
-                              Word{"i", Quantity::current},
-                              Word{"current", Quantity::current},
-                              Word{"curr", Quantity::current},
-                              Word{"temp", Quantity::temperature},
-                              Word{"temperature", Quantity::temperature}};
+constexpr std::array words = {Word{"time", log::Quantity::time},
+                              Word{"timestamp", log::Quantity::time},
+                              Word{"stamp", log::Quantity::time},
+                              Word{"t", log::Quantity::time},
+                              Word{"q", log::Quantity::angle},
+                              Word{"angle", log::Quantity::angle},
+                              Word{"pos", log::Quantity::angle},
+                              Word{"position", log::Quantity::angle},
+                              Word{"theta", log::Quantity::angle},
+                              Word{"dq", log::Quantity::angular_speed},
+                              Word{"qd", log::Quantity::angular_speed},
+                              Word{"vel", log::Quantity::angular_speed},
+                              Word{"velocity", log::Quantity::angular_speed},
+                              Word{"speed", log::Quantity::angular_speed},
+                              Word{"omega", log::Quantity::angular_speed},
+                              Word{"tau", log::Quantity::torque},
+                              Word{"torque", log::Quantity::torque},
+                              Word{"effort", log::Quantity::torque},
+                              Word{"moment", log::Quantity::torque},
+                              Word{"i", log::Quantity::current},
+                              Word{"current", log::Quantity::current},
+                              Word{"curr", log::Quantity::current},
+                              Word{"temp", log::Quantity::temperature},
+                              Word{"temperature", log::Quantity::temperature}};
 
 /// How units are written at the end of a name: "q_deg", "dq_rad_s", "t_ms".
 struct Ending {
@@ -54,19 +54,19 @@ constexpr std::array endings = {
     Ending{"ms", "ms"},       Ending{"s", "s"},         Ending{"degC", "degC"},
     Ending{"C", "degC"}};
 
-std::string_view si_unit(Quantity quantity) {
+std::string_view si_unit(log::Quantity quantity) {
   switch (quantity) {
-    case Quantity::time:
+    case log::Quantity::time:
       return "s";
-    case Quantity::angle:
+    case log::Quantity::angle:
       return "rad";
-    case Quantity::angular_speed:
+    case log::Quantity::angular_speed:
       return "rad/s";
-    case Quantity::torque:
+    case log::Quantity::torque:
       return "Nm";
-    case Quantity::current:
+    case log::Quantity::current:
       return "A";
-    case Quantity::temperature:
+    case log::Quantity::temperature:
       return "degC";
   }
   return "";
@@ -78,10 +78,10 @@ std::string lower(std::string text) {
 }
 
 /// "_rad_s" taken off the end of "q_dot_rad_s": the unit, or nothing.
-std::optional<std::string_view> take_unit(std::string& name, Quantity quantity) {
+std::optional<std::string_view> take_unit(std::string& name, log::Quantity quantity) {
   for (const Ending& e : endings) {
     const std::size_t length = e.ending.size() + 1;
-    if (name.size() <= length || !find_si_factor(quantity, e.unit)) continue;
+    if (name.size() <= length || !log::find_si_factor(quantity, e.unit)) continue;
     if (name[name.size() - length] != '_' || !name.ends_with(e.ending)) continue;
     name.resize(name.size() - length);
     return e.unit;
@@ -106,13 +106,13 @@ std::optional<std::string> number_behind(std::string_view rest) {
 }
 
 /// "[0]" is no unit, and belongs to the name.
-const std::string& name_of(const ColumnHeader& header) {
-  return is_known_unit(header.unit) ? header.name : header.full;
+const std::string& name_of(const log::ColumnHeader& header) {
+  return log::is_known_unit(header.unit) ? header.name : header.full;
 }
 
 /// "qc", "inc", "%": a unit stands there, and none that is known.
-bool has_foreign_unit(const ColumnHeader& header) {
-  return !header.unit.empty() && !is_known_unit(header.unit) && !is_number(header.unit);
+bool has_foreign_unit(const log::ColumnHeader& header) {
+  return !header.unit.empty() && !log::is_known_unit(header.unit) && !is_number(header.unit);
 }
 
 /// Of "/robot/joint_states/elbow/position" what is said last: whose signal it is, and which.
@@ -136,30 +136,31 @@ std::string_view unit_at_end(std::string& name) {
 }
 
 /// A word, a joint's number and a unit; or else words in any order.
-std::optional<ColumnMeaning> by_words(const ColumnHeader& header) {
+std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
   for (const Word& w : words) {
     std::string name = end_of_path(name_of(header));
     const auto ending = take_unit(name, w.quantity);
     name = lower(name);
     if (!name.starts_with(w.word)) continue;
     const auto joint = number_behind(std::string_view(name).substr(w.word.size()));
-    if (!joint || (w.quantity == Quantity::time && !joint->empty())) continue;
+    if (!joint || (w.quantity == log::Quantity::time && !joint->empty())) continue;
     ColumnMeaning meaning;
     meaning.quantity = w.quantity;
     meaning.joint = *joint;
     meaning.unit = ending.value_or(si_unit(w.quantity));
     meaning.unit_is_stated = ending.has_value();
-    if (find_si_factor(w.quantity, header.unit) || !is_known_unit(header.unit)) return meaning;
+    if (log::find_si_factor(w.quantity, header.unit) || !log::is_known_unit(header.unit))
+      return meaning;
   }
   std::string name = end_of_path(name_of(header));
-  const bool has_unit = is_known_unit(header.unit);
+  const bool has_unit = log::is_known_unit(header.unit);
   const std::string unit(has_unit ? std::string_view(header.unit) : unit_at_end(name));
   auto meaning = meaning_by_words(name, unit);
   if (meaning && unit.empty()) meaning->unit = si_unit(meaning->quantity);
   return meaning;
 }
 
-std::optional<ColumnMeaning> by_logger(const ColumnHeader& header, const KnownLogger& logger) {
+std::optional<ColumnMeaning> by_logger(const log::ColumnHeader& header, const KnownLogger& logger) {
   for (const KnownColumn& known : logger.columns) {
     const auto joint = joint_in_name(name_of(header), known.pattern);
     if (!joint) continue;
@@ -175,9 +176,9 @@ std::optional<ColumnMeaning> by_logger(const ColumnHeader& header, const KnownLo
   return std::nullopt;
 }
 
-const KnownLogger* logger_of(const std::vector<ColumnHeader>& header) {
+const KnownLogger* logger_of(const std::vector<log::ColumnHeader>& header) {
   for (const KnownLogger& logger : known_loggers()) {
-    const bool tells = std::any_of(header.begin(), header.end(), [&](const ColumnHeader& h) {
+    const bool tells = std::any_of(header.begin(), header.end(), [&](const log::ColumnHeader& h) {
       return joint_in_name(name_of(h), logger.told_by).has_value();
     });
     if (tells) return &logger;
@@ -187,7 +188,7 @@ const KnownLogger* logger_of(const std::vector<ColumnHeader>& header) {
 
 }  // namespace
 
-const ColumnMeaning* LogLayout::find(Quantity quantity, const std::string& joint) const {
+const ColumnMeaning* LogLayout::find(log::Quantity quantity, const std::string& joint) const {
   const auto it = std::find_if(columns.begin(), columns.end(), [&](const ColumnMeaning& c) {
     return c.quantity == quantity && c.joint == joint && !c.is_target;
   });
@@ -197,13 +198,13 @@ const ColumnMeaning* LogLayout::find(Quantity quantity, const std::string& joint
 std::vector<std::string> LogLayout::joints() const {
   std::vector<std::string> names;
   for (const ColumnMeaning& c : columns) {
-    if (c.quantity != Quantity::angle || c.is_target) continue;
+    if (c.quantity != log::Quantity::angle || c.is_target) continue;
     if (std::find(names.begin(), names.end(), c.joint) == names.end()) names.push_back(c.joint);
   }
   return names;
 }
 
-LogLayout guess_layout(const std::vector<ColumnHeader>& header) {
+LogLayout guess_layout(const std::vector<log::ColumnHeader>& header) {
   LogLayout layout;
   const KnownLogger* const logger = logger_of(header);
   if (logger != nullptr) layout.logger = logger->name;
@@ -217,7 +218,7 @@ LogLayout guess_layout(const std::vector<ColumnHeader>& header) {
     }
     if (!meaning) continue;
     meaning->column = k;
-    if (find_si_factor(meaning->quantity, header[k].unit)) {
+    if (log::find_si_factor(meaning->quantity, header[k].unit)) {
       meaning->unit = header[k].unit;
       meaning->unit_is_stated = true;
     }
@@ -226,4 +227,4 @@ LogLayout guess_layout(const std::vector<ColumnHeader>& header) {
   return layout;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

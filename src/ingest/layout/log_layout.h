@@ -15,19 +15,19 @@
 #include "ingest/log/units.h"
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 
 /// What a torque or a current is, as far as the logger is known.
 struct EffortMeaning {
-  std::optional<EffortKind> kind;  ///< Absent: the logger writes one or the other.
-  std::optional<Side> side;
+  std::optional<joint::EffortKind> kind;  ///< Absent: the logger writes one or the other.
+  std::optional<joint::Side> side;
   std::string remark;  ///< What the user has to know; empty if nothing.
 };
 
 /// One column's meaning.
 struct ColumnMeaning {
   std::size_t column{};  ///< Index in the header.
-  Quantity quantity{};
+  log::Quantity quantity{};
   std::string joint;      ///< "0", "elbow"; empty: the name tells none.
   std::string unit;       ///< Of the header, or else of the logger, or else the SI one.
   bool unit_is_stated{};  ///< By the header or by the logger.
@@ -40,7 +40,7 @@ struct ColumnMeaning {
 /// cent of a rated value.
 struct ForeignUnit {
   std::size_t column{};
-  Quantity quantity{};
+  log::Quantity quantity{};
 };
 
 struct LogLayout {
@@ -49,12 +49,12 @@ struct LogLayout {
   std::vector<ForeignUnit> foreign;    ///< None of these is among them.
 
   /// The first measured one of this quantity and joint; null: none.
-  [[nodiscard]] const ColumnMeaning* find(Quantity quantity, const std::string& joint) const;
+  [[nodiscard]] const ColumnMeaning* find(log::Quantity quantity, const std::string& joint) const;
   /// Joints that have an angle, in their order; {""} for names without one.
   [[nodiscard]] std::vector<std::string> joints() const;
 };
 
 /// @param header of all columns.
-LogLayout guess_layout(const std::vector<ColumnHeader>& header);
+LogLayout guess_layout(const std::vector<log::ColumnHeader>& header);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 
 namespace {
 
@@ -36,10 +36,10 @@ namespace {
 
 struct Word {
   std::string_view word;
-  Quantity quantity;
+  log::Quantity quantity;
 };
 
-using enum Quantity;
+using enum log::Quantity;
 
 constexpr std::array quantity_words = {Word{"time", time},
                                        Word{"timestamp", time},
@@ -107,14 +107,14 @@ bool is_small(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned ch
 
 constexpr std::array quantities = {time, angle, angular_speed, torque, current, temperature};
 
-std::optional<Quantity> quantity_of_unit(std::string_view unit) {
-  for (const Quantity quantity : quantities) {
-    if (find_si_factor(quantity, unit)) return quantity;
+std::optional<log::Quantity> quantity_of_unit(std::string_view unit) {
+  for (const log::Quantity quantity : quantities) {
+    if (log::find_si_factor(quantity, unit)) return quantity;
   }
   return std::nullopt;
 }
 
-std::optional<Quantity> quantity_of_word(const std::string& word) {
+std::optional<log::Quantity> quantity_of_word(const std::string& word) {
   const auto it = std::find_if(quantity_words.begin(), quantity_words.end(),
                                [&](const Word& w) { return w.word == word; });
   if (it == quantity_words.end()) return std::nullopt;
@@ -143,7 +143,7 @@ std::vector<std::string> words_of_name(std::string_view name) {
 }
 
 std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string_view unit) {
-  const std::optional<Quantity> of_unit = quantity_of_unit(unit);
+  const std::optional<log::Quantity> of_unit = quantity_of_unit(unit);
   ColumnMeaning meaning;
   bool is_told = false;
   std::string number;
@@ -173,4 +173,4 @@ std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string
   return meaning;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

@@ -8,7 +8,7 @@
 
 #include "ingest/layout/log_layout.h"
 
-namespace tribolog {
+namespace tribolog::ingest::layout {
 
 /// @param pattern with one "{}" for the joint, or none. Case does not count.
 /// @return what stands for the joint (empty for a pattern without one), or nothing where the name
@@ -30,4 +30,4 @@ std::vector<std::string> words_of_name(std::string_view name);
 /// @param unit of the header, or behind the name's last underscore; empty: none.
 std::optional<ColumnMeaning> meaning_by_words(std::string_view name, std::string_view unit);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::layout

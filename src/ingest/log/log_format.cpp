@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 namespace {
 
 using namespace std::string_view_literals;
@@ -121,4 +121,4 @@ LogFormat detect_log_format(std::string_view first_bytes, const std::string& pat
   return LogFormat::text;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 
 enum class LogFormat { text, mat, hdf5, npz, npy, json, mcap, sqlite_bag };
 
@@ -20,4 +20,4 @@ inline constexpr std::size_t log_format_bytes = 4096;
 /// none of these is `text`; start_of_text() names and refuses other binary formats.
 LogFormat detect_log_format(std::string_view first_bytes, const std::string& path);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

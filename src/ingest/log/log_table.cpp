@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 
 long LogTable::line_of(std::size_t row) const {
   const auto after =
@@ -14,4 +14,4 @@ long LogTable::line_of(std::size_t row) const {
   return first_line + static_cast<long>(row - first_row);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

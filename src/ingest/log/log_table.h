@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 
 /// A column's name and unit: "tau [Nm]" and "tau (Nm)" are "tau" in "Nm".
 struct ColumnHeader {
@@ -70,4 +70,4 @@ struct WantedColumn {
   friend bool operator==(const WantedColumn&, const WantedColumn&) = default;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

@@ -12,7 +12,7 @@
 #include "base/closest_match.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 namespace {
 
 using std::numbers::pi;
@@ -32,17 +32,17 @@ constexpr std::array times = {Unit{"s", 1},
                               Unit{"sec", 1, false}};
 constexpr std::array angles = {Unit{"rad", 1},
                                Unit{"mrad", 1e-3},
-                               Unit{"deg", rad_per_degree},
+                               Unit{"deg", joint::rad_per_degree},
                                Unit{"turn", 2 * pi},
-                               Unit{"°", rad_per_degree, false},
+                               Unit{"°", joint::rad_per_degree, false},
                                Unit{"rev", 2 * pi, false}};
 constexpr std::array angular_speeds = {Unit{"rad/s", 1},
                                        Unit{"mrad/s", 1e-3},
-                                       Unit{"deg/s", rad_per_degree},
+                                       Unit{"deg/s", joint::rad_per_degree},
                                        Unit{"rpm", 2 * pi / 60},
                                        Unit{"turn/s", 2 * pi},
                                        Unit{"rev/s", 2 * pi, false},
-                                       Unit{"°/s", rad_per_degree, false},
+                                       Unit{"°/s", joint::rad_per_degree, false},
                                        Unit{"1/min", 2 * pi / 60, false}};
 constexpr std::array torques = {Unit{"Nm", 1}, Unit{"mNm", 1e-3}, Unit{"kNm", 1e3}};
 constexpr std::array currents = {Unit{"A", 1}, Unit{"mA", 1e-3}};
@@ -192,4 +192,4 @@ std::string known_units(Quantity quantity) {
   return list;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::ingest::log {
 
 enum class Quantity { time, angle, angular_speed, torque, current, temperature };
 
@@ -35,4 +35,4 @@ bool is_known_unit(std::string_view unit);
 /// The known units as they are listed in messages: "rad, mrad, deg, turn".
 std::string known_units(Quantity quantity);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::log

@@ -9,7 +9,7 @@
 #include "joint/degrees.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 constexpr double shortest_sweep_rad = 1e-6;
@@ -24,7 +24,7 @@ std::pair<std::string, double> angle_key(const TomlTable& table, const std::stri
   const bool has_rad = table.has(in_rad);
   const bool has_deg = table.has(in_deg);
   if (has_rad && has_deg) table.refuse(in_deg, {"is given as " + in_rad + " too", "", "one", ""});
-  return has_deg ? std::pair(in_deg, rad_per_degree) : std::pair(in_rad, 1.0);
+  return has_deg ? std::pair(in_deg, joint::rad_per_degree) : std::pair(in_rad, 1.0);
 }
 
 double read_in_rad(const TomlTable& table, const std::string& name, const std::string& after,
@@ -55,8 +55,8 @@ double read_angle_or(const TomlTable& table, const std::string& name, double oth
   return table.has(key) ? factor * table.number(key) : otherwise_rad;
 }
 
-SweepExperiment read_sweep(const TomlTable& table) {
-  SweepExperiment e;
+simulate::SweepExperiment read_sweep(const TomlTable& table) {
+  simulate::SweepExperiment e;
   e.from_rad = read_angle(table, "from");
   e.to_rad = read_angle(table, "to");
   e.speed_rad_s = read_angular_rate(table, "speed", "_s");
@@ -71,14 +71,14 @@ SweepExperiment read_sweep(const TomlTable& table) {
                           "another angle than from", ""});
   }
   guarded(table, to_key, [&] {
-    return TravelMotion(
+    return simulate::TravelMotion(
         {e.from_rad, e.to_rad, e.speed_rad_s, e.acceleration_rad_s2, e.both_directions});
   });
   return e;
 }
 
-SineSweepExperiment read_sine_sweep(const TomlTable& table) {
-  SineSweepExperiment e;
+simulate::SineSweepExperiment read_sine_sweep(const TomlTable& table) {
+  simulate::SineSweepExperiment e;
   e.centre_rad = read_angle(table, "centre");
   e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
   e.frequency_Hz = table.number("frequency_Hz", Sign::positive);
@@ -88,8 +88,9 @@ SineSweepExperiment read_sine_sweep(const TomlTable& table) {
   return e;
 }
 
-std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio) {
-  OscillationExperiment e;
+std::vector<simulate::OscillationExperiment> read_oscillation(const TomlTable& table,
+                                                              double gear_ratio) {
+  simulate::OscillationExperiment e;
   e.centre_rad = read_angle(table, "centre");
   e.amplitude_rad = read_angle(table, "amplitude", Sign::positive);
   e.frequency_Hz = table.number("frequency_Hz", Sign::positive);
@@ -102,11 +103,11 @@ std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, doub
                                fmt::format("a whole number from 1 to {}", most_positions), ""});
   }
   table.refuse_unknown_keys();
-  return spread_over_motor_turn(e, positions, gear_ratio);
+  return simulate::spread_over_motor_turn(e, positions, gear_ratio);
 }
 
-ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
-  ConstantSpeedExperiment e;
+simulate::ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
+  simulate::ConstantSpeedExperiment e;
   e.motor_speeds_rad_s = table.numbers("motor_speeds_rad_s", Sign::positive);
   if (e.motor_speeds_rad_s.empty()) {
     table.refuse("motor_speeds_rad_s", {"is empty", "", "one speed or more", ""});
@@ -121,8 +122,8 @@ ConstantSpeedExperiment read_constant_speed(const TomlTable& table) {
   return e;
 }
 
-BreakAwayExperiment read_break_away(const TomlTable& table) {
-  BreakAwayExperiment e;
+simulate::BreakAwayExperiment read_break_away(const TomlTable& table) {
+  simulate::BreakAwayExperiment e;
   e.centre_rad = read_angle(table, "centre");
   e.rate_Nm_s = table.number("rate_Nm_s", Sign::positive);
   e.largest_torque_Nm = table.number("largest_torque_Nm", Sign::positive);
@@ -139,8 +140,8 @@ BreakAwayExperiment read_break_away(const TomlTable& table) {
   return e;
 }
 
-Noise read_noise(const TomlTable& table) {
-  Noise noise;
+simulate::Noise read_noise(const TomlTable& table) {
+  simulate::Noise noise;
   const auto amount = [&](const char* key) { return table.number_or(key, 0, Sign::not_negative); };
   noise.torque_white_Nm = amount("torque_white_Nm");
   noise.torque_step_Nm = amount("torque_step_Nm");
@@ -154,7 +155,7 @@ Noise read_noise(const TomlTable& table) {
   }
   noise.seed = table.count_or("seed", noise.seed);
   for (const TomlTable& entry : table.tables("ripple")) {
-    Noise::Ripple ripple;
+    simulate::Noise::Ripple ripple;
     ripple.amplitude_Nm = entry.number("amplitude_Nm", Sign::not_negative);
     ripple.periods_per_turn = entry.number("periods_per_turn", Sign::positive);
     ripple.phase_rad = read_angle_or(entry, "phase", 0.0);
@@ -165,9 +166,9 @@ Noise read_noise(const TomlTable& table) {
   return noise;
 }
 
-LogForm read_log_form(const TomlTable& table) {
+simulate::LogForm read_log_form(const TomlTable& table) {
   constexpr std::uint64_t most_decimals = 17;
-  LogForm form;
+  simulate::LogForm form;
   form.torque_constant_Nm_A = table.number_or("torque_constant_Nm_A", 0, Sign::positive);
   if (table.has("decimals")) {
     form.decimals = table.count_or("decimals", 0);
@@ -180,14 +181,14 @@ LogForm read_log_form(const TomlTable& table) {
   return form;
 }
 
-GravityLoad read_load(const TomlTable& load) {
+joint::GravityLoad read_load(const TomlTable& load) {
   const double mass_kg = load.number("mass_kg", Sign::positive);
   const double distance_m = load.number("distance_m", Sign::positive);
   const double q_peak_rad = read_angle(load, "q_peak");
   const double gravity_m_s2 = load.number_or("gravity_m_s2", 9.81, Sign::positive);
   load.refuse_unknown_keys();
   return guarded(load, "mass_kg",
-                 [&] { return GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
+                 [&] { return joint::GravityLoad(mass_kg, distance_m, q_peak_rad, gravity_m_s2); });
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -7,7 +7,7 @@
 #include "joint/gravity_load.h"
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// An angle given as `<name>_rad` or `<name>_deg` [rad]. @throw InputError if both or neither is.
 double read_angle(const TomlTable& table, const std::string& name, Sign sign = Sign::any);
@@ -19,16 +19,17 @@ double read_angular_rate(const TomlTable& table, const std::string& name, const 
 double read_angle_or(const TomlTable& table, const std::string& name, double otherwise_rad);
 
 // Each refuses what cannot be carried out. @throw InputError at the key.
-SweepExperiment read_sweep(const TomlTable& table);
-SineSweepExperiment read_sine_sweep(const TomlTable& table);
+simulate::SweepExperiment read_sweep(const TomlTable& table);
+simulate::SineSweepExperiment read_sine_sweep(const TomlTable& table);
 /// One, or as many as `positions` says, spread over a turn of the motor.
-std::vector<OscillationExperiment> read_oscillation(const TomlTable& table, double gear_ratio);
-BreakAwayExperiment read_break_away(const TomlTable& table);
-ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
-Noise read_noise(const TomlTable& table);
-LogForm read_log_form(const TomlTable& table);
+std::vector<simulate::OscillationExperiment> read_oscillation(const TomlTable& table,
+                                                              double gear_ratio);
+simulate::BreakAwayExperiment read_break_away(const TomlTable& table);
+simulate::ConstantSpeedExperiment read_constant_speed(const TomlTable& table);
+simulate::Noise read_noise(const TomlTable& table);
+simulate::LogForm read_log_form(const TomlTable& table);
 
 /// [load]: mass_kg, distance_m, q_peak; gravity_m_s2 = 9.81. @throw InputError at the key.
-GravityLoad read_load(const TomlTable& load);
+joint::GravityLoad read_load(const TomlTable& load);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -13,7 +13,7 @@
 #include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 // Friction models from tables of a TOML file: one key a parameter, named as the catalogue says.
 
@@ -22,20 +22,22 @@ namespace {
 /// Values of a table, and of `otherwise` where it has no such key.
 /// @param needed keys must be there, unless they have a usual value. The hint says what else helps.
 /// @throw InputError for a key that is missing, of another type, or unknown.
-NamedParameters read_parameters(const TomlTable& table, const NamedParameters& otherwise,
-                                bool needed, const std::string& hint = {});
+friction::NamedParameters read_parameters(const TomlTable& table,
+                                          const friction::NamedParameters& otherwise, bool needed,
+                                          const std::string& hint = {});
 
 /// Refuses values that no model can be made of, at the key whose value the refusal quotes.
 /// @param make what refused them with `words`; throws std::invalid_argument.
 /// @throw InputError at the key; at the table if none of its keys is to blame.
-[[noreturn]] void refuse_values(const TomlTable& table, const NamedParameters& values,
+[[noreturn]] void refuse_values(const TomlTable& table, const friction::NamedParameters& values,
                                 const std::string& words,
-                                const std::function<void(const NamedParameters&)>& make);
+                                const std::function<void(const friction::NamedParameters&)>& make);
 
 /// A model of the values. @throw InputError as refuse_values().
 template <class Model>
-std::shared_ptr<const Model> made_of(const TomlTable& table, const NamedParameters& values,
-                                     const ModelRecipe<Model>& recipe) {
+std::shared_ptr<const Model> made_of(const TomlTable& table,
+                                     const friction::NamedParameters& values,
+                                     const friction::ModelRecipe<Model>& recipe) {
   try {
     return recipe.make(values);
   } catch (const std::invalid_argument& error) {
@@ -43,9 +45,9 @@ std::shared_ptr<const Model> made_of(const TomlTable& table, const NamedParamete
   }
 }
 
-std::vector<MaxwellElement> read_elements(const TomlTable& table, const std::string& key,
-                                          const std::string& hint) {
-  std::vector<MaxwellElement> elements;
+std::vector<friction::MaxwellElement> read_elements(const TomlTable& table, const std::string& key,
+                                                    const std::string& hint) {
+  std::vector<friction::MaxwellElement> elements;
   for (const TomlTable& one : table.tables(key)) {
     elements.push_back({one.number("stiffness_Nm_rad"), one.number("share")});
     one.refuse_unknown_keys();
@@ -58,7 +60,7 @@ std::vector<MaxwellElement> read_elements(const TomlTable& table, const std::str
 }
 
 void read_value(const TomlTable& table, const std::string& key, const std::string& hint,
-                ParameterValue& value) {
+                friction::ParameterValue& value) {
   std::visit(
       [&](auto& known) {
         using Value = std::decay_t<decltype(known)>;
@@ -80,14 +82,14 @@ double shifted(double value, double direction) {
   return value == 0.0 ? direction * trace : value * (1 + direction * trace);
 }
 
-ParameterValue shifted(const ParameterValue& value, double direction) {
-  ParameterValue out = value;
+friction::ParameterValue shifted(const friction::ParameterValue& value, double direction) {
+  friction::ParameterValue out = value;
   if (auto* number = std::get_if<double>(&out)) {
     *number = shifted(*number, direction);
   } else if (auto* count = std::get_if<std::uint64_t>(&out)) {
     *count = direction > 0 || *count == 0 ? *count + 1 : *count - 1;
-  } else if (auto* elements = std::get_if<std::vector<MaxwellElement>>(&out)) {
-    for (MaxwellElement& one : *elements) {
+  } else if (auto* elements = std::get_if<std::vector<friction::MaxwellElement>>(&out)) {
+    for (friction::MaxwellElement& one : *elements) {
       one = {shifted(one.stiffness_Nm_rad, direction), shifted(one.share, direction)};
     }
   }
@@ -99,15 +101,16 @@ std::size_t common_start(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(apart.first - a.begin());
 }
 
-NamedParameters read_parameters(const TomlTable& table, const NamedParameters& otherwise,
-                                bool needed, const std::string& hint) {
-  NamedParameters values = otherwise;
+friction::NamedParameters read_parameters(const TomlTable& table,
+                                          const friction::NamedParameters& otherwise, bool needed,
+                                          const std::string& hint) {
+  friction::NamedParameters values = otherwise;
   std::vector<bool> is_read;  // asks for every key first: no other one is then a misspelling
-  for (const NamedParameter& one : values) {
+  for (const friction::NamedParameter& one : values) {
     is_read.push_back(table.has(one.key) || (needed && !one.has_usual));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    NamedParameter& one = values[i];
+    friction::NamedParameter& one = values[i];
     const std::string help = hint.empty() ? one.meaning : hint;
     if (is_read[i]) read_value(table, one.key, help, one.value);
   }
@@ -117,10 +120,11 @@ NamedParameters read_parameters(const TomlTable& table, const NamedParameters& o
 
 // A refusal quotes the value at fault first. That is the one whose least change, up and down,
 // changes its words earliest.
-void refuse_values(const TomlTable& table, const NamedParameters& values, const std::string& words,
-                   const std::function<void(const NamedParameters&)>& make) {
+void refuse_values(const TomlTable& table, const friction::NamedParameters& values,
+                   const std::string& words,
+                   const std::function<void(const friction::NamedParameters&)>& make) {
   const auto unchanged_words = [&](std::size_t which, double direction) {
-    NamedParameters other = values;
+    friction::NamedParameters other = values;
     other[which].value = shifted(other[which].value, direction);
     try {
       make(other);
@@ -154,13 +158,14 @@ std::vector<std::string> names_of(const std::vector<Entry>& entries) {
   return names;
 }
 
-const FrictionModelEntry& read_choice(const TomlTable& friction) {
-  if (!friction.has("model")) return dynamic_friction_model("lugre");
-  return dynamic_friction_models()[friction.choice("model", names_of(dynamic_friction_models()))];
+const friction::FrictionModelEntry& read_choice(const TomlTable& friction) {
+  if (!friction.has("model")) return friction::dynamic_friction_model("lugre");
+  return friction::dynamic_friction_models()[friction.choice(
+      "model", names_of(friction::dynamic_friction_models()))];
 }
 
-void refuse_other_models(const TomlTable& friction, const FrictionModelEntry& chosen) {
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
+void refuse_other_models(const TomlTable& friction, const friction::FrictionModelEntry& chosen) {
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     if (one.name == chosen.name || !friction.has(one.name)) continue;
     friction.refuse(one.name,
                     {"is of a model that is not chosen", "", "[friction." + chosen.name + "]",
@@ -169,14 +174,14 @@ void refuse_other_models(const TomlTable& friction, const FrictionModelEntry& ch
 }
 
 /// What one contact looks like, by LuGre's six parameters.
-ContactParameters read_contact(const TomlTable& table) {
+friction::ContactParameters read_contact(const TomlTable& table) {
   if (table.has("model")) {
     table.refuse("model", {"is stated one table up", "",
                            "model = \"" + table.text("model") + "\" in [friction]", ""});
   }
-  const FrictionModelEntry& six = dynamic_friction_model("lugre");
+  const friction::FrictionModelEntry& six = friction::dynamic_friction_model("lugre");
   const auto lugre = made_of(table, read_parameters(table, six.parameters, true), six);
-  const auto& p = dynamic_cast<const LuGreFriction&>(*lugre).parameters();
+  const auto& p = dynamic_cast<const friction::LuGreFriction&>(*lugre).parameters();
   return {p.bristle_stiffness_Nm_rad,
           p.bristle_damping_Nms_rad,
           p.viscous_Nms_rad,
@@ -185,31 +190,32 @@ ContactParameters read_contact(const TomlTable& table) {
           p.stribeck_speed_rad_s};
 }
 
-std::shared_ptr<const DynamicFriction> read_dynamic(const TomlTable& friction) {
-  const FrictionModelEntry& chosen = read_choice(friction);
+std::shared_ptr<const friction::DynamicFriction> read_dynamic(const TomlTable& friction) {
+  const friction::FrictionModelEntry& chosen = read_choice(friction);
   refuse_other_models(friction, chosen);
   const auto own = friction.find_table(chosen.name);
-  std::optional<ContactParameters> contact;
+  std::optional<friction::ContactParameters> contact;
   if (friction.has("presliding") || !own) {
     contact = read_contact(friction.table("presliding", "the contact's six numbers, or [friction." +
                                                             chosen.name + "] with all of its own"));
   }
-  const NamedParameters matched = contact ? chosen.matched_parameters(*contact) : chosen.parameters;
+  const friction::NamedParameters matched =
+      contact ? chosen.matched_parameters(*contact) : chosen.parameters;
   if (!own) return guarded(friction, "presliding", [&] { return chosen.make(matched); });
-  const NamedParameters values = read_parameters(
+  const friction::NamedParameters values = read_parameters(
       *own, matched, !contact, contact ? "" : "[friction.presliding] would give a value to match");
   return made_of(*own, values, chosen);
 }
 
-std::shared_ptr<const StaticFriction> read_sliding(const TomlTable& sliding) {
-  std::vector<std::string> names = names_of(static_friction_laws());
+std::shared_ptr<const friction::StaticFriction> read_sliding(const TomlTable& sliding) {
+  std::vector<std::string> names = names_of(friction::static_friction_laws());
   names.emplace_back(by_dynamic_model);
   const std::size_t choice = sliding.choice("model", names);
   if (names[choice] == by_dynamic_model) {
     sliding.refuse_unknown_keys();
     return nullptr;
   }
-  const StaticLawEntry& law = static_friction_laws()[choice];
+  const friction::StaticLawEntry& law = friction::static_friction_laws()[choice];
   return made_of(sliding, read_parameters(sliding, law.parameters, true), law);
 }
 
@@ -222,8 +228,8 @@ JointFriction read_friction(const TomlTable& friction) {
   return read;
 }
 
-std::shared_ptr<const StaticFriction> read_known_curve(const TomlTable& reference) {
-  std::shared_ptr<const StaticFriction> known;
+std::shared_ptr<const friction::StaticFriction> read_known_curve(const TomlTable& reference) {
+  std::shared_ptr<const friction::StaticFriction> known;
   const auto only_one = [&](const std::string& name) {
     if (!known) return;
     reference.refuse(name, {"is a second known curve", "", "one, " + in_quotes(known->name()), ""});
@@ -234,14 +240,15 @@ std::shared_ptr<const StaticFriction> read_known_curve(const TomlTable& referenc
     return table ? made_of(*table, read_parameters(*table, recipe.parameters, true), recipe)
                  : nullptr;
   };
-  for (const StaticLawEntry& law : static_friction_laws()) {
+  for (const friction::StaticLawEntry& law : friction::static_friction_laws()) {
     if (const auto curve = read(law)) known = curve;
   }
-  for (const FrictionModelEntry& model : dynamic_friction_models()) {
-    if (const auto dynamic = read(model)) known = std::make_shared<SteadyFriction>(dynamic);
+  for (const friction::FrictionModelEntry& model : friction::dynamic_friction_models()) {
+    if (const auto dynamic = read(model))
+      known = std::make_shared<friction::SteadyFriction>(dynamic);
   }
   reference.refuse_unknown_keys();
   return known;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -7,12 +7,12 @@
 #include "friction/static_friction.h"
 #include "ingest/manifest/toml_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// As Scenario has them: `sliding` is null where the dynamic model drives sweeps and runs too.
 struct JointFriction {
-  std::shared_ptr<const DynamicFriction> presliding;
-  std::shared_ptr<const StaticFriction> sliding;
+  std::shared_ptr<const friction::DynamicFriction> presliding;
+  std::shared_ptr<const friction::StaticFriction> sliding;
 };
 
 /// [friction] of a scenario (scenario_file.h).
@@ -22,6 +22,6 @@ JointFriction read_friction(const TomlTable& friction);
 /// [reference] of a manifest: one table named after a static law, or after a dynamic model, of
 /// which the torque at constant speed is meant. Null where it has none.
 /// @throw InputError as above, and where there are two.
-std::shared_ptr<const StaticFriction> read_known_curve(const TomlTable& reference);
+std::shared_ptr<const friction::StaticFriction> read_known_curve(const TomlTable& reference);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -14,7 +14,7 @@
 #include "ingest/manifest/experiment_tables.h"
 #include "ingest/manifest/key_ranges.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 namespace {
 
@@ -47,7 +47,7 @@ std::optional<double> read_inertia(const TomlTable& joint, double gear_ratio) {
   return *motor + *arm / (gear_ratio * gear_ratio);
 }
 
-void read_joint_table(const TomlTable& joint, JointFacts& f) {
+void read_joint_table(const TomlTable& joint, joint::JointFacts& f) {
   f.joint = joint.text("name");
   f.gear_ratio = joint.number("gear_ratio", Sign::positive);
   f.lowest_rad = read_angle(joint, "lowest");
@@ -64,7 +64,7 @@ void read_joint_table(const TomlTable& joint, JointFacts& f) {
   joint.refuse_unknown_keys();
   const std::string highest = joint.has("highest_deg") ? "highest_deg" : "highest_rad";
   guarded(joint, highest, [&] {
-    check_joint_facts(f);
+    joint::check_joint_facts(f);
     return 0;
   });
 }
@@ -81,7 +81,7 @@ std::vector<double> periods_of(std::uint64_t pole_pairs, bool wave_generator) {
   return periods;
 }
 
-void read_ripple(const TomlTable& ripple, JointFacts& f) {
+void read_ripple(const TomlTable& ripple, joint::JointFacts& f) {
   f.ripple_amplitude_Nm = ripple.find_number("amplitude_Nm", Sign::not_negative);
   constexpr std::uint64_t most_pole_pairs = 100;
   const std::uint64_t pole_pairs = ripple.count_or("pole_pairs", 0);
@@ -106,23 +106,23 @@ void read_ripple(const TomlTable& ripple, JointFacts& f) {
   ripple.refuse_unknown_keys();
 }
 
-void read_effort(const TomlTable& effort, JointFacts& f) {
-  f.effort_kind = static_cast<EffortKind>(
+void read_effort(const TomlTable& effort, joint::JointFacts& f) {
+  f.effort_kind = static_cast<joint::EffortKind>(
       effort.choice("kind", {"motor_current", "motor_torque", "joint_torque"}));
-  f.effort_side = static_cast<Side>(effort.choice("side", {"motor", "joint"}));
+  f.effort_side = static_cast<joint::Side>(effort.choice("side", {"motor", "joint"}));
   f.torque_constant_Nm_A = effort.find_number("torque_constant_Nm_A", Sign::positive);
   effort.refuse_unknown_keys();
   guarded(effort, "torque_constant_Nm_A", [&] {
-    return Drive(f.gear_ratio, f.effort_kind, f.effort_side, f.torque_constant_Nm_A);
+    return joint::Drive(f.gear_ratio, f.effort_kind, f.effort_side, f.torque_constant_Nm_A);
   });
 }
 
 }  // namespace
 
-JointFacts parse_joint(std::string_view text, const std::string& file) {
+joint::JointFacts parse_joint(std::string_view text, const std::string& file) {
   const TomlTable top = TomlTable::parse(text, file);
   (void)top.choice("schema", {"tribolog-joint-1"});
-  JointFacts f;
+  joint::JointFacts f;
   const TomlTable robot = top.table("robot");
   f.robot = robot.text("name");
   f.serial = robot.text_or("serial", "");
@@ -144,7 +144,7 @@ JointFacts parse_joint(std::string_view text, const std::string& file) {
     f.bristle_stiffness_Nm_rad = friction->find_number("bristle_stiffness_Nm_rad", Sign::positive);
     friction->refuse_unknown_keys();
     guarded(*friction, "coulomb_Nm", [&] {
-      check_joint_facts(f);
+      joint::check_joint_facts(f);
       return 0;
     });
   }
@@ -170,31 +170,32 @@ JointFacts parse_joint(std::string_view text, const std::string& file) {
 
 namespace {
 
-const JsonValue* member(const JsonValue* object, std::string_view key) {
-  if (object == nullptr || object->kind != JsonKind::object) return nullptr;
+const arrays::JsonValue* member(const arrays::JsonValue* object, std::string_view key) {
+  if (object == nullptr || object->kind != arrays::JsonKind::object) return nullptr;
   for (std::size_t i = 0; i < object->content->keys.size(); ++i) {
     if (object->content->keys[i] == key) return &object->content->elements[i];
   }
   return nullptr;
 }
 
-const JsonValue* at(const JsonValue& top, std::initializer_list<const char*> path) {
-  const JsonValue* value = &top;
+const arrays::JsonValue* at(const arrays::JsonValue& top, std::initializer_list<const char*> path) {
+  const arrays::JsonValue* value = &top;
   for (const char* key : path) value = member(value, key);
   return value;
 }
 
-std::optional<double> number_at(const JsonValue& top, std::initializer_list<const char*> path) {
-  const JsonValue* value = at(top, path);
-  if (value == nullptr || value->kind != JsonKind::number) return std::nullopt;
+std::optional<double> number_at(const arrays::JsonValue& top,
+                                std::initializer_list<const char*> path) {
+  const arrays::JsonValue* value = at(top, path);
+  if (value == nullptr || value->kind != arrays::JsonKind::number) return std::nullopt;
   return value->number;
 }
 
-std::vector<double> ripple_periods(const JsonValue& top) {
+std::vector<double> ripple_periods(const arrays::JsonValue& top) {
   std::vector<double> periods;
-  const JsonValue* lines = at(top, {"ripple", "lines"});
-  if (lines == nullptr || lines->kind != JsonKind::array) return periods;
-  for (const JsonValue& line : lines->content->elements) {
+  const arrays::JsonValue* lines = at(top, {"ripple", "lines"});
+  if (lines == nullptr || lines->kind != arrays::JsonKind::array) return periods;
+  for (const arrays::JsonValue& line : lines->content->elements) {
     const auto period = number_at(line, {"periods_per_turn"});
     if (period && *period > 0 && range_of_key("periods_per_turn").holds(*period)) {
       periods.push_back(*period);
@@ -206,7 +207,7 @@ std::vector<double> ripple_periods(const JsonValue& top) {
 /// What the calibration gives, in the ranges that a joint's file has.
 class Taken {
  public:
-  Taken(JointFacts& facts, const std::string& file) : facts_(facts), file_(file) {}
+  Taken(joint::JointFacts& facts, const std::string& file) : facts_(facts), file_(file) {}
 
   void take(const char* name, std::optional<double>& fact, const std::optional<double>& found) {
     if (!found) return;
@@ -225,16 +226,17 @@ class Taken {
   }
 
  private:
-  JointFacts& facts_;
+  joint::JointFacts& facts_;
   const std::string& file_;
 };
 
 }  // namespace
 
-JointFacts with_calibration(JointFacts f, std::string_view calibration, const std::string& file) {
-  const JsonValue top = parse_json_text(calibration, file);
-  const JsonValue* schema = at(top, {"schema"});
-  if (schema == nullptr || schema->kind != JsonKind::text ||
+joint::JointFacts with_calibration(joint::JointFacts f, std::string_view calibration,
+                                   const std::string& file) {
+  const arrays::JsonValue top = arrays::parse_json_text(calibration, file);
+  const arrays::JsonValue* schema = at(top, {"schema"});
+  if (schema == nullptr || schema->kind != arrays::JsonKind::text ||
       schema->content->text != "tribolog-calibration-1") {
     throw InputError({file, 0, 0}, {"is no calibration", "", "schema \"tribolog-calibration-1\"",
                                     "tribolog identify writes one"});
@@ -265,7 +267,7 @@ JointFacts with_calibration(JointFacts f, std::string_view calibration, const st
       "bristle_stiffness_Nm_rad", f.bristle_stiffness_Nm_rad,
       number_at(top, {"friction", "lugre", "bristle_stiffness_Nm_rad", "motor", "estimate"}));
   try {
-    check_joint_facts(f);
+    joint::check_joint_facts(f);
   } catch (const std::invalid_argument& error) {
     throw InputError(
         {file, 0, 0},
@@ -274,4 +276,4 @@ JointFacts with_calibration(JointFacts f, std::string_view calibration, const st
   return f;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -30,10 +30,10 @@
 #include "base/error.h"
 #include "joint/joint_facts.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
-JointFacts parse_joint(std::string_view text, const std::string& file);
+joint::JointFacts parse_joint(std::string_view text, const std::string& file);
 
 inline constexpr std::uint64_t largest_joint_bytes = 1 << 20;
 
@@ -42,7 +42,7 @@ inline constexpr std::uint64_t largest_joint_bytes = 1 << 20;
 /// file of the joint states wins, but for angle and torque of gravity, which were measured.
 /// @param calibration text of a calibration.json. @param file its name, for messages.
 /// @throw InputError if it is no calibration of tribolog, or is of another gear ratio.
-JointFacts with_calibration(JointFacts facts, std::string_view calibration,
-                            const std::string& file);
+joint::JointFacts with_calibration(joint::JointFacts facts, std::string_view calibration,
+                                   const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

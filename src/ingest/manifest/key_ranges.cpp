@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 namespace {
 
@@ -83,4 +83,4 @@ KeyRange range_of_key(std::string_view key) {
   return is_place(key) ? KeyRange{0, pure_number.largest, ""} : pure_number;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

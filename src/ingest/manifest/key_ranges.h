@@ -7,7 +7,7 @@
 
 #include "ingest/manifest/toml_table.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// Runs `build` and returns its result.
 /// @throw InputError at the key, with the constructor's words, if it throws std::invalid_argument.
@@ -38,4 +38,4 @@ struct KeyRange {
 /// Of "torque_limit_Nm" that of torques; of a name without a unit that of pure numbers.
 KeyRange range_of_key(std::string_view key);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -6,7 +6,7 @@
 
 #include "base/closest_match.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 namespace {
 
@@ -40,18 +40,20 @@ void refuse_voltage_unit(const TomlTable& column) {
 namespace {
 
 /// The unit is of another quantity than the effort's kind says.
-void refuse_contradiction(const TomlTable& column, Quantity quantity, const std::string& unit) {
-  const Quantity other = quantity == Quantity::current ? Quantity::torque : Quantity::current;
-  if (quantity != Quantity::current && quantity != Quantity::torque) return;
-  if (find_si_factor(quantity, unit) || !find_si_factor(other, unit)) return;
-  column.refuse("unit", {"contradicts effort.kind", in_quotes(unit) + ", " + to_string(other),
-                         to_string(quantity) + " (" + known_units(quantity) + ")",
+void refuse_contradiction(const TomlTable& column, log::Quantity quantity,
+                          const std::string& unit) {
+  const log::Quantity other =
+      quantity == log::Quantity::current ? log::Quantity::torque : log::Quantity::current;
+  if (quantity != log::Quantity::current && quantity != log::Quantity::torque) return;
+  if (log::find_si_factor(quantity, unit) || !log::find_si_factor(other, unit)) return;
+  column.refuse("unit", {"contradicts effort.kind", in_quotes(unit) + ", " + log::to_string(other),
+                         log::to_string(quantity) + " (" + log::known_units(quantity) + ")",
                          "is the kind of the effort stated rightly?"});
 }
 
 /// Of a column that stands beside the recording's file.
 void read_place(const TomlTable& column, ColumnEntry& entry) {
-  if (entry.quantity == Quantity::time) {
+  if (entry.quantity == log::Quantity::time) {
     if (!column.has_misplaced("file")) return;
     column.refuse("file", {"is not for the time", "", "",
                            "the recording's file is the one that has the time; state a file for "
@@ -64,7 +66,7 @@ void read_place(const TomlTable& column, ColumnEntry& entry) {
 }
 
 std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::string& key,
-                                       Quantity quantity, bool has_side,
+                                       log::Quantity quantity, bool has_side,
                                        const std::optional<ColumnEntry>& otherwise) {
   const auto table = columns.find_table(key);
   if (!table) return otherwise;
@@ -72,17 +74,18 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
   entry.quantity = quantity;
   entry.name = table->text("name", "the column's name in the file");
   if (entry.name.empty()) table->refuse("name", {"is empty", "", "the column's name", ""});
-  entry.unit = table->text("unit", "one of " + known_units(quantity));
+  entry.unit = table->text("unit", "one of " + log::known_units(quantity));
   refuse_contradiction(*table, quantity, entry.unit);
-  if (quantity == Quantity::time) entry.reading = ColumnReading::clock;
-  if (quantity == Quantity::time && entry.unit == "iso8601") {
-    entry.reading = ColumnReading::iso_time;  // read as seconds
+  if (quantity == log::Quantity::time) entry.reading = log::ColumnReading::clock;
+  if (quantity == log::Quantity::time && entry.unit == "iso8601") {
+    entry.reading = log::ColumnReading::iso_time;  // read as seconds
   } else {
-    entry.si_factor = si_factor(quantity, entry.unit, table->where("unit"));
+    entry.si_factor = log::si_factor(quantity, entry.unit, table->where("unit"));
   }
-  if (quantity == Quantity::time) entry.any_rate = table->flag_or("any_rate", false);
+  if (quantity == log::Quantity::time) entry.any_rate = table->flag_or("any_rate", false);
   if (has_side && table->has("side")) {
-    entry.side = table->choice("side", {"motor", "joint"}) == 0 ? Side::motor : Side::joint;
+    entry.side =
+        table->choice("side", {"motor", "joint"}) == 0 ? joint::Side::motor : joint::Side::joint;
   }
   read_place(*table, entry);
   entry.where = table->where("name");
@@ -92,29 +95,32 @@ std::optional<ColumnEntry> read_column(const TomlTable& columns, const std::stri
 
 }  // namespace
 
-ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
+ColumnEntries read_columns(const TomlTable& table, joint::EffortKind effort_kind,
                            const ColumnEntries& otherwise) {
-  if (effort_kind == EffortKind::none && table.has("effort")) {
+  if (effort_kind == joint::EffortKind::none && table.has("effort")) {
     table.refuse("effort", {"contradicts effort.kind", "an effort, of kind 'none'", "",
                             "state what kind of effort the column is, or leave it out"});
   }
   if (const auto column = table.find_table("effort")) refuse_voltage_unit(*column);
-  const Quantity effort =
-      effort_kind == EffortKind::motor_current ? Quantity::current : Quantity::torque;
-  const auto read = [&](const char* key, Quantity quantity, bool has_side, const auto& fallback) {
+  const log::Quantity effort = effort_kind == joint::EffortKind::motor_current
+                                   ? log::Quantity::current
+                                   : log::Quantity::torque;
+  const auto read = [&](const char* key, log::Quantity quantity, bool has_side,
+                        const auto& fallback) {
     return read_column(table, key, quantity, has_side, fallback);
   };
   ColumnEntries entries;
-  entries.time = read("time", Quantity::time, false, otherwise.time);
-  entries.angle = read("angle", Quantity::angle, true, otherwise.angle);
-  entries.speed = read("speed", Quantity::angular_speed, true, otherwise.speed);
+  entries.time = read("time", log::Quantity::time, false, otherwise.time);
+  entries.angle = read("angle", log::Quantity::angle, true, otherwise.angle);
+  entries.speed = read("speed", log::Quantity::angular_speed, true, otherwise.speed);
   entries.effort = read("effort", effort, false, otherwise.effort);
-  entries.bristle = read("bristle", Quantity::angle, false, otherwise.bristle);
+  entries.bristle = read("bristle", log::Quantity::angle, false, otherwise.bristle);
   entries.bristle_rate =
-      read("bristle_rate", Quantity::angular_speed, false, otherwise.bristle_rate);
-  entries.temperature = read("temperature", Quantity::temperature, false, otherwise.temperature);
+      read("bristle_rate", log::Quantity::angular_speed, false, otherwise.bristle_rate);
+  entries.temperature =
+      read("temperature", log::Quantity::temperature, false, otherwise.temperature);
   table.refuse_unknown_keys();
   return entries;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -10,7 +10,7 @@
 #include "ingest/manifest/toml_table.h"
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// @throw InputError if the table's `kind` is a voltage or a duty cycle.
 void refuse_voltage_kind(const TomlTable& effort);
@@ -21,11 +21,12 @@ void refuse_voltage_unit(const TomlTable& column);
 struct ColumnEntry {
   std::string name;
   std::string unit;
-  Quantity quantity{};
+  log::Quantity quantity{};
   double si_factor{1.0};
-  Side side{Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
+  joint::Side side{
+      joint::Side::joint};  ///< Of angle and speed; bristles are always on the motor side.
   Location where;
-  ColumnReading reading{ColumnReading::number};
+  log::ColumnReading reading{log::ColumnReading::number};
   /// In which the column stands, relative to the manifest; empty: the recording's.
   std::string file{};
   std::string time_in_file{};  ///< Name of the time there; empty: the recording's, if it is there.
@@ -48,7 +49,7 @@ struct ColumnEntries {
 /// @throw InputError for an unknown unit, an unknown key, or a unit that contradicts the kind; for
 ///        an effort in volt or per cent of the duty cycle, which no torque follows from; for a file
 ///        of the time.
-ColumnEntries read_columns(const TomlTable& table, EffortKind effort_kind,
+ColumnEntries read_columns(const TomlTable& table, joint::EffortKind effort_kind,
                            const ColumnEntries& otherwise);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -17,7 +17,7 @@
 #include "ingest/text/number_field.h"
 #include "joint/dataset.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 const std::string effort_hint =
@@ -39,12 +39,12 @@ bool is_impossible_time(const std::string& text) {
                               text.find_first_not_of("0123456789-+:.,TtZz ") == std::string::npos;
   if (!is_like_a_time) return false;
   for (const char* const rest : {"", "Z", ":00", "T00:00:00"}) {
-    if (read_iso_time(text + rest)) return false;
+    if (text::read_iso_time(text + rest)) return false;
   }
   return true;
 }
 
-void read_identity(const TomlTable& top, Manifest& manifest) {
+void read_identity(const TomlTable& top, joint::Manifest& manifest) {
   const TomlTable robot = top.table("robot", "[robot] with the robot's name");
   manifest.robot = required_name(robot, "the report and the archive go by the robot's name");
   manifest.serial = robot.text_or("serial", "");
@@ -60,24 +60,24 @@ void read_identity(const TomlTable& top, Manifest& manifest) {
 }
 
 /// Side and constant of an effort that is not there have no meaning, and are unknown keys.
-Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
+joint::Drive read_drive(const TomlTable& joint, const TomlTable& effort) {
   const double gear_ratio =
       joint.number("gear_ratio", Sign::positive, "motor angle / joint angle; 1 for a direct drive");
   refuse_voltage_kind(effort);
-  const auto kind = static_cast<EffortKind>(effort.choice(
+  const auto kind = static_cast<joint::EffortKind>(effort.choice(
       "kind", {"motor_current", "motor_torque", "joint_torque", "target_torque", "none"},
       effort_hint));
-  if (kind == EffortKind::none) return {gear_ratio, kind, Side::motor};
-  const auto side = static_cast<Side>(effort.choice(
+  if (kind == joint::EffortKind::none) return {gear_ratio, kind, joint::Side::motor};
+  const auto side = static_cast<joint::Side>(effort.choice(
       "side", {"motor", "joint"}, "\"motor\": before the gear, or \"joint\": after it"));
   const auto constant = effort.find_number("torque_constant_Nm_A", Sign::positive);
-  if (kind == EffortKind::motor_current && !constant) {
+  if (kind == joint::EffortKind::motor_current && !constant) {
     effort.refuse("torque_constant_Nm_A",
                   {" is missing", "", "newton metres per ampere, on the side stated",
                    "without it a current cannot become a torque"});
   }
   return guarded(effort, "torque_constant_Nm_A",
-                 [&] { return Drive(gear_ratio, kind, side, constant); });
+                 [&] { return joint::Drive(gear_ratio, kind, side, constant); });
 }
 
 double read_sign(const TomlTable& effort) {
@@ -88,19 +88,19 @@ double read_sign(const TomlTable& effort) {
   return sign;
 }
 
-IntervalSettings read_intervals(const TomlTable& table) {
-  IntervalSettings settings;
+joint::IntervalSettings read_intervals(const TomlTable& table) {
+  joint::IntervalSettings settings;
   if (table.has("resamples")) settings.resamples = table.count_or("resamples", 0);
   if (table.has("seed")) settings.seed = table.count_or("seed", 0);
-  if (settings.resamples && !resamples_are_allowed(*settings.resamples)) {
+  if (settings.resamples && !joint::resamples_are_allowed(*settings.resamples)) {
     table.refuse("resamples", {"not usable", fmt::format("{}", *settings.resamples),
-                               allowed_resamples_in_words(), ""});
+                               joint::allowed_resamples_in_words(), ""});
   }
   table.refuse_unknown_keys();
   return settings;
 }
 
-void read_circumstances(const TomlTable& top, Manifest& manifest) {
+void read_circumstances(const TomlTable& top, joint::Manifest& manifest) {
   if (const auto payload = top.find_table("payload")) {
     manifest.payload_kg = payload->find_number("mass_kg", Sign::not_negative);
     manifest.payload_distance_m = payload->find_number("distance_m", Sign::positive);
@@ -129,7 +129,7 @@ void read_circumstances(const TomlTable& top, Manifest& manifest) {
   }
 }
 
-void refuse_missing_columns(const TomlTable& recording, EffortKind kind,
+void refuse_missing_columns(const TomlTable& recording, joint::EffortKind kind,
                             const ColumnEntries& columns) {
   const auto need = [&](bool is_there, const char* name, const char* hint) {
     if (is_there) return;
@@ -139,17 +139,17 @@ void refuse_missing_columns(const TomlTable& recording, EffortKind kind,
   };
   need(columns.time.has_value(), "time", "");
   need(columns.angle.has_value(), "angle", "");
-  need(columns.effort.has_value() || kind == EffortKind::none, "effort",
+  need(columns.effort.has_value() || kind == joint::EffortKind::none, "effort",
        "without torque or current nothing can be identified; where neither was recorded, "
        "effort.kind "
        "= \"none\" checks the motion alone");
 }
 
-RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
+RecordingEntry read_recording(const TomlTable& table, joint::EffortKind kind,
                               const ColumnEntries& common) {
   RecordingEntry entry;
   entry.where = table.where();
-  entry.role = static_cast<Role>(table.choice(
+  entry.role = static_cast<joint::Role>(table.choice(
       "role", {"rough_sweep", "precise_sweep", "oscillation", "constant_speed", "break_away"}));
   entry.file = table.text("file", "the log, relative to the manifest");
   if (entry.file.empty()) table.refuse("file", {"is empty", "", "the log's name", ""});
@@ -176,12 +176,12 @@ RecordingEntry read_recording(const TomlTable& table, EffortKind kind,
 /// A log, say. The first row of a manifest has a key or a table's name.
 void refuse_what_is_no_manifest(std::string_view text, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  const LogFormat format = detect_log_format(text, "");
-  const bool is_binary = format != LogFormat::text && format != LogFormat::json;
+  const log::LogFormat format = log::detect_log_format(text, "");
+  const bool is_binary = format != log::LogFormat::text && format != log::LogFormat::json;
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  RowCursor cursor(text);
+  text::RowCursor cursor(text);
   if (!cursor.next()) return;
-  const std::string_view row = trimmed(cursor.row());
+  const std::string_view row = text::trimmed(cursor.row());
   if (!is_binary && (row.front() == '[' || row.find('=') != std::string_view::npos)) return;
   constexpr std::size_t longest_shown = 60;
   throw InputError(
@@ -204,13 +204,14 @@ ManifestFile parse_manifest(std::string_view text, const std::string& file) {
   result.manifest.joint = required_name(joint, "");
   const TomlTable effort = top.table("effort", effort_hint);
   result.manifest.drive = read_drive(joint, effort);
-  if (result.manifest.drive.kind() != EffortKind::none) result.effort_sign = read_sign(effort);
+  if (result.manifest.drive.kind() != joint::EffortKind::none)
+    result.effort_sign = read_sign(effort);
   result.manifest.effort_is_confirmed = effort.flag_or("confirmed", true);
   joint.refuse_unknown_keys();
   effort.refuse_unknown_keys();
   read_circumstances(top, result.manifest);
 
-  const EffortKind kind = result.manifest.drive.kind();
+  const joint::EffortKind kind = result.manifest.drive.kind();
   if (const auto log = top.find_table("log")) result.text_logs = read_text_log_rules(*log);
   ColumnEntries common;
   if (const auto columns = top.find_table("columns")) common = read_columns(*columns, kind, {});
@@ -229,4 +230,4 @@ ManifestFile read_manifest(const std::string& path) {
   return parse_manifest(read_file(path, largest_manifest_bytes), path);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -49,24 +49,24 @@
 #include "ingest/text/csv_dialect.h"
 #include "joint/dataset.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 struct RecordingEntry {
-  Role role{};
+  joint::Role role{};
   std::string file;  ///< As written.
   std::optional<double> from_s;
   std::optional<double> to_s;
   ColumnEntries columns;  ///< Time, angle and effort (unless its kind is none) are there.
   /// Of a file that stands beside the recording's (companion_columns.h): read behind the columns.
-  std::optional<WantedColumn> time_to_compare{};
+  std::optional<log::WantedColumn> time_to_compare{};
   std::string note;
   Location where;
 };
 
 struct ManifestFile {
-  Manifest manifest;
+  joint::Manifest manifest;
   double effort_sign{1.0};
-  TextLogRules text_logs;
+  text::TextLogRules text_logs;
   std::vector<RecordingEntry> recordings;  ///< One or more.
 };
 
@@ -78,4 +78,4 @@ ManifestFile read_manifest(const std::string& path);
 /// The same from a text. @param file its name, for messages.
 ManifestFile parse_manifest(std::string_view text, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

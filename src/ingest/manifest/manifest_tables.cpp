@@ -12,18 +12,19 @@
 #include "ingest/manifest/key_ranges.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 namespace {
 
-constexpr Role all_roles[] = {Role::rough_sweep, Role::precise_sweep, Role::oscillation,
-                              Role::constant_speed, Role::break_away};
+constexpr joint::Role all_roles[] = {joint::Role::rough_sweep, joint::Role::precise_sweep,
+                                     joint::Role::oscillation, joint::Role::constant_speed,
+                                     joint::Role::break_away};
 
-std::vector<Role> read_roles(const TomlTable& table) {
-  std::vector<Role> roles;
+std::vector<joint::Role> read_roles(const TomlTable& table) {
+  std::vector<joint::Role> roles;
   if (!table.has("roles")) return roles;
   std::vector<std::string> known;
-  for (const Role role : all_roles) known.push_back(to_string(role));
+  for (const joint::Role role : all_roles) known.push_back(joint::to_string(role));
   for (const std::string& name : table.texts("roles")) {
     const auto at = std::find(known.begin(), known.end(), name);
     if (at == known.end()) {
@@ -38,9 +39,9 @@ std::vector<Role> read_roles(const TomlTable& table) {
   return roles;
 }
 
-KnownLoad read_known_load(const TomlTable& table) {
+joint::KnownLoad read_known_load(const TomlTable& table) {
   const std::string hint = "the columns of the log whose sum the load follows";
-  KnownLoad load;
+  joint::KnownLoad load;
   load.amplitude_Nm = table.number("amplitude_Nm");
   if (load.amplitude_Nm == 0) table.refuse("amplitude_Nm", {"not usable", "0", "not 0", ""});
   load.angles = table.texts("angles", hint);
@@ -56,8 +57,8 @@ KnownLoad read_known_load(const TomlTable& table) {
     }
   }
   load.radian_per_unit =
-      si_factor(Quantity::angle, table.text_or("unit", "rad"), table.where("unit"));
-  load.phase_rad = table.number_or("phase_deg", 0.0) * rad_per_degree;
+      log::si_factor(log::Quantity::angle, table.text_or("unit", "rad"), table.where("unit"));
+  load.phase_rad = table.number_or("phase_deg", 0.0) * joint::rad_per_degree;
   load.roles = read_roles(table);
   load.note = table.text_or("note", "");
   load.stated_at = fmt::format("{}:{}", table.where().file, table.where().line);
@@ -67,31 +68,33 @@ KnownLoad read_known_load(const TomlTable& table) {
 
 }  // namespace
 
-std::vector<KnownLoad> read_known_loads(const TomlTable& top) {
-  std::vector<KnownLoad> loads;
+std::vector<joint::KnownLoad> read_known_loads(const TomlTable& top) {
+  std::vector<joint::KnownLoad> loads;
   for (const TomlTable& table : top.one_or_more_tables("known_load")) {
     loads.push_back(read_known_load(table));
   }
   return loads;
 }
 
-std::optional<StatedGravity> read_known_gravity(const TomlTable& top) {
+std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top) {
   const auto table = top.find_table("known_gravity");
   if (!table) return std::nullopt;
   const double amplitude_Nm = table->number("amplitude_Nm", Sign::positive);
   const double q_peak_rad =
       table->number("q_peak_deg", Sign::any, "the joint angle at which gravity torque is largest") *
-      rad_per_degree;
+      joint::rad_per_degree;
   table->refuse_unknown_keys();
-  return guarded(*table, "amplitude_Nm", [&] { return StatedGravity(amplitude_Nm, q_peak_rad); });
+  return guarded(*table, "amplitude_Nm",
+                 [&] { return joint::StatedGravity(amplitude_Nm, q_peak_rad); });
 }
 
-std::vector<AcceptanceLimit> read_limits(const TomlTable& manifest) {
+std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest) {
   std::vector<std::string> keys;
-  for (const LimitedQuantity& quantity : limited_quantities()) keys.push_back(quantity.key);
-  std::vector<AcceptanceLimit> limits;
+  for (const joint::LimitedQuantity& quantity : joint::limited_quantities())
+    keys.push_back(quantity.key);
+  std::vector<joint::AcceptanceLimit> limits;
   for (const TomlTable& table : manifest.tables("limit")) {
-    AcceptanceLimit limit;
+    joint::AcceptanceLimit limit;
     limit.quantity = keys[table.choice("quantity", keys)];
     limit.min = table.find_number("min");
     limit.max = table.find_number("max");
@@ -111,17 +114,17 @@ std::vector<AcceptanceLimit> read_limits(const TomlTable& manifest) {
   return limits;
 }
 
-TextLogRules read_text_log_rules(const TomlTable& log) {
-  constexpr std::array delimiters = {Delimiter::comma, Delimiter::semicolon, Delimiter::tab,
-                                     Delimiter::spaces};
-  TextLogRules rules;
-  if (log.flag_or("decimal_comma", false)) rules.decimal_mark = DecimalMark::comma;
+text::TextLogRules read_text_log_rules(const TomlTable& log) {
+  constexpr std::array delimiters = {text::Delimiter::comma, text::Delimiter::semicolon,
+                                     text::Delimiter::tab, text::Delimiter::spaces};
+  text::TextLogRules rules;
+  if (log.flag_or("decimal_comma", false)) rules.decimal_mark = text::DecimalMark::comma;
   if (log.has("delimiter")) {
     rules.delimiter =
         delimiters.at(log.choice("delimiter", {"comma", "semicolon", "tab", "spaces"}));
   }
   if (log.has("encoding")) {
-    rules.encoding = static_cast<TextEncoding>(log.choice("encoding", {"utf8", "latin1"}));
+    rules.encoding = static_cast<text::TextEncoding>(log.choice("encoding", {"utf8", "latin1"}));
   }
   if (log.has("header_line")) {
     const std::uint64_t line = log.count_or("header_line", 0);
@@ -133,7 +136,7 @@ TextLogRules read_text_log_rules(const TomlTable& log) {
     rules.header_line = static_cast<long>(line);
   }
   rules.skip_bad_rows = log.flag_or("skip_bad_rows", false);
-  if (rules.decimal_mark == DecimalMark::comma && rules.delimiter == Delimiter::comma) {
+  if (rules.decimal_mark == text::DecimalMark::comma && rules.delimiter == text::Delimiter::comma) {
     log.refuse("delimiter", {"contradicts decimal_comma", "commas for both", "",
                              "commas within numbers and between columns cannot be told apart"});
   }
@@ -141,4 +144,4 @@ TextLogRules read_text_log_rules(const TomlTable& log) {
   return rules;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

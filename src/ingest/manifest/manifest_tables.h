@@ -9,14 +9,14 @@
 #include "joint/acceptance_limit.h"
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// All tables [[known_load]]; none: empty.
 /// @throw InputError for a missing, unknown or impossible key, or a role that does not exist.
-std::vector<KnownLoad> read_known_loads(const TomlTable& top);
+std::vector<joint::KnownLoad> read_known_loads(const TomlTable& top);
 
 /// @throw InputError for a missing, unknown or impossible key.
-std::optional<StatedGravity> read_known_gravity(const TomlTable& top);
+std::optional<joint::StatedGravity> read_known_gravity(const TomlTable& top);
 
 // The acceptance limits of a manifest:
 //
@@ -29,13 +29,13 @@ std::optional<StatedGravity> read_known_gravity(const TomlTable& top);
 
 /// @throw InputError for an unknown quantity (with the closest known one), a limit without a
 ///        number, min above max, or a width that is not positive.
-std::vector<AcceptanceLimit> read_limits(const TomlTable& manifest);
+std::vector<joint::AcceptanceLimit> read_limits(const TomlTable& manifest);
 
 // The [log] table of a manifest.
 
 /// [log] decimal_comma = false, delimiter = "comma" | "semicolon" | "tab" | "spaces",
 ///       encoding = "utf8" | "latin1", header_line = 7, skip_bad_rows = false.
 /// @throw InputError for an unknown key, or commas for both.
-TextLogRules read_text_log_rules(const TomlTable& log);
+text::TextLogRules read_text_log_rules(const TomlTable& log);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

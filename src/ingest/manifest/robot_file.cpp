@@ -15,7 +15,7 @@
 #include "ingest/manifest/key_ranges.h"
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 constexpr std::size_t most_joints = 64;
@@ -54,8 +54,8 @@ void refuse_millimetres(const TomlTable& table, const std::string& key,
   }
 }
 
-LinkShape read_shape(const TomlTable& joint) {
-  LinkShape shape;
+robot::LinkShape read_shape(const TomlTable& joint) {
+  robot::LinkShape shape;
   const auto size = [&](const char* key, double otherwise) {
     return joint.number_or(key, otherwise, Sign::positive);
   };
@@ -68,7 +68,7 @@ LinkShape read_shape(const TomlTable& joint) {
 }
 
 struct Chain {
-  std::vector<ArmJoint> joints;
+  std::vector<robot::ArmJoint> joints;
   std::vector<double> portrait_rad;
   std::vector<double> held_rad;
 };
@@ -78,9 +78,10 @@ std::string angle_key(const TomlTable& table, const std::string& name) {
 }
 
 /// Refused at the joint itself, though the chain would refuse it too.
-void check_alone(const TomlTable& table, const ArmJoint& joint, double portrait, double held) {
-  const SerialArm alone =
-      guarded(table, "name", [&] { return SerialArm(joint.name, {joint}, {1, 0, 0}); });
+void check_alone(const TomlTable& table, const robot::ArmJoint& joint, double portrait,
+                 double held) {
+  const robot::SerialArm alone =
+      guarded(table, "name", [&] { return robot::SerialArm(joint.name, {joint}, {1, 0, 0}); });
   const auto check_angle = [&](const std::string& name, double angle) {
     static_cast<void>(guarded(table, angle_key(table, name), [&] { return alone.pose({angle}); }));
   };
@@ -91,9 +92,9 @@ void check_alone(const TomlTable& table, const ArmJoint& joint, double portrait,
 Chain read_chain(const std::vector<TomlTable>& tables) {
   Chain chain;
   for (const TomlTable& table : tables) {
-    ArmJoint joint;
+    robot::ArmJoint joint;
     joint.name = table.text("name");
-    for (const ArmJoint& other : chain.joints) {
+    for (const robot::ArmJoint& other : chain.joints) {
       if (other.name != joint.name) continue;
       table.refuse("name", {"is given twice", in_quotes(joint.name), "a name of its own", ""});
     }
@@ -116,19 +117,20 @@ Chain read_chain(const std::vector<TomlTable>& tables) {
 }
 
 /// Nothing where neither end is stated.
-std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& joint) {
+std::optional<robot::AngleRange> read_range(const TomlTable& test, const robot::ArmJoint& joint) {
   const auto has = [&](const std::string& name) {
     return test.has(name + "_rad") || test.has(name + "_deg");
   };
   if (!has("lowest") && !has("highest")) return std::nullopt;
-  const AngleRange range{read_angle(test, "lowest"), read_angle(test, "highest")};
+  const robot::AngleRange range{read_angle(test, "lowest"), read_angle(test, "highest")};
   const auto refuse = [&](const char* end, double angle_rad, const std::string& expected) {
-    test.refuse(angle_key(test, end),
-                {"not usable", fmt::format("{:.6g}°", angle_rad * degrees_per_rad), expected, ""});
+    test.refuse(
+        angle_key(test, end),
+        {"not usable", fmt::format("{:.6g}°", angle_rad * joint::degrees_per_rad), expected, ""});
   };
   const std::string inside = fmt::format(
       "an angle inside the range of motion of joint {}, {:.6g}° to {:.6g}°", in_quotes(joint.name),
-      joint.lowest_rad * degrees_per_rad, joint.highest_rad * degrees_per_rad);
+      joint.lowest_rad * joint::degrees_per_rad, joint.highest_rad * joint::degrees_per_rad);
   const auto is_inside = [&](double angle_rad) {
     return angle_rad >= joint.lowest_rad - angle_slack_rad &&
            angle_rad <= joint.highest_rad + angle_slack_rad;
@@ -137,14 +139,14 @@ std::optional<AngleRange> read_range(const TomlTable& test, const ArmJoint& join
   if (!is_inside(range.highest_rad)) refuse("highest", range.highest_rad, inside);
   if (!(range.lowest_rad < range.highest_rad)) {
     refuse("highest", range.highest_rad,
-           fmt::format("more than the lowest, {:.6g}°", range.lowest_rad * degrees_per_rad));
+           fmt::format("more than the lowest, {:.6g}°", range.lowest_rad * joint::degrees_per_rad));
   }
   return range;
 }
 
 }  // namespace
 
-RobotDescription parse_robot(std::string_view text, const std::string& file) {
+robot::RobotDescription parse_robot(std::string_view text, const std::string& file) {
   const TomlTable top = TomlTable::parse(text, file);
   (void)top.choice("schema", {"tribolog-robot-1"});
   const std::string name = top.text("name");
@@ -157,16 +159,17 @@ RobotDescription parse_robot(std::string_view text, const std::string& file) {
                                     "1 to 64 tables [[joints]]", ""});
   }
   Chain chain = read_chain(tables);
-  SerialArm arm =
-      guarded(top, "flange_m", [&] { return SerialArm(name, std::move(chain.joints), flange); });
+  robot::SerialArm arm = guarded(
+      top, "flange_m", [&] { return robot::SerialArm(name, std::move(chain.joints), flange); });
 
   const TomlTable test = top.table("under_test", "[under_test] with the name of the tested joint");
-  JointUnderTest::Setting setting;
+  robot::JointUnderTest::Setting setting;
   const std::string joint = test.text("joint");
   setting.joint = guarded(test, "joint", [&] { return arm.index_of(joint); });
   setting.held_rad = std::move(chain.held_rad);
-  RobotDescription robot{
-      guarded(test, "joint", [&] { return JointUnderTest(std::move(arm), std::move(setting)); }),
+  robot::RobotDescription robot{
+      guarded(test, "joint",
+              [&] { return robot::JointUnderTest(std::move(arm), std::move(setting)); }),
       std::move(chain.portrait_rad),
       approximate,
       {},
@@ -195,8 +198,8 @@ std::string read_description_name(const TomlTable& robot) {
   return name;
 }
 
-RobotDescription read_robot(const std::string& path) {
+robot::RobotDescription read_robot(const std::string& path) {
   return parse_robot(read_file(path, largest_robot_bytes), path);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

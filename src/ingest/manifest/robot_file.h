@@ -28,18 +28,18 @@
 #include "ingest/manifest/toml_table.h"
 #include "robot/joint_under_test.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 inline constexpr std::uint64_t largest_robot_bytes = 1 << 20;
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
-RobotDescription read_robot(const std::string& path);
+robot::RobotDescription read_robot(const std::string& path);
 
 /// The same from a text. @param file its name, for messages.
-RobotDescription parse_robot(std::string_view text, const std::string& file);
+robot::RobotDescription parse_robot(std::string_view text, const std::string& file);
 
 /// The file that `description` of a [robot] table names; empty where there is no such key.
 /// @throw InputError at the key if the name is empty or cannot be one of a file.
 std::string read_description_name(const TomlTable& robot);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

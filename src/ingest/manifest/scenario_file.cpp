@@ -15,7 +15,7 @@
 #include "ingest/manifest/robot_file.h"
 #include "simulate/simulate_joint.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 constexpr std::uint64_t largest_scenario_bytes = 1 << 20;
@@ -38,7 +38,7 @@ std::string read_copied_description_name(const TomlTable& robot) {
   return name;
 }
 
-void read_joint(const TomlTable& joint, Scenario& scenario) {
+void read_joint(const TomlTable& joint, simulate::Scenario& scenario) {
   scenario.joint = required_name(joint);
   scenario.gear_ratio = joint.number("gear_ratio", Sign::positive);
   scenario.motor_inertia_kgm2 = joint.number("motor_inertia_kgm2", Sign::not_negative);
@@ -71,12 +71,12 @@ const char* in_use(const TomlTable& table, const char* in_deg, const char* in_ra
   return table.has(in_deg) ? in_deg : in_rad;
 }
 
-void read_experiments(const TomlTable& top, Scenario& scenario) {
+void read_experiments(const TomlTable& top, simulate::Scenario& scenario) {
   SampleCount count;
-  const auto sweep = [&](const char* key) -> std::optional<SweepExperiment> {
+  const auto sweep = [&](const char* key) -> std::optional<simulate::SweepExperiment> {
     const auto table = top.find_table(key);
     if (!table) return std::nullopt;
-    const SweepExperiment e = read_sweep(*table);
+    const simulate::SweepExperiment e = read_sweep(*table);
     const double strokes = e.both_directions ? 2 : 1;
     count.add(*table, in_use(*table, "speed_deg_s", "speed_rad_s"),
               strokes * std::abs(e.to_rad - e.from_rad) / e.speed_rad_s, e.sample_rate_Hz);
@@ -86,11 +86,11 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
   scenario.precise_sweep = sweep("precise_sweep");
   if (const auto table = top.find_table("sine_sweep")) {
     scenario.sine_sweep = read_sine_sweep(*table);
-    const SineSweepExperiment& e = *scenario.sine_sweep;
+    const simulate::SineSweepExperiment& e = *scenario.sine_sweep;
     count.add(*table, "frequency_Hz", e.cycles / e.frequency_Hz, e.sample_rate_Hz);
   }
   for (const TomlTable& table : top.one_or_more_tables("oscillation")) {
-    for (const OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
+    for (const simulate::OscillationExperiment& e : read_oscillation(table, scenario.gear_ratio)) {
       count.add(table, "frequency_Hz", e.cycles / e.frequency_Hz, e.sample_rate_Hz);
       if (scenario.oscillation) {
         scenario.further_oscillations.push_back(e);
@@ -100,17 +100,17 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
     }
   }
   if (const auto table = top.find_table("break_away")) {
-    const BreakAwayExperiment e = read_break_away(*table);
+    const simulate::BreakAwayExperiment e = read_break_away(*table);
     const double ramps = static_cast<double>(e.repeats) * (e.both_directions ? 2 : 1);
     count.add(*table, "rate_Nm_s", ramps * e.largest_torque_Nm / e.rate_Nm_s, e.sample_rate_Hz);
     scenario.break_away = e;
   }
   if (const auto table = top.find_table("constant_speed")) {
     scenario.constant_speed = read_constant_speed(*table);
-    const ConstantSpeedExperiment& e = *scenario.constant_speed;
+    const simulate::ConstantSpeedExperiment& e = *scenario.constant_speed;
     for (const double motor_speed : e.motor_speeds_rad_s) {
-      const TravelMotion motion = guarded(*table, "longest_plateau_s", [&] {
-        return TravelMotion(run_at(motor_speed, e, scenario.gear_ratio));
+      const simulate::TravelMotion motion = guarded(*table, "longest_plateau_s", [&] {
+        return simulate::TravelMotion(simulate::run_at(motor_speed, e, scenario.gear_ratio));
       });
       count.add(*table, "longest_plateau_s", motion.duration_s(), e.sample_rate_Hz);
     }
@@ -119,10 +119,10 @@ void read_experiments(const TomlTable& top, Scenario& scenario) {
 
 }  // namespace
 
-Scenario parse_scenario(std::string_view text, const std::string& file) {
+simulate::Scenario parse_scenario(std::string_view text, const std::string& file) {
   const TomlTable top = TomlTable::parse(text, file);
   (void)top.choice("schema", {"tribolog-scenario-1"});
-  Scenario scenario;
+  simulate::Scenario scenario;
   scenario.name = required_name(top);
   const TomlTable robot = top.table("robot");
   scenario.robot = required_name(robot);
@@ -155,8 +155,8 @@ Scenario parse_scenario(std::string_view text, const std::string& file) {
   return scenario;
 }
 
-Scenario read_scenario(const std::string& path) {
-  Scenario scenario = parse_scenario(read_file(path, largest_scenario_bytes), path);
+simulate::Scenario read_scenario(const std::string& path) {
+  simulate::Scenario scenario = parse_scenario(read_file(path, largest_scenario_bytes), path);
   if (!scenario.robot_description.empty()) {
     const std::filesystem::path file =
         std::filesystem::path(path).parent_path() / scenario.robot_description;
@@ -166,4 +166,4 @@ Scenario read_scenario(const std::string& path) {
   return scenario;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -34,13 +34,13 @@
 
 #include "simulate/scenario.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// @throw InputError at file:line:column for whatever is missing, unknown, impossible or misspelt.
-Scenario read_scenario(const std::string& path);
+simulate::Scenario read_scenario(const std::string& path);
 
 /// The same from a text; the robot's description is named but not read.
 /// @param file its name, for messages.
-Scenario parse_scenario(std::string_view text, const std::string& file);
+simulate::Scenario parse_scenario(std::string_view text, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "ingest/manifest/toml_document.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 std::string iso(const toml::local_date& date) {
@@ -90,4 +90,4 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -12,7 +12,7 @@
 #define TOML_MAX_NESTED_VALUES 32
 #include <toml++/toml.h>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 std::string iso(const toml::date& date) {
@@ -68,4 +68,4 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 const TomlNode* TomlNode::member(std::string_view key) const {
   const auto* members = as<TomlMembers>();
@@ -19,4 +19,4 @@ std::string iso_offset(int minutes) {
   return fmt::format("{}{:02}:{:02}", minutes < 0 ? '-' : '+', size / 60, size % 60);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

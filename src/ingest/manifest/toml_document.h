@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 struct TomlNode;
 
@@ -43,4 +43,4 @@ struct TomlNode {
 /// @param file its name, for the error. @throw InputError for a syntax error or a key given twice.
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/utf8.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 namespace {
 
 constexpr int most_dots = 50;
@@ -226,4 +226,4 @@ void precheck_toml(std::string_view text, const std::string& file) {
   Walk(text, file).check();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// @throw InputError for broken UTF-8, a character beyond ASCII outside of quotes and comments, a
 ///        backslash before such a character, a quote or a bracket in the middle of a key or value,
 ///        or a key with over 50 dots.
 void precheck_toml(std::string_view text, const std::string& file);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

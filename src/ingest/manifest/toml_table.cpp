@@ -11,7 +11,7 @@
 #include "ingest/manifest/toml_document.h"
 #include "ingest/manifest/toml_precheck.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 struct TomlTable::View {
   std::shared_ptr<const TomlNode> document;  ///< Keeps `table` alive.
@@ -275,4 +275,4 @@ std::vector<TomlTable> TomlTable::one_or_more_tables(const std::string& key) con
   return one;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

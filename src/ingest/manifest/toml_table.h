@@ -14,7 +14,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// Which numbers a key takes. In every case finite, and in the range of its unit (key_ranges.h).
 enum class Sign { any, not_negative, positive };
@@ -78,4 +78,4 @@ class TomlTable {
 Location place_in_toml(std::string_view text, const std::string& file, const std::string& table,
                        const std::string& key);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -8,7 +8,7 @@
 #include "base/shown_text.h"
 #include "base/utf8.h"
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 std::string toml_number(double value) {
   std::string text;
@@ -34,4 +34,4 @@ std::string toml_text(std::string_view text) {
   return quoted += '"';
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

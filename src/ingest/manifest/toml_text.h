@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::manifest {
 
 /// The shortest that reads back to the same double. @param value finite.
 std::string toml_number(double value);
@@ -13,4 +13,4 @@ std::string toml_number(double value);
 /// @throw std::invalid_argument: not UTF-8, of which TOML has no form.
 std::string toml_text(std::string_view text);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::manifest

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <chrono>
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -131,4 +131,4 @@ std::optional<ClockReading> read_iso_time(std::string_view field) {
   return ClockReading{((days * 24 + hour) * 60 + minute) * 60 + second - ahead_s, rest};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

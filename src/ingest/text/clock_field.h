@@ -8,7 +8,7 @@
 
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 /// A time as whole units and the rest, 0 <= rest < 1: what a double cannot hold in one.
 struct ClockReading {
@@ -30,4 +30,4 @@ std::optional<ClockReading> read_clock_number(std::string_view field,
 /// for anything else, or a day or hour that does not exist.
 std::optional<ClockReading> read_iso_time(std::string_view field);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -8,7 +8,7 @@
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 namespace {
 
@@ -196,8 +196,8 @@ Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark
   return fits[0].delimiter;
 }
 
-ColumnHeader read_header_field(const std::string& field) {
-  ColumnHeader header{field, field, ""};
+log::ColumnHeader read_header_field(const std::string& field) {
+  log::ColumnHeader header{field, field, ""};
   const char close = field.empty() ? '\0' : field.back();
   if (close != ']' && close != ')') return header;
   const std::size_t open = field.rfind(close == ']' ? '[' : '(');
@@ -207,4 +207,4 @@ ColumnHeader read_header_field(const std::string& field) {
   return header;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -12,7 +12,7 @@
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 enum class Delimiter : char { comma = ',', semicolon = ';', tab = '\t', spaces = ' ' };
 
@@ -61,6 +61,6 @@ Delimiter sniff_delimiter(std::string_view text, const std::string& file,
 Delimiter sniff_delimiter(RowCursor cursor, const std::string& file, DecimalMark mark);
 
 /// The name and the unit in brackets behind it.
-ColumnHeader read_header_field(const std::string& field);
+log::ColumnHeader read_header_field(const std::string& field);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

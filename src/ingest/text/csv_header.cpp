@@ -12,7 +12,7 @@
 #include "ingest/log/units.h"
 #include "ingest/text/clock_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 namespace {
 
 [[noreturn]] void refuse(const Location& line, std::size_t column,
@@ -82,7 +82,7 @@ bool holds_units(const std::vector<Field>& row, DecimalMark mark) {
     if (field.text.empty() || field.text == "-") continue;
     if (read_number(field.text, mark).kind != FieldKind::text) return false;
     ++stated;
-    known += is_known_unit(without_brackets(field.text)) ? 1 : 0;
+    known += log::is_known_unit(without_brackets(field.text)) ? 1 : 0;
   }
   return known > 0 && 2 * known >= stated;
 }
@@ -170,4 +170,4 @@ std::vector<Field> join_units(std::vector<Field> header) {
   return joined;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

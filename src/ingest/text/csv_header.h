@@ -11,7 +11,7 @@
 #include "ingest/text/csv_dialect.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 /// Whether a first row holds numbers and gaps only, a number at least: no header.
 bool holds_numbers_only(const std::vector<Field>& row, DecimalMark mark);
@@ -64,4 +64,4 @@ class ColumnNames {
 /// Under blanks as delimiter "tau [Nm]" falls into two fields; joins them again.
 std::vector<Field> join_units(std::vector<Field> header);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 namespace {
 
@@ -243,4 +243,4 @@ void RowCursor::next_line() {
   walked_ += next;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

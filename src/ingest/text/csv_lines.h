@@ -11,7 +11,7 @@
 
 #include "base/input_file.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 /// @param first_byte of the text in the file.
 /// @throw InputError for a NUL byte.
@@ -123,4 +123,4 @@ class RowCursor {
   unsigned kinds_{0};
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

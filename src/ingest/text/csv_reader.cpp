@@ -15,7 +15,7 @@
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_rows.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 // Room for long columns, in pages of megabytes where the system has them: a first touch of every
 // four kilobytes costs as much as reading the numbers that go there.
@@ -40,7 +40,8 @@ struct Header {
   std::vector<std::string> units;
 };
 
-std::vector<Field> fields_of(const RowCursor& cursor, const LogTable& table, Delimiter delimiter) {
+std::vector<Field> fields_of(const RowCursor& cursor, const log::LogTable& table,
+                             Delimiter delimiter) {
   return split_row(cursor.row(), delimiter, {table.file, cursor.line(), 0});
 }
 
@@ -54,7 +55,7 @@ std::vector<Field> words_of(const RowCursor& cursor, const CsvTable& table,
 }
 
 /// Goes on to the last row of the header; stays in front of the first row where there is none.
-Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
+Header read_names(RowCursor& cursor, const std::vector<log::WantedColumn>& columns,
                   const TextLogRules& rules, CsvTable& table) {
   RowCursor first = cursor;
   (void)first.next();
@@ -62,9 +63,9 @@ Header read_names(RowCursor& cursor, const std::vector<WantedColumn>& columns,
   Header header;
   header.fields = words_of(first, table, rules);
   if (holds_numbers_only(header.fields, rules.decimal_mark)) {
-    const bool by_position = std::all_of(columns.begin(), columns.end(), [](const WantedColumn& c) {
-      return c.name.starts_with('#');
-    });
+    const bool by_position =
+        std::all_of(columns.begin(), columns.end(),
+                    [](const log::WantedColumn& c) { return c.name.starts_with('#'); });
     if (!by_position) {
       throw InputError({line.file, line.line, 1},
                        {"no column names: the first row holds numbers", "", "",
@@ -119,7 +120,7 @@ std::string line_with(const std::string& name, RowCursor cursor, const CsvTable&
   return "";
 }
 
-RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns,
+RowLayout lay_out(const Header& header, const std::vector<log::WantedColumn>& columns,
                   const TextLogRules& rules, const RowCursor& cursor, const Location& line,
                   CsvTable& table) {
   RowLayout layout;
@@ -130,7 +131,7 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
   layout.slots.assign(layout.header.size(), -1);
   for (const Field& field : layout.header) table.header.push_back(field.text);
   const ColumnNames names(layout.header);
-  for (const WantedColumn& wanted : columns) {
+  for (const log::WantedColumn& wanted : columns) {
     if (wanted.is_optional && !names.has(wanted.name)) continue;
     const std::string elsewhere =
         names.has_or_counts(wanted.name) ? "" : line_with(wanted.name, cursor, table);
@@ -142,7 +143,7 @@ RowLayout lay_out(const Header& header, const std::vector<WantedColumn>& columns
     }
     layout.slots[index] = static_cast<int>(table.columns.size());
     layout.readings.push_back(wanted.reading);
-    LogColumn column;
+    log::LogColumn column;
     column.header = read_header_field(layout.header[index].text);
     if (column.header.unit.empty() && !header.units.empty()) {
       column.header.unit = header.units[index];
@@ -175,10 +176,10 @@ std::vector<Sample> sample_rows(RowCursor cursor, std::size_t columns, const Tex
 }
 
 /// All columns that can be read, by their position; the others in a note.
-std::vector<WantedColumn> readable_columns(const RowCursor& cursor, const Header& header,
-                                           const TextLogRules& rules, CsvTable& table) {
+std::vector<log::WantedColumn> readable_columns(const RowCursor& cursor, const Header& header,
+                                                const TextLogRules& rules, CsvTable& table) {
   const std::vector<Sample> samples = sample_rows(cursor, header.fields.size(), rules, table);
-  std::vector<WantedColumn> columns;
+  std::vector<log::WantedColumn> columns;
   std::vector<std::string> others;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const Sample& s = samples[k];
@@ -186,7 +187,7 @@ std::vector<WantedColumn> readable_columns(const RowCursor& cursor, const Header
       if (!header.fields[k].text.empty()) others.push_back(header.fields[k].text);
       continue;
     }
-    const auto reading = s.times > 0 ? ColumnReading::iso_time : ColumnReading::number;
+    const auto reading = s.times > 0 ? log::ColumnReading::iso_time : log::ColumnReading::number;
     columns.push_back({fmt::format("#{}", k + 1), "", reading});
   }
   if (!others.empty()) {
@@ -204,7 +205,7 @@ std::size_t likely_rows(std::string_view first_rows, std::uint64_t bytes) {
 }  // namespace
 
 CsvTable read_csv(ByteSource& bytes, const std::string& file,
-                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
+                  const std::vector<log::WantedColumn>& columns, const TextLogRules& rules) {
   TextWindow window(bytes, file);
   constexpr std::size_t first_bytes = 2 * longest_line_bytes;
   const std::string_view text = start_of_text(window.read_on({}, first_bytes), file);
@@ -224,10 +225,10 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
   if (!first.next()) throw InputError({file, 0, 0}, {"no header row", "", "", ""});
   if (first.row().size() > longest_line_bytes) refuse_long_line(file, first.line());
   const Header header = read_names(cursor, columns, rules, table);
-  const std::vector<WantedColumn> wanted =
+  const std::vector<log::WantedColumn> wanted =
       columns.empty() ? readable_columns(cursor, header, rules, table) : columns;
   const RowLayout layout = lay_out(header, wanted, rules, cursor, {file, first.line(), 0}, table);
-  for (LogColumn& column : table.columns) {
+  for (log::LogColumn& column : table.columns) {
     reserve_in_large_pages(column.values, likely_rows(cursor.rest(), bytes.likely_bytes()));
   }
   if (table.delimiter != Delimiter::comma) {
@@ -246,9 +247,9 @@ CsvTable read_csv(ByteSource& bytes, const std::string& file,
 }
 
 CsvTable read_csv(std::string_view bytes, const std::string& file,
-                  const std::vector<WantedColumn>& columns, const TextLogRules& rules) {
+                  const std::vector<log::WantedColumn>& columns, const TextLogRules& rules) {
   MemorySource source(bytes);
   return read_csv(source, file, columns, rules);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

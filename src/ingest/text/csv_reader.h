@@ -19,9 +19,9 @@
 #include "ingest/log/log_table.h"
 #include "ingest/text/csv_dialect.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
-struct CsvTable : LogTable {
+struct CsvTable : log::LogTable {
   Delimiter delimiter{Delimiter::comma};
 };
 
@@ -32,9 +32,9 @@ struct CsvTable : LogTable {
 /// @param rules what the log cannot tell itself.
 /// @throw InputError with file:line:column, what was found, what was expected and what to do.
 CsvTable read_csv(ByteSource& bytes, const std::string& file,
-                  const std::vector<WantedColumn>& columns, const TextLogRules& rules = {});
+                  const std::vector<log::WantedColumn>& columns, const TextLogRules& rules = {});
 /// The same of a log in memory.
 CsvTable read_csv(std::string_view bytes, const std::string& file,
-                  const std::vector<WantedColumn>& columns, const TextLogRules& rules = {});
+                  const std::vector<log::WantedColumn>& columns, const TextLogRules& rules = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

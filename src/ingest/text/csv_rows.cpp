@@ -15,7 +15,7 @@
 #include "ingest/text/plain_rows.h"
 #include "ingest/text/row_refusals.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 namespace {
 
 /// How the fields of each column that is read become numbers.
@@ -29,9 +29,9 @@ class SlotReadings {
     for (const int slot : layout_.slots) {
       PlainColumn column{slot, {}, false};
       const auto at = static_cast<std::size_t>(slot);
-      if (slot >= 0 && layout_.readings[at] != ColumnReading::number) {
+      if (slot >= 0 && layout_.readings[at] != log::ColumnReading::number) {
         if (!starts_[at]) return std::nullopt;
-        column.is_iso_time = layout_.readings[at] == ColumnReading::iso_time;
+        column.is_iso_time = layout_.readings[at] == log::ColumnReading::iso_time;
         if (starts_[at]->whole != 0) column.start = starts_[at];
       }
       plain.columns.push_back(column);
@@ -39,17 +39,18 @@ class SlotReadings {
     return plain;
   }
 
-  NumberField read(std::string_view field, std::size_t slot, LogTable& table) {
-    const ColumnReading reading = layout_.readings[slot];
-    if (reading == ColumnReading::number) return read_number(field, layout_.mark);
-    const auto clock = reading == ColumnReading::iso_time ? read_iso_time(field)
-                                                          : read_clock_number(field, layout_.mark);
+  NumberField read(std::string_view field, std::size_t slot, log::LogTable& table) {
+    const log::ColumnReading reading = layout_.readings[slot];
+    if (reading == log::ColumnReading::number) return read_number(field, layout_.mark);
+    const auto clock = reading == log::ColumnReading::iso_time
+                           ? read_iso_time(field)
+                           : read_clock_number(field, layout_.mark);
     if (clock) {
       if (!starts_[slot]) set_start(*clock, slot, table);
       if (starts_[slot]->whole != 0) return {FieldKind::number, clock->since(*starts_[slot])};
     }
     NumberField number = read_number(field, layout_.mark);
-    if (reading == ColumnReading::iso_time && number.kind == FieldKind::number) {
+    if (reading == log::ColumnReading::iso_time && number.kind == FieldKind::number) {
       number.kind = FieldKind::text;
     }
     if (number.kind == FieldKind::number && starts_[slot])
@@ -59,9 +60,9 @@ class SlotReadings {
 
  private:
   /// A clock that counts from 1970 starts with its first reading; another from its own zero.
-  void set_start(const ClockReading& first, std::size_t slot, LogTable& table) {
-    const bool is_epoch = layout_.readings[slot] == ColumnReading::iso_time ||
-                          std::abs(static_cast<double>(first.whole)) >= counts_from_1970;
+  void set_start(const ClockReading& first, std::size_t slot, log::LogTable& table) {
+    const bool is_epoch = layout_.readings[slot] == log::ColumnReading::iso_time ||
+                          std::abs(static_cast<double>(first.whole)) >= log::counts_from_1970;
     const ClockReading start{is_epoch ? first.whole : 0, 0.0};
     starts_[slot] = start;
     table.columns[slot].origin = static_cast<double>(start.whole);
@@ -175,7 +176,7 @@ class RowReader {
 
   void keep() {
     for (std::size_t k = 0; k < values_.size(); ++k) {
-      LogColumn& column = table_.columns[k];
+      log::LogColumn& column = table_.columns[k];
       column.values.push_back(values_[k]);
       if (std::isnan(values_[k])) ++column.gaps;
     }
@@ -241,4 +242,4 @@ void read_rows(RowCursor& cursor, const RowLayout& layout, CsvTable& table) {
   RowReader(cursor, layout, table).read_all();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -8,14 +8,14 @@
 #include "ingest/text/csv_reader.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 /// What the rows are read against.
 struct RowLayout {
   std::vector<Field> header;
-  std::string header_row;               ///< As it stands in the file; empty: there is none.
-  std::vector<int> slots;               ///< For each column of the file: index in `columns`, or -1.
-  std::vector<ColumnReading> readings;  ///< Of each of `columns`.
+  std::string header_row;  ///< As it stands in the file; empty: there is none.
+  std::vector<int> slots;  ///< For each column of the file: index in `columns`, or -1.
+  std::vector<log::ColumnReading> readings;  ///< Of each of `columns`.
   DecimalMark mark{DecimalMark::point};
   bool skip_bad_rows{};  ///< Leaves out and counts what is refused otherwise.
 };
@@ -25,4 +25,4 @@ struct RowLayout {
 ///        there are too many.
 void read_rows(RowCursor& cursor, const RowLayout& layout, CsvTable& table);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -131,4 +131,4 @@ bool looks_like_cut_number(std::string_view field, DecimalMark mark) {
   return std::find(starts.begin(), starts.end(), number) != starts.end();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

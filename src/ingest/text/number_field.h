@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 enum class FieldKind {
   number,
@@ -36,4 +36,4 @@ bool looks_like_thousands(std::string_view field, DecimalMark mark = DecimalMark
 /// "-", "1.5e", "na": what the start of a number looks like when a file is cut off.
 bool looks_like_cut_number(std::string_view field, DecimalMark mark = DecimalMark::point);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

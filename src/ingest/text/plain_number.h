@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 static_assert(std::endian::native == std::endian::little, "eight digits are read as one word");
 
@@ -115,4 +115,4 @@ static_assert(std::endian::native == std::endian::little, "eight digits are read
   return read.ec == std::errc() && std::isfinite(value) ? read.ptr : start;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -7,7 +7,7 @@
 #include "base/parallel_for.h"
 #include "ingest/text/plain_number.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 namespace {
 
@@ -235,7 +235,7 @@ void PlainStretches::finish() {
 }
 
 void PlainStretches::append(std::size_t column) {
-  LogColumn& to = columns_[column];
+  log::LogColumn& to = columns_[column];
   for (const PlainRows& part : std::span(waiting_).first(waiting_parts_)) {
     const double* const first = part.values[column].data();
     to.values.insert(to.values.end(), first, first + part.rows);
@@ -243,4 +243,4 @@ void PlainStretches::append(std::size_t column) {
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

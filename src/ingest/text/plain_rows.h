@@ -15,7 +15,7 @@
 #include "ingest/text/csv_dialect.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 /// What becomes of a column of the file.
 struct PlainColumn {
@@ -54,7 +54,7 @@ void read_plain_rows(std::string_view text, const PlainLayout& layout, PlainRows
 class PlainStretches {
  public:
   /// @param columns of the table, in the order of the layout's slots; they have to live on.
-  explicit PlainStretches(std::vector<LogColumn>& columns) : columns_(columns) {}
+  explicit PlainStretches(std::vector<log::LogColumn>& columns) : columns_(columns) {}
 
   struct Round {
     std::span<const PlainRows> parts;  ///< In their order; until the next round.
@@ -72,11 +72,11 @@ class PlainStretches {
  private:
   void append(std::size_t column);
 
-  std::vector<LogColumn>& columns_;
+  std::vector<log::LogColumn>& columns_;
   std::vector<PlainRows> parts_;    ///< Of the round that goes on; kept for their memory.
   std::vector<PlainRows> waiting_;  ///< Of the round before, the first ones
   std::size_t waiting_parts_{0};    ///< of which are to be appended.
   std::size_t waiting_bytes_{0};    ///< Of the text that they were read from.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

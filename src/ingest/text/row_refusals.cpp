@@ -5,7 +5,7 @@
 #include "base/closest_match.h"
 #include "ingest/text/clock_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 namespace {
 
 /// Where rows before it could be used. Empty where they are skipped already.
@@ -18,18 +18,19 @@ std::string joined(const std::string& cause, const std::string& way) {
   return cause + (cause.empty() || way.empty() ? "" : "; ") + way;
 }
 
-std::string expected_of(ColumnReading reading, DecimalMark mark) {
-  if (reading == ColumnReading::iso_time) return "a time such as 2026-03-01T08:15:00.25Z";
+std::string expected_of(log::ColumnReading reading, DecimalMark mark) {
+  if (reading == log::ColumnReading::iso_time) return "a time such as 2026-03-01T08:15:00.25Z";
   return mark == DecimalMark::comma ? "a number with a decimal comma" : "a number";
 }
 
-std::string likely_cause(const RefusedRow& row, const std::string& field, ColumnReading reading) {
+std::string likely_cause(const RefusedRow& row, const std::string& field,
+                         log::ColumnReading reading) {
   const DecimalMark mark = row.layout.mark;
   if (mark == DecimalMark::point && looks_like_decimal_comma(field)) {
     return "decimal comma? state it: [log] decimal_comma = true";
   }
   if (looks_like_thousands(field, mark)) return "thousands separators? write numbers without";
-  if (reading != ColumnReading::iso_time && read_iso_time(field)) {
+  if (reading != log::ColumnReading::iso_time && read_iso_time(field)) {
     return "date and time? state unit = \"iso8601\"";
   }
   return row.table.rows == 0 ? "a row of units under the header? put '#' in front of it" : "";
@@ -65,11 +66,11 @@ void refuse_field(const RefusedRow& row, const Field& field, std::size_t column,
     throw InputError(where,
                      {what + ": number is too large", in_quotes(field.text), "", way_out(row)});
   }
-  const ColumnReading reading =
+  const log::ColumnReading reading =
       row.layout.readings[static_cast<std::size_t>(row.layout.slots[column])];
   const std::string cause = likely_cause(row, field.text, reading);
   throw InputError(where, {what, in_quotes(field.text), expected_of(reading, row.layout.mark),
                            cause.empty() ? way_out(row) : cause});
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

@@ -7,7 +7,7 @@
 #include "ingest/text/csv_rows.h"
 #include "ingest/text/number_field.h"
 
-namespace tribolog {
+namespace tribolog::ingest::text {
 
 struct RefusedRow {
   const CsvTable& table;  ///< As far as it is read.
@@ -27,4 +27,4 @@ struct RefusedRow {
 [[noreturn]] void refuse_field(const RefusedRow& row, const Field& field, std::size_t column,
                                FieldKind kind);
 
-}  // namespace tribolog
+}  // namespace tribolog::ingest::text

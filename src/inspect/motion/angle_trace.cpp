@@ -4,7 +4,7 @@
 #include <cmath>
 #include <deque>
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 std::vector<std::size_t> turning_points(const std::vector<double>& signal, std::size_t first,
                                         std::size_t last, double threshold) {
@@ -119,4 +119,4 @@ std::vector<std::size_t> Way::passages(double band_rad) const {
   return reached;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 struct AngleTrace {
   std::vector<double> t_s;    ///< Strictly increasing.
@@ -68,4 +68,4 @@ class Way {
   double sign_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -8,7 +8,7 @@
 #include "inspect/motion/torque_ramps.h"
 #include "method/motion/plateaus.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 namespace {
 
 constexpr double smallest_travel = 1e-3;      // of the widest: single strokes below are settling
@@ -172,13 +172,13 @@ class MotionCutter {
                                  v.begin() + static_cast<std::ptrdiff_t>(group.last()) + 1);
     };
     if (!is_free(group.first(), group.last())) return false;
-    Recording stroke;
+    joint::Recording stroke;
     stroke.t_s = part(trace_.t_s);
     stroke.q_rad = part(trace_.q_rad);
-    const MotionSegments found = find_plateaus(stroke);
+    const method::motion::MotionSegments found = method::motion::find_plateaus(stroke);
     const double least = found.plateaus.size() > 1 ? least_plateau_share : least_single_share;
     if (found.plateaus.empty() || found.plateau_share() < least) return false;
-    for (const Plateau& plateau : found.plateaus) {
+    for (const method::motion::Plateau& plateau : found.plateaus) {
       MotionSegment s = segment(MotionKind::constant_speed, group.first() + plateau.first,
                                 group.first() + plateau.last - 1);
       s.strokes = 1;
@@ -275,4 +275,4 @@ std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace) {
   return MotionCutter(trace).cut();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -13,7 +13,7 @@
 
 #include "inspect/motion/angle_trace.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 enum class MotionKind {
   rest,
@@ -56,4 +56,4 @@ inline constexpr double widest_oscillation_rad = 0.2;
 /// (recording_roles.h).
 std::vector<MotionSegment> cut_by_motion(const AngleTrace& trace);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

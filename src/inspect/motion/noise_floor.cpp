@@ -8,7 +8,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 namespace {
 
 constexpr double steps = 3;
@@ -36,9 +36,9 @@ Window window_of(const std::vector<double>& signal, std::size_t first, std::size
     window.squares += (before * before + here * here) / 2;
     window.products += before * here;
   }
-  window.sd =
-      white_sd_beside_jumps(third_differences({signal.begin() + static_cast<std::ptrdiff_t>(first),
-                                               signal.begin() + static_cast<std::ptrdiff_t>(end)}));
+  window.sd = statistics::white_sd_beside_jumps(
+      statistics::third_differences({signal.begin() + static_cast<std::ptrdiff_t>(first),
+                                     signal.begin() + static_cast<std::ptrdiff_t>(end)}));
   return window;
 }
 
@@ -58,7 +58,7 @@ double white_floor(const std::vector<double>& signal) {
     quiet.products += window.products;
     deviations_seen.push_back(window.sd);
   }
-  const double floor = deviations * median(std::move(deviations_seen));
+  const double floor = deviations * statistics::median(std::move(deviations_seen));
   if (quiet.products < largest_correlation_of_noise * quiet.squares) return floor;
   const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
   return std::min(floor, curvature_share * (*high - *low));
@@ -90,7 +90,7 @@ double step_from_stand(const std::vector<double>& signal) {
 double noise_floor(const std::vector<double>& signal) {
   if (signal.size() < 4) return 0;
   return std::max(white_floor(signal),
-                  steps * std::max(common_step(signal), step_from_stand(signal)));
+                  steps * std::max(method::motion::common_step(signal), step_from_stand(signal)));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 /// The larger of three of the signal's steps (an encoder's, or of the decimals it was printed with)
 /// and five standard deviations of its white noise. Noise is what third differences leave in the
@@ -12,4 +12,4 @@ namespace tribolog {
 /// samples.
 double noise_floor(const std::vector<double>& signal);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

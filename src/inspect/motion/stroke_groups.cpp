@@ -6,7 +6,7 @@
 #include "inspect/motion/angle_trace.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 namespace {
 
@@ -180,13 +180,13 @@ class Grouping {
 double StrokeGroup::travel_rad() const {
   std::vector<double> travels;
   for (const AngleStroke& stroke : strokes) travels.push_back(std::abs(stroke.travel_rad));
-  return median(std::move(travels));
+  return statistics::median(std::move(travels));
 }
 
 double StrokeGroup::speed_rad_s() const {
   std::vector<double> speeds;
   for (const StrokeShape& shape : shapes) speeds.push_back(shape.speed_rad_s);
-  return median(std::move(speeds));
+  return statistics::median(std::move(speeds));
 }
 
 std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
@@ -194,4 +194,4 @@ std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFami
   return Grouping(trace, family, widest_oscillation_rad).groups();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

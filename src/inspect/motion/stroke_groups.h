@@ -7,7 +7,7 @@
 #include "inspect/motion/angle_trace.h"
 #include "inspect/motion/strokes.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 // Whether a stroke runs at constant speed, and how fast.
 //
@@ -45,4 +45,4 @@ struct StrokeGroup {
 std::vector<StrokeGroup> group_strokes(const AngleTrace& trace, const StrokeFamily& family,
                                        double widest_oscillation_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -7,7 +7,7 @@
 
 #include "inspect/motion/angle_trace.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 namespace {
 
 constexpr std::size_t fewest_samples = 5;
@@ -235,4 +235,4 @@ std::vector<StrokeFamily> find_strokes(const AngleTrace& trace, double noise_flo
   return StrokeFinder(trace, noise_floor_rad).find();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -13,7 +13,7 @@
 
 #include "inspect/motion/angle_trace.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 struct AngleStroke {
   std::size_t first{};  ///< Sample with which it leaves its stand or turns.
@@ -30,4 +30,4 @@ using StrokeFamily = std::vector<AngleStroke>;
 /// @return families, larger scales first; none in a trace at rest.
 std::vector<StrokeFamily> find_strokes(const AngleTrace& trace, double noise_floor_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

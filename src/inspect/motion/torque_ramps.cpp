@@ -8,7 +8,7 @@
 #include "inspect/motion/noise_floor.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 namespace {
 
 constexpr double smallest_rise = 0.03;       // of the effort's range
@@ -83,8 +83,9 @@ std::size_t corner(const AngleTrace& trace, const Line& line, std::size_t from, 
   const std::size_t first = is_start ? std::max(from, beyond - std::min(beyond, reach)) : beyond;
   const std::size_t last = is_start ? beyond : std::min(to, beyond + reach);
   if (last < first + fewest_of_level) return beyond;
-  const double level = median({trace.effort.begin() + static_cast<std::ptrdiff_t>(first),
-                               trace.effort.begin() + static_cast<std::ptrdiff_t>(last)});
+  const double level =
+      statistics::median({trace.effort.begin() + static_cast<std::ptrdiff_t>(first),
+                          trace.effort.begin() + static_cast<std::ptrdiff_t>(last)});
   const std::size_t at = sample_at(time_of(level));
   return is_start ? std::min(at, on_line) : std::max(at, on_line);
 }
@@ -167,4 +168,4 @@ std::vector<TorqueRamp> TorqueRampFinder::between(std::size_t first, std::size_t
   return ramps;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

@@ -7,7 +7,7 @@
 
 #include "inspect/motion/angle_trace.h"
 
-namespace tribolog {
+namespace tribolog::inspect::motion {
 
 struct TorqueRamp {
   std::size_t first{};
@@ -35,4 +35,4 @@ class TorqueRampFinder {
   double range_{};  ///< Of the effort.
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::motion

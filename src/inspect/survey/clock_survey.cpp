@@ -8,7 +8,7 @@
 #include "ingest/dataset/companion_columns.h"
 #include "ingest/log/units.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr double gap_intervals = 5;
@@ -19,7 +19,8 @@ constexpr std::array units = {"s", "ms", "us", "ns"};
 
 std::string unit_by_magnitude(double interval) {
   for (const char* unit : units) {
-    const double seconds = interval * present(find_si_factor(Quantity::time, unit));
+    const double seconds =
+        interval * present(ingest::log::find_si_factor(ingest::log::Quantity::time, unit));
     if (seconds > 0 && 1 / seconds >= slowest_Hz && 1 / seconds <= fastest_Hz) return unit;
   }
   return "s";
@@ -27,7 +28,8 @@ std::string unit_by_magnitude(double interval) {
 
 }  // namespace
 
-ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, bool is_iso) {
+ClockSurvey survey_clock(const ingest::log::LogColumn& column,
+                         const ingest::layout::ColumnMeaning& meaning, bool is_iso) {
   ClockSurvey clock;
   clock.column = column.header.full;
   clock.origin = column.origin;
@@ -36,12 +38,14 @@ ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, 
     if (std::isfinite(value)) values.push_back(value);
   }
   clock.missing = column.values.size() - values.size();
-  const double interval = median_clock_step(values);
+  const double interval = ingest::dataset::median_clock_step(values);
   clock.unit_is_stated = is_iso || meaning.unit_is_stated;
   clock.unit = is_iso                   ? "iso8601"
                : meaning.unit_is_stated ? meaning.unit
                                         : unit_by_magnitude(interval);
-  if (!is_iso) clock.seconds_per_unit = present(find_si_factor(Quantity::time, clock.unit));
+  if (!is_iso)
+    clock.seconds_per_unit =
+        present(ingest::log::find_si_factor(ingest::log::Quantity::time, clock.unit));
   clock.interval_s = interval * clock.seconds_per_unit;
   if (values.empty()) return clock;
   clock.first_s = *std::min_element(values.begin(), values.end()) * clock.seconds_per_unit;
@@ -66,4 +70,4 @@ ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, 
   return clock;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

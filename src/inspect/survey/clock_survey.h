@@ -8,7 +8,7 @@
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 struct ClockGap {
   double at_s{};
@@ -35,6 +35,7 @@ struct ClockSurvey {
 };
 
 /// @param column the log's clock. @param meaning its unit, where it is stated.
-ClockSurvey survey_clock(const LogColumn& column, const ColumnMeaning& meaning, bool is_iso);
+ClockSurvey survey_clock(const ingest::log::LogColumn& column,
+                         const ingest::layout::ColumnMeaning& meaning, bool is_iso);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -8,7 +8,7 @@
 
 #include "base/closest_match.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr double widest_rad = 4 * 3.14159265358979;  // two turns; more are degrees
@@ -59,20 +59,21 @@ double slope_correlation(const std::vector<double>& t, const std::vector<double>
   return xy / std::sqrt(xx * yy);
 }
 
-bool has(const LogLayout& layout, Quantity quantity) {
-  return std::any_of(layout.columns.begin(), layout.columns.end(), [&](const ColumnMeaning& c) {
-    return c.quantity == quantity && !c.is_target;
-  });
-}
-
-bool is_told(const LogLayout& layout, std::size_t column) {
+bool has(const ingest::layout::LogLayout& layout, ingest::log::Quantity quantity) {
   return std::any_of(layout.columns.begin(), layout.columns.end(),
-                     [&](const ColumnMeaning& c) { return c.column == column; }) ||
-         std::any_of(layout.foreign.begin(), layout.foreign.end(),
-                     [&](const ForeignUnit& f) { return f.column == column; });
+                     [&](const ingest::layout::ColumnMeaning& c) {
+                       return c.quantity == quantity && !c.is_target;
+                     });
 }
 
-GuessedMeaning meaning_of(std::size_t column, Quantity quantity, std::string unit,
+bool is_told(const ingest::layout::LogLayout& layout, std::size_t column) {
+  return std::any_of(layout.columns.begin(), layout.columns.end(),
+                     [&](const ingest::layout::ColumnMeaning& c) { return c.column == column; }) ||
+         std::any_of(layout.foreign.begin(), layout.foreign.end(),
+                     [&](const ingest::layout::ForeignUnit& f) { return f.column == column; });
+}
+
+GuessedMeaning meaning_of(std::size_t column, ingest::log::Quantity quantity, std::string unit,
                           std::string reason) {
   GuessedMeaning guess;
   guess.meaning.column = column;
@@ -95,19 +96,21 @@ bool looks_like_degrees(const std::vector<double>& angles) {
   return high - low > widest_rad;
 }
 
-std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLayout& layout) {
+std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
+                                             const ingest::layout::LogLayout& layout) {
   std::vector<GuessedMeaning> guesses;
   const auto& columns = table.columns;
   std::optional<std::size_t> clock;
-  for (const ColumnMeaning& c : layout.columns) {
-    if (c.quantity == Quantity::time) clock = c.column;
+  for (const ingest::layout::ColumnMeaning& c : layout.columns) {
+    if (c.quantity == ingest::log::Quantity::time) clock = c.column;
   }
   for (std::size_t k = 0; k < columns.size() && !clock; ++k) {
     if (is_told(layout, k) || !looks_like_clock(columns[k].values)) continue;
     clock = k;
-    guesses.push_back(meaning_of(k, Quantity::time, "s", "the first column that only rises"));
+    guesses.push_back(
+        meaning_of(k, ingest::log::Quantity::time, "s", "the first column that only rises"));
   }
-  if (!clock || has(layout, Quantity::angle)) return guesses;
+  if (!clock || has(layout, ingest::log::Quantity::angle)) return guesses;
   const auto correlation = [&](std::size_t a, std::size_t v) {
     const bool may_be = a != v && a != *clock && v != *clock && !is_told(layout, a);
     return may_be ? slope_correlation(columns[*clock].values, columns[a].values, columns[v].values)
@@ -133,14 +136,14 @@ std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLay
     break;
   }
   if (angle == speed) return guesses;
-  guesses.push_back(meaning_of(angle, Quantity::angle, "rad",
+  guesses.push_back(meaning_of(angle, ingest::log::Quantity::angle, "rad",
                                "its slope is column " + in_quotes(columns[speed].header.full)));
   if (!is_told(layout, speed)) {
     guesses.push_back(
-        meaning_of(speed, Quantity::angular_speed, "rad/s",
+        meaning_of(speed, ingest::log::Quantity::angular_speed, "rad/s",
                    "it is the slope of column " + in_quotes(columns[angle].header.full)));
   }
   return guesses;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -7,19 +7,20 @@
 #include "ingest/layout/log_layout.h"
 #include "ingest/log/log_table.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 struct GuessedMeaning {
-  ColumnMeaning meaning;
+  ingest::layout::ColumnMeaning meaning;
   std::string reason;  ///< "its slope is column '#3'"
 };
 
 /// Only what the layout lacks: a clock is the first column that rises all the way; where no angle
 /// is known, it is a column whose slope over the clock another column holds, which is the speed. Of
 /// what is left nothing tells which one is an effort.
-std::vector<GuessedMeaning> guess_by_numbers(const LogTable& table, const LogLayout& layout);
+std::vector<GuessedMeaning> guess_by_numbers(const ingest::log::LogTable& table,
+                                             const ingest::layout::LogLayout& layout);
 
 /// Whether angles without a stated unit are degrees: no joint turns by thirty radians.
 bool looks_like_degrees(const std::vector<double>& angles);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

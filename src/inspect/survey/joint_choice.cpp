@@ -10,7 +10,7 @@
 #include "base/requirements.h"
 #include "ingest/layout/name_words.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 namespace {
 
@@ -111,7 +111,7 @@ namespace {
 constexpr std::array voltage_words = {"v", "volt", "volts", "voltage", "pwm", "duty"};
 
 bool says_motor(const std::string& name) {
-  const std::vector<std::string> words = words_of_name(name);
+  const std::vector<std::string> words = ingest::layout::words_of_name(name);
   return std::find(words.begin(), words.end(), "motor") != words.end() ||
          std::find(words.begin(), words.end(), "drive") != words.end();
 }
@@ -134,7 +134,7 @@ void propose_none(const TableSurvey& table, EffortProposal& proposal) {
 }  // namespace
 
 std::optional<std::size_t> EffortProposal::column_of(const JointSurvey& joint) const {
-  if (kind == EffortKind::none) return std::nullopt;
+  if (kind == joint::EffortKind::none) return std::nullopt;
   if (!is_target) return joint.effort;
   return joint.targets.empty() ? std::nullopt : std::optional(joint.targets.front());
 }
@@ -142,7 +142,7 @@ std::optional<std::size_t> EffortProposal::column_of(const JointSurvey& joint) c
 std::vector<std::string> voltages_of(const TableSurvey& table) {
   std::vector<std::string> names;
   for (const ColumnSurvey& column : table.columns) {
-    const std::vector<std::string> words = words_of_name(column.name);
+    const std::vector<std::string> words = ingest::layout::words_of_name(column.name);
     const bool is_one =
         column.unit == "V" || std::any_of(words.begin(), words.end(), [](const std::string& word) {
           return std::find(voltage_words.begin(), voltage_words.end(), word) != voltage_words.end();
@@ -164,7 +164,7 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
       const JointSurvey& j = in.joints[of.joint];
       if (column != nullptr || (is_target ? j.targets.empty() : !j.effort)) continue;
       const ColumnSurvey& found = in.columns[is_target ? j.targets.front() : present(j.effort)];
-      if (is_target && present(found.meaning).quantity != Quantity::torque) continue;
+      if (is_target && present(found.meaning).quantity != ingest::log::Quantity::torque) continue;
       table = &in;
       column = &found;
       proposal.is_target = is_target;
@@ -174,17 +174,18 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
     propose_none(*table, proposal);
     return proposal;
   }
-  const ColumnMeaning& meaning = present(column->meaning);
-  const bool is_current = meaning.quantity == Quantity::current;
-  EffortKind guess = says_motor(column->name) ? EffortKind::motor_torque : EffortKind::joint_torque;
-  if (is_current) guess = EffortKind::motor_current;
-  if (proposal.is_target) guess = EffortKind::target_torque;
+  const ingest::layout::ColumnMeaning& meaning = present(column->meaning);
+  const bool is_current = meaning.quantity == ingest::log::Quantity::current;
+  joint::EffortKind guess =
+      says_motor(column->name) ? joint::EffortKind::motor_torque : joint::EffortKind::joint_torque;
+  if (is_current) guess = joint::EffortKind::motor_current;
+  if (proposal.is_target) guess = joint::EffortKind::target_torque;
   proposal.kind = proposal.is_target ? guess : meaning.effort.kind.value_or(guess);
-  const Side likely =
-      proposal.kind == EffortKind::motor_torque || (is_current && options.gear_ratio.has_value())
-          ? Side::motor
-          : Side::joint;
-  const Side side =
+  const joint::Side likely = proposal.kind == joint::EffortKind::motor_torque ||
+                                     (is_current && options.gear_ratio.has_value())
+                                 ? joint::Side::motor
+                                 : joint::Side::joint;
+  const joint::Side side =
       options.effort_side.value_or(is_current ? likely : meaning.effort.side.value_or(likely));
 
   proposal.remarks.push_back(fmt::format(
@@ -200,18 +201,19 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
         "Is it measured? Before the gear (motor_torque, side motor) or behind it (joint_torque, "
         "side joint)?");
   }
-  proposal.lines.push_back(fmt::format("kind = \"{}\"", to_string(proposal.kind)));
+  proposal.lines.push_back(fmt::format("kind = \"{}\"", joint::to_string(proposal.kind)));
   proposal.lines.push_back(fmt::format(
-      "side = \"{}\"{}", side == Side::motor ? "motor" : "joint",
+      "side = \"{}\"{}", side == joint::Side::motor ? "motor" : "joint",
       is_current && !options.effort_side ? "  # on which the torque constant below acts" : ""));
-  if (proposal.kind == EffortKind::motor_current) {
+  if (proposal.kind == joint::EffortKind::motor_current) {
     proposal.lines.push_back(
         options.torque_constant_Nm_A
             ? fmt::format("torque_constant_Nm_A = {}", *options.torque_constant_Nm_A)
             : "torque_constant_Nm_A = 0  # state it: N·m per ampere on the side above; 0 is "
               "refused");
   }
-  const bool is_stated = proposal.kind == EffortKind::motor_current && meaning.unit_is_stated;
+  const bool is_stated =
+      proposal.kind == joint::EffortKind::motor_current && meaning.unit_is_stated;
   if (!is_stated) {
     proposal.lines.emplace_back(
         "confirmed = false  # a guess; true, or no such line, once it is "
@@ -220,4 +222,4 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
   return proposal;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -9,7 +9,7 @@
 #include "inspect/survey/manifest_proposal.h"
 #include "inspect/survey/recording_roles.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 struct JointChoice {
   std::string name;
@@ -26,7 +26,7 @@ JointChoice choose_joint(const std::vector<LogSurvey>& logs,
 // What the effort of a joint is proposed to be, and how sure that is.
 
 struct EffortProposal {
-  EffortKind kind{EffortKind::none};
+  joint::EffortKind kind{joint::EffortKind::none};
   std::vector<std::string> remarks;  ///< For comments, one line each.
   std::vector<std::string> lines;    ///< Of [effort], each a key with its value and a comment.
   bool is_target{};  ///< No measured effort is there: a controller's value stands in.
@@ -44,4 +44,4 @@ EffortProposal propose_effort(const std::vector<LogSurvey>& logs,
 /// Columns that look like voltages or duty cycles, from which no torque follows.
 std::vector<std::string> voltages_of(const TableSurvey& table);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

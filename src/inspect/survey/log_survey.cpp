@@ -12,13 +12,13 @@
 #include "inspect/survey/column_guess.h"
 #include "method/motion/encoder_resolution.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr std::size_t most_distinct = 1000;
 constexpr std::size_t most_columns_by_numbers = 64;  // pairs of them are compared
 
-std::vector<double> numbers_of(const LogColumn& column) {
+std::vector<double> numbers_of(const ingest::log::LogColumn& column) {
   std::vector<double> numbers;
   for (const double value : column.values) {
     if (std::isfinite(value)) numbers.push_back(value);
@@ -26,7 +26,7 @@ std::vector<double> numbers_of(const LogColumn& column) {
   return numbers;
 }
 
-ColumnSurvey survey_column(const LogColumn& column) {
+ColumnSurvey survey_column(const ingest::log::LogColumn& column) {
   ColumnSurvey survey;
   survey.name = column.header.full;
   survey.unit = column.header.unit;
@@ -38,7 +38,7 @@ ColumnSurvey survey_column(const LogColumn& column) {
   const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
   survey.lowest = *low;
   survey.highest = *high;
-  survey.step = common_step(numbers);
+  survey.step = method::motion::common_step(numbers);
   std::set<double> distinct;
   for (auto it = numbers.begin(); it != numbers.end() && distinct.size() < most_distinct; ++it) {
     distinct.insert(*it);
@@ -48,28 +48,30 @@ ColumnSurvey survey_column(const LogColumn& column) {
 }
 
 /// Text logs are read in one pass for all columns; a clock that counts from 1970 in a second one.
-std::vector<LogTable> tables_of(const std::string& path, LogFormat format,
-                                const TextLogRules& rules) {
-  if (format != LogFormat::text) return read_tables(path, format);
+std::vector<ingest::log::LogTable> tables_of(const std::string& path, ingest::log::LogFormat format,
+                                             const ingest::text::TextLogRules& rules) {
+  if (format != ingest::log::LogFormat::text) return ingest::dataset::read_tables(path, format);
   InputFileSource bytes(path);
-  return {read_csv(bytes, path, {}, rules)};
+  return {ingest::text::read_csv(bytes, path, {}, rules)};
 }
 
 /// So that no nanosecond is lost of one that counts from 1970.
-void read_clock_again(const std::string& path, const TextLogRules& rules, std::size_t column,
-                      LogTable& table) {
+void read_clock_again(const std::string& path, const ingest::text::TextLogRules& rules,
+                      std::size_t column, ingest::log::LogTable& table) {
   const std::vector<double>& values = table.columns[column].values;
-  const bool is_long = std::any_of(values.begin(), values.end(),
-                                   [](double t) { return std::abs(t) >= counts_from_1970; });
+  const bool is_long = std::any_of(values.begin(), values.end(), [](double t) {
+    return std::abs(t) >= ingest::log::counts_from_1970;
+  });
   if (!is_long) return;
   InputFileSource bytes(path);
   const std::string name = table.columns[column].header.full;
-  CsvTable again = read_csv(bytes, path, {{name, "", ColumnReading::clock}}, rules);
+  ingest::text::CsvTable again =
+      ingest::text::read_csv(bytes, path, {{name, "", ingest::log::ColumnReading::clock}}, rules);
   table.columns[column].values = std::move(again.columns.front().values);
   table.columns[column].origin = again.columns.front().origin;
 }
 
-std::optional<std::size_t> first_of(const TableSurvey& table, Quantity quantity,
+std::optional<std::size_t> first_of(const TableSurvey& table, ingest::log::Quantity quantity,
                                     const std::string& joint, bool is_target) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const auto& meaning = table.columns[k].meaning;
@@ -80,14 +82,15 @@ std::optional<std::size_t> first_of(const TableSurvey& table, Quantity quantity,
 }
 
 /// The joint's own; or one that names no joint, if there is but one joint.
-std::optional<std::size_t> of_joint(const TableSurvey& table, Quantity quantity,
+std::optional<std::size_t> of_joint(const TableSurvey& table, ingest::log::Quantity quantity,
                                     const std::string& joint, bool is_only) {
   const auto own = first_of(table, quantity, joint, false);
   return own || !is_only ? own : first_of(table, quantity, "", false);
 }
 
 /// Time and angle in SI, in the order of time, gaps and repeated stamps left out.
-AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointSurvey& joint) {
+motion::AngleTrace trace_of(const ingest::log::LogTable& data, const TableSurvey& table,
+                            const JointSurvey& joint) {
   const std::vector<double>& t = data.columns[present(table.time)].values;
   const std::vector<double>& q = data.columns[joint.angle].values;
   const std::vector<double>* effort = joint.effort ? &data.columns[*joint.effort].values : nullptr;
@@ -99,9 +102,9 @@ AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointS
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [&](std::size_t a, std::size_t b) { return t[a] < t[b]; });
-  const double angle_factor =
-      present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
-  AngleTrace trace;
+  const double angle_factor = present(ingest::log::find_si_factor(
+      ingest::log::Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+  motion::AngleTrace trace;
   for (const std::size_t i : rows) {
     const double time_s = t[i] * present(table.clock).seconds_per_unit;
     if (!trace.t_s.empty() && time_s <= trace.t_s.back()) continue;
@@ -112,10 +115,11 @@ AngleTrace trace_of(const LogTable& data, const TableSurvey& table, const JointS
   return trace;
 }
 
-void add_joints(const LogTable& data, TableSurvey& table) {
+void add_joints(const ingest::log::LogTable& data, TableSurvey& table) {
   std::vector<std::string> names;
   for (const ColumnSurvey& c : table.columns) {
-    if (!c.meaning || c.meaning->quantity != Quantity::angle || c.meaning->is_target) continue;
+    if (!c.meaning || c.meaning->quantity != ingest::log::Quantity::angle || c.meaning->is_target)
+      continue;
     if (std::find(names.begin(), names.end(), c.meaning->joint) == names.end()) {
       names.push_back(c.meaning->joint);
     }
@@ -124,56 +128,60 @@ void add_joints(const LogTable& data, TableSurvey& table) {
     const bool is_only = names.size() == 1;
     JointSurvey joint;
     joint.name = name;
-    joint.angle = present(first_of(table, Quantity::angle, name, false));
+    joint.angle = present(first_of(table, ingest::log::Quantity::angle, name, false));
     if (std::isnan(table.columns[joint.angle].lowest)) continue;
-    joint.speed = of_joint(table, Quantity::angular_speed, name, is_only);
-    joint.effort = of_joint(table, Quantity::torque, name, is_only);
-    if (!joint.effort) joint.effort = of_joint(table, Quantity::current, name, is_only);
-    joint.temperature = of_joint(table, Quantity::temperature, name, is_only);
-    for (const Quantity quantity : {Quantity::torque, Quantity::current}) {
+    joint.speed = of_joint(table, ingest::log::Quantity::angular_speed, name, is_only);
+    joint.effort = of_joint(table, ingest::log::Quantity::torque, name, is_only);
+    if (!joint.effort)
+      joint.effort = of_joint(table, ingest::log::Quantity::current, name, is_only);
+    joint.temperature = of_joint(table, ingest::log::Quantity::temperature, name, is_only);
+    for (const ingest::log::Quantity quantity :
+         {ingest::log::Quantity::torque, ingest::log::Quantity::current}) {
       const auto target = first_of(table, quantity, name, true);
       if (target) joint.targets.push_back(*target);
     }
     if (joint.effort && std::isnan(table.columns[*joint.effort].lowest)) joint.effort.reset();
-    const double factor =
-        present(find_si_factor(Quantity::angle, present(table.columns[joint.angle].meaning).unit));
+    const double factor = present(ingest::log::find_si_factor(
+        ingest::log::Quantity::angle, present(table.columns[joint.angle].meaning).unit));
     joint.lowest_rad = factor * table.columns[joint.angle].lowest;
     joint.highest_rad = factor * table.columns[joint.angle].highest;
     if (table.clock && table.clock->interval_s > 0) {
-      const AngleTrace trace = trace_of(data, table, joint);
+      const motion::AngleTrace trace = trace_of(data, table, joint);
       joint.samples = trace.size();
-      joint.segments = cut_by_motion(trace);
+      joint.segments = motion::cut_by_motion(trace);
     }
     table.joints.push_back(std::move(joint));
   }
 }
 
 /// Angles and speeds without a stated unit are degrees where radians make no sense.
-void look_at_angle_units(const LogTable& data, TableSurvey& table) {
+void look_at_angle_units(const ingest::log::LogTable& data, TableSurvey& table) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     auto& meaning = table.columns[k].meaning;
-    if (!meaning || meaning->unit_is_stated || meaning->quantity != Quantity::angle) continue;
+    if (!meaning || meaning->unit_is_stated || meaning->quantity != ingest::log::Quantity::angle)
+      continue;
     if (!looks_like_degrees(data.columns[k].values)) continue;
     meaning->unit = "deg";
-    const auto speed = first_of(table, Quantity::angular_speed, meaning->joint, false);
+    const auto speed = first_of(table, ingest::log::Quantity::angular_speed, meaning->joint, false);
     if (!speed) continue;
-    ColumnMeaning& of_speed = present(table.columns[*speed].meaning);
+    ingest::layout::ColumnMeaning& of_speed = present(table.columns[*speed].meaning);
     if (!of_speed.unit_is_stated) of_speed.unit = "deg/s";
   }
 }
 
-TableSurvey survey_table(const std::string& path, LogFormat format, const TextLogRules& rules,
-                         LogTable& data) {
+TableSurvey survey_table(const std::string& path, ingest::log::LogFormat format,
+                         const ingest::text::TextLogRules& rules, ingest::log::LogTable& data) {
   TableSurvey table;
   table.group = data.group;
   table.rows = data.rows;
-  std::vector<ColumnHeader> header;
-  for (const LogColumn& column : data.columns) header.push_back(column.header);
-  const LogLayout layout = guess_layout(header);
+  std::vector<ingest::log::ColumnHeader> header;
+  for (const ingest::log::LogColumn& column : data.columns) header.push_back(column.header);
+  const ingest::layout::LogLayout layout = ingest::layout::guess_layout(header);
   table.logger = layout.logger;
   table.foreign = layout.foreign;
-  for (const LogColumn& column : data.columns) table.columns.push_back(survey_column(column));
-  for (const ColumnMeaning& meaning : layout.columns) {
+  for (const ingest::log::LogColumn& column : data.columns)
+    table.columns.push_back(survey_column(column));
+  for (const ingest::layout::ColumnMeaning& meaning : layout.columns) {
     table.columns[meaning.column].meaning = meaning;
   }
   if (data.columns.size() <= most_columns_by_numbers) {
@@ -185,17 +193,18 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
   look_at_angle_units(data, table);
   for (std::size_t k = 0; k < table.columns.size() && !table.time; ++k) {
     const auto& meaning = table.columns[k].meaning;
-    if (meaning && meaning->quantity == Quantity::time && !meaning->is_target) table.time = k;
+    if (meaning && meaning->quantity == ingest::log::Quantity::time && !meaning->is_target)
+      table.time = k;
   }
   if (table.time) {
-    LogColumn& column = data.columns[*table.time];
-    const bool is_iso = format == LogFormat::text && column.origin != 0;
-    if (format != LogFormat::text) {
-      count_from_first(column);
+    ingest::log::LogColumn& column = data.columns[*table.time];
+    const bool is_iso = format == ingest::log::LogFormat::text && column.origin != 0;
+    if (format != ingest::log::LogFormat::text) {
+      ingest::dataset::count_from_first(column);
     } else if (!is_iso) {
       read_clock_again(path, rules, *table.time, data);
     }
-    ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
+    ingest::layout::ColumnMeaning& meaning = present(table.columns[*table.time].meaning);
     table.clock = survey_clock(column, meaning, is_iso);
     meaning.unit = table.clock->unit;
   }
@@ -205,12 +214,12 @@ TableSurvey survey_table(const std::string& path, LogFormat format, const TextLo
 
 }  // namespace
 
-LogSurvey survey_log(const std::string& path, const TextLogRules& rules) {
+LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules) {
   LogSurvey survey;
   survey.file = path;
-  survey.format = format_of_log(path);
-  std::vector<LogTable> tables = tables_of(path, survey.format, rules);
-  for (LogTable& table : tables) {
+  survey.format = ingest::dataset::format_of_log(path);
+  std::vector<ingest::log::LogTable> tables = tables_of(path, survey.format, rules);
+  for (ingest::log::LogTable& table : tables) {
     survey.notes.insert(survey.notes.end(), table.notes.begin(), table.notes.end());
     survey.tables.push_back(survey_table(path, survey.format, rules, table));
     table.columns.clear();
@@ -218,4 +227,4 @@ LogSurvey survey_log(const std::string& path, const TextLogRules& rules) {
   return survey;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

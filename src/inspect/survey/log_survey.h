@@ -13,12 +13,12 @@
 #include "inspect/motion/motion_segments.h"
 #include "inspect/survey/clock_survey.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 struct ColumnSurvey {
   std::string name;  ///< As the log has it.
   std::string unit;  ///< In brackets behind it or below; empty: none.
-  std::optional<ColumnMeaning> meaning;
+  std::optional<ingest::layout::ColumnMeaning> meaning;
   std::string guessed_by;  ///< What the meaning was told by, where not by the name; else empty.
   std::size_t gaps{};      ///< Rows without a number.
   double lowest{};         ///< NaN where all rows are gaps.
@@ -39,14 +39,16 @@ struct JointSurvey {
   double lowest_rad{};               ///< Of the angle, with the unit that is guessed.
   double highest_rad{};
   std::size_t samples{};
-  std::vector<MotionSegment> segments;  ///< Empty where it does not move or there is no clock.
+  std::vector<motion::MotionSegment>
+      segments;  ///< Empty where it does not move or there is no clock.
 
   [[nodiscard]] double range_rad() const { return highest_rad - lowest_rad; }
 };
 
 struct TableSurvey {
-  std::vector<ForeignUnit> foreign;  ///< Columns of a known quantity in an unknown unit.
-  std::string group;                 ///< Topic or variable; empty: the only one.
+  std::vector<ingest::layout::ForeignUnit>
+      foreign;        ///< Columns of a known quantity in an unknown unit.
+  std::string group;  ///< Topic or variable; empty: the only one.
   std::size_t rows{};
   std::string logger;  ///< That is known; empty: none.
   std::vector<ColumnSurvey> columns;
@@ -57,13 +59,13 @@ struct TableSurvey {
 
 struct LogSurvey {
   std::string file;  ///< As given.
-  LogFormat format{};
+  ingest::log::LogFormat format{};
   std::string refusal;  ///< Why it cannot be read, for people; nothing else is there then.
   std::vector<TableSurvey> tables;
   std::vector<std::string> notes;
 };
 
 /// @throw InputError for a log that cannot be read.
-LogSurvey survey_log(const std::string& path, const TextLogRules& rules = {});
+LogSurvey survey_log(const std::string& path, const ingest::text::TextLogRules& rules = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

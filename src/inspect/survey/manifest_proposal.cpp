@@ -14,7 +14,7 @@
 #include "ingest/manifest/toml_text.h"
 #include "inspect/survey/joint_choice.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr std::size_t usual_decimals = 3;
@@ -48,7 +48,7 @@ class ManifestText {
     add_log_rules();
     text_ += "\n[columns]\n";
     for (const std::string& line : columns_of(first_, true)) text_ += line + "\n";
-    if (effort_.kind == EffortKind::none) {
+    if (effort_.kind == joint::EffortKind::none) {
       text_ += "# effort = { name = \"...\", unit = \"A\" }  # or \"Nm\": once it is recorded\n";
     }
     for (const ProposedRecording& recording : roles_.recordings) add_recording(recording);
@@ -80,7 +80,7 @@ class ManifestText {
   /// @throw InputError: a manifest is UTF-8 and cannot hold it.
   [[nodiscard]] std::string quoted(const std::string& text, const char* what,
                                    std::size_t log) const {
-    if (!first_broken_utf8(text)) return toml_text(text);
+    if (!first_broken_utf8(text)) return ingest::manifest::toml_text(text);
     throw InputError({logs_[log].file, 0, 0},
                      {std::string(what) + " is not UTF-8, and no manifest can hold it",
                       in_quotes(text), "", "rename it"});
@@ -91,11 +91,12 @@ class ManifestText {
         "# Proposed by tribolog from the logs alone. Each guess is marked; look at it before use.");
     line("schema = \"tribolog-dataset-1\"");
     text_ += "\n[robot]\n";
-    line("name = " + toml_text(robot_name()), options_.robot ? "" : "the report goes by it");
+    line("name = " + ingest::manifest::toml_text(robot_name()),
+         options_.robot ? "" : "the report goes by it");
     text_ += "\n[joint]\n";
     const bool has_name = choice_.name.find_first_not_of(' ') != std::string::npos;
-    line("name = " +
-             (has_name ? quoted(choice_.name, "the joint's name", first_.log) : toml_text("joint")),
+    line("name = " + (has_name ? quoted(choice_.name, "the joint's name", first_.log)
+                               : ingest::manifest::toml_text("joint")),
          has_name ? moves_too() : "the log names none");
     if (options_.gear_ratio) {
       line(fmt::format("gear_ratio = {}", *options_.gear_ratio));
@@ -130,10 +131,10 @@ class ManifestText {
   }
 
   void add_log_rules() {
-    const TextLogRules& rules = options_.log_rules;
+    const ingest::text::TextLogRules& rules = options_.log_rules;
     std::string lines;
-    if (rules.decimal_mark == DecimalMark::comma) lines += "decimal_comma = true\n";
-    if (rules.encoding == TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
+    if (rules.decimal_mark == ingest::text::DecimalMark::comma) lines += "decimal_comma = true\n";
+    if (rules.encoding == ingest::text::TextEncoding::latin1) lines += "encoding = \"latin1\"\n";
     if (rules.header_line) lines += fmt::format("header_line = {}\n", *rules.header_line);
     if (!lines.empty()) text_ += "\n[log]\n" + lines;
   }
@@ -148,9 +149,10 @@ class ManifestText {
   [[nodiscard]] std::string column(const JointInLog& of, const std::string& key, std::size_t index,
                                    bool turns, bool with_comments) const {
     const ColumnSurvey& column = table(of).columns[index];
-    const ColumnMeaning& meaning = present(column.meaning);
-    std::string entry = fmt::format("{} = {{ name = {}, unit = {}", key,
-                                    name_in_log(of, column.name), toml_text(meaning.unit));
+    const ingest::layout::ColumnMeaning& meaning = present(column.meaning);
+    std::string entry =
+        fmt::format("{} = {{ name = {}, unit = {}", key, name_in_log(of, column.name),
+                    ingest::manifest::toml_text(meaning.unit));
     const bool at_motor =
         turns && (has_word(column.name, "motor") || has_word(column.name, "rotor"));
     if (at_motor) entry += ", side = \"motor\"";
@@ -166,8 +168,9 @@ class ManifestText {
 
   [[nodiscard]] std::string time_column(const JointInLog& of, bool with_comments) const {
     const ClockSurvey& clock = present(table(of).clock);
-    std::string entry = fmt::format("time = {{ name = {}, unit = {} }}",
-                                    name_in_log(of, clock.column), toml_text(clock.unit));
+    std::string entry =
+        fmt::format("time = {{ name = {}, unit = {} }}", name_in_log(of, clock.column),
+                    ingest::manifest::toml_text(clock.unit));
     if (!with_comments || clock.unit_is_stated) return entry;
     return entry +
            comment(fmt::format("unit guessed: it makes {:.4g} samples a second", clock.rate_Hz()));
@@ -183,7 +186,7 @@ class ManifestText {
     const auto effort = effort_.column_of(j);
     if (effort) lines.push_back(column(of, "effort", *effort, false, with_comments));
     if (j.temperature &&
-        present(t.columns[*j.temperature].meaning).quantity == Quantity::temperature) {
+        present(t.columns[*j.temperature].meaning).quantity == ingest::log::Quantity::temperature) {
       lines.push_back(column(of, "temperature", *j.temperature, false, with_comments));
     }
     return lines;
@@ -200,7 +203,7 @@ class ManifestText {
 
   void add_recording(const ProposedRecording& recording) {
     text_ += "\n[[recording]]\n";
-    line("role = " + toml_text(to_string(recording.role)),
+    line("role = " + ingest::manifest::toml_text(joint::to_string(recording.role)),
          roles_.is_makeshift ? "a stopgap: no sweep, run, oscillation or ramp was recognised"
                              : recording.what);
     line("file = " + quoted(path_of(recording.of.log), "the log's name", recording.of.log));
@@ -236,8 +239,9 @@ ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
   proposal.moves_too = choice.moves_too;
   proposal.roles = propose_roles(logs, choice.in_logs);
   proposal.text = ManifestText(logs, options, choice, proposal.roles).text();
-  (void)TomlTable::parse(proposal.text, "the proposed manifest");  // never one that cannot be read
+  (void)ingest::manifest::TomlTable::parse(
+      proposal.text, "the proposed manifest");  // never one that cannot be read
   return proposal;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -9,17 +9,17 @@
 #include "inspect/survey/recording_roles.h"
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 /// What the user knows beside the logs.
 struct ProposalOptions {
   std::optional<std::string> joint;  ///< Absent: the one that moves most.
   std::optional<double> gear_ratio;
   std::optional<double> torque_constant_Nm_A;
-  std::optional<Side> effort_side;
+  std::optional<joint::Side> effort_side;
   std::optional<std::string> robot;
-  TextLogRules log_rules;  ///< The logs were read with them.
-  std::string directory;   ///< Of the manifest: files are named relative to it.
+  ingest::text::TextLogRules log_rules;  ///< The logs were read with them.
+  std::string directory;                 ///< Of the manifest: files are named relative to it.
 };
 
 struct ManifestProposal {
@@ -36,4 +36,4 @@ struct ManifestProposal {
 ManifestProposal propose_manifest(const std::vector<LogSurvey>& logs,
                                   const ProposalOptions& options);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -7,7 +7,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr double other_speed = 1.1;      // ratio from which on speeds differ
@@ -23,10 +23,12 @@ constexpr double whole_share = 0.015;  // of the recording: what a window would 
 
 struct Candidate {
   JointInLog of;
-  const MotionSegment* segment;
+  const motion::MotionSegment* segment;
 };
 
-double stroke_s(const MotionSegment& s) { return s.duration_s() / static_cast<double>(s.strokes); }
+double stroke_s(const motion::MotionSegment& s) {
+  return s.duration_s() / static_cast<double>(s.strokes);
+}
 
 bool same_speed(double a, double b) { return std::max(a, b) <= other_speed * std::min(a, b); }
 
@@ -37,9 +39,10 @@ class RoleChooser {
 
   RoleProposal choose() {
     for (const JointInLog& of : joint_) {
-      for (const MotionSegment& s : joint_of(logs_, of).segments) {
-        if (s.kind == MotionKind::constant_speed) steady_.push_back({of, &s});
-        if (s.kind == MotionKind::slow_sweep) sweep_rad_ = std::max(sweep_rad_, s.travel_rad());
+      for (const motion::MotionSegment& s : joint_of(logs_, of).segments) {
+        if (s.kind == motion::MotionKind::constant_speed) steady_.push_back({of, &s});
+        if (s.kind == motion::MotionKind::slow_sweep)
+          sweep_rad_ = std::max(sweep_rad_, s.travel_rad());
       }
     }
     for (const Candidate& c : steady_) {
@@ -50,14 +53,14 @@ class RoleChooser {
       proposal_.is_makeshift = true;
       proposal_.without_role.clear();
       for (const JointInLog& of : joint_) {
-        proposal_.recordings.push_back({of, Role::rough_sweep, {}, {}, ""});
+        proposal_.recordings.push_back({of, joint::Role::rough_sweep, {}, {}, ""});
       }
     }
     return std::move(proposal_);
   }
 
  private:
-  [[nodiscard]] bool is_rough_sweep(const MotionSegment& s) const {
+  [[nodiscard]] bool is_rough_sweep(const motion::MotionSegment& s) const {
     if (stroke_s(s) < shortest_stroke_s || s.speed_rad_s > fastest_sweep_rad_s) return false;
     if (s.travel_rad() < narrowest_sweep_rad) return false;
     double widest = 0;
@@ -74,7 +77,7 @@ class RoleChooser {
            s.travel_rad() >= half_as_wide * widest;
   }
 
-  [[nodiscard]] bool is_precise_sweep(const MotionSegment& s) const {
+  [[nodiscard]] bool is_precise_sweep(const motion::MotionSegment& s) const {
     if (s.travel_rad() > std::min(precise_share * sweep_rad_, narrowest_sweep_rad)) return false;
     if (stroke_s(s) < shortest_stroke_s) return false;
     return std::all_of(steady_.begin(), steady_.end(), [&](const Candidate& c) {
@@ -83,48 +86,48 @@ class RoleChooser {
     });
   }
 
-  [[nodiscard]] std::optional<Role> role_of(const MotionSegment& s) const {
+  [[nodiscard]] std::optional<joint::Role> role_of(const motion::MotionSegment& s) const {
     switch (s.kind) {
-      case MotionKind::constant_speed:
-        if (is_rough_sweep(s)) return Role::rough_sweep;
-        return is_precise_sweep(s) ? Role::precise_sweep : Role::constant_speed;
-      case MotionKind::slow_sweep:
+      case motion::MotionKind::constant_speed:
+        if (is_rough_sweep(s)) return joint::Role::rough_sweep;
+        return is_precise_sweep(s) ? joint::Role::precise_sweep : joint::Role::constant_speed;
+      case motion::MotionKind::slow_sweep:
         return s.travel_rad() <= std::min(precise_share * sweep_rad_, narrowest_sweep_rad)
-                   ? Role::precise_sweep
-                   : Role::rough_sweep;
-      case MotionKind::oscillation:
-        return Role::oscillation;
-      case MotionKind::break_away_ramp:
-        return Role::break_away;
-      case MotionKind::rest:
-      case MotionKind::varying:
+                   ? joint::Role::precise_sweep
+                   : joint::Role::rough_sweep;
+      case motion::MotionKind::oscillation:
+        return joint::Role::oscillation;
+      case motion::MotionKind::break_away_ramp:
+        return joint::Role::break_away;
+      case motion::MotionKind::rest:
+      case motion::MotionKind::varying:
         break;
     }
     return std::nullopt;
   }
 
   void propose_for(const JointInLog& of) {
-    const std::vector<MotionSegment>& segments = joint_of(logs_, of).segments;
+    const std::vector<motion::MotionSegment>& segments = joint_of(logs_, of).segments;
     const std::size_t before = proposal_.recordings.size();
-    for (const MotionSegment& s : segments) {
+    for (const motion::MotionSegment& s : segments) {
       const auto role = role_of(s);
       if (role) add(of, s, *role);
     }
     if (proposal_.recordings.size() > before) return;
     // Beside runs at constant speed, one that never came to its speed.
-    const auto only = std::find_if(segments.begin(), segments.end(), [](const MotionSegment& s) {
-      return s.kind == MotionKind::varying;
-    });
+    const auto only = std::find_if(
+        segments.begin(), segments.end(),
+        [](const motion::MotionSegment& s) { return s.kind == motion::MotionKind::varying; });
     const bool is_stroke = only != segments.end() && only->strokes == 1 && only->direction != 0;
     if (is_stroke && is_like_runs(*only)) {
-      add(of, *only, Role::constant_speed);
+      add(of, *only, joint::Role::constant_speed);
     } else {
       proposal_.without_role.push_back(of.log);
     }
   }
 
   /// Most logs hold runs, and it travels about as far as the shortest of them.
-  [[nodiscard]] bool is_like_runs(const MotionSegment& s) const {
+  [[nodiscard]] bool is_like_runs(const motion::MotionSegment& s) const {
     if (2 * steady_.size() < joint_.size() || steady_.empty()) return false;
     const auto shortest = std::min_element(
         steady_.begin(), steady_.end(), [](const Candidate& a, const Candidate& b) {
@@ -133,7 +136,7 @@ class RoleChooser {
     return s.travel_rad() >= like_shortest_run * shortest->segment->travel_rad();
   }
 
-  void add(const JointInLog& of, const MotionSegment& s, Role role) {
+  void add(const JointInLog& of, const motion::MotionSegment& s, joint::Role role) {
     const JointSurvey& joint = joint_of(logs_, of);
     const double start_s = joint.segments.front().from_s;
     const double end_s = joint.segments.back().to_s;
@@ -153,10 +156,10 @@ class RoleChooser {
 
 /// So many decimals that the travel shows three digits.
 std::string degrees(double rad, double travel_rad) {
-  const double travel_deg = degrees_per_rad * travel_rad;
+  const double travel_deg = joint::degrees_per_rad * travel_rad;
   const double digits = travel_deg > 0 ? std::ceil(2 - std::log10(travel_deg)) : 2;
   const int decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0));
-  const double shown = degrees_per_rad * rad;
+  const double shown = joint::degrees_per_rad * rad;
   const double half_a_digit = 0.5 * std::pow(10.0, -decimals);
   return fmt::format("{:.{}f}°", std::abs(shown) < half_a_digit ? 0.0 : shown, decimals);
 }
@@ -168,34 +171,35 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
   return RoleChooser(logs, joint).choose();
 }
 
-std::string describe(const MotionSegment& s) {
+std::string describe(const motion::MotionSegment& s) {
   const double travel = s.travel_rad();
   const std::string range = degrees(s.lowest_rad, travel) + " to " + degrees(s.highest_rad, travel);
   const double middle = (s.lowest_rad + s.highest_rad) / 2;
-  const std::string speed = fmt::format("{:.3g} deg/s", degrees_per_rad * s.speed_rad_s);
+  const std::string speed = fmt::format("{:.3g} deg/s", joint::degrees_per_rad * s.speed_rad_s);
   switch (s.kind) {
-    case MotionKind::rest:
-      return fmt::format("at {:.4g}°", degrees_per_rad * middle);
-    case MotionKind::constant_speed:
+    case motion::MotionKind::rest:
+      return fmt::format("at {:.4g}°", joint::degrees_per_rad * middle);
+    case motion::MotionKind::constant_speed:
       return s.direction != 0 ? fmt::format("{}{}, {}", s.direction < 0 ? "-" : "+", speed, range)
                               : fmt::format("±{}, {} strokes, {}", speed, s.strokes, range);
-    case MotionKind::slow_sweep:
-    case MotionKind::oscillation: {
+    case motion::MotionKind::slow_sweep:
+    case motion::MotionKind::oscillation: {
       const std::string often =
           s.frequency_Hz > 0 ? fmt::format("{:.3g} Hz, {:.3g} cycles, ", s.frequency_Hz, s.cycles())
                              : fmt::format("{} strokes, ", s.strokes);
-      if (s.kind == MotionKind::slow_sweep) return often + range + ", up to " + speed;
+      if (s.kind == motion::MotionKind::slow_sweep) return often + range + ", up to " + speed;
       return fmt::format("{}±{} about {:.4g}°", often, degrees(travel / 2, travel),
-                         degrees_per_rad * middle);
+                         joint::degrees_per_rad * middle);
     }
-    case MotionKind::break_away_ramp:
+    case motion::MotionKind::break_away_ramp:
       return fmt::format("effort {} by {:.3g} a second, the joint moves {:.2g}°{}",
                          s.effort_rate < 0 ? "falls" : "rises", std::abs(s.effort_rate),
-                         degrees_per_rad * travel, s.joint_slid ? ", mostly at the end" : "");
-    case MotionKind::varying:
+                         joint::degrees_per_rad * travel,
+                         s.joint_slid ? ", mostly at the end" : "");
+    case motion::MotionKind::varying:
       return range;
   }
   return range;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

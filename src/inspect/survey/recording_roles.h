@@ -9,7 +9,7 @@
 #include "inspect/survey/log_survey.h"
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 /// A joint in one log.
 struct JointInLog {
@@ -27,7 +27,7 @@ inline const JointSurvey& joint_of(const std::vector<LogSurvey>& logs, const Joi
 
 struct ProposedRecording {
   JointInLog of;
-  Role role{};
+  joint::Role role{};
   std::optional<double> from_s;  ///< Absent: from the log's start.
   std::optional<double> to_s;
   std::string what;  ///< "sine of 0.1 Hz, 5.9 cycles, -189° to -70°".
@@ -47,6 +47,6 @@ RoleProposal propose_roles(const std::vector<LogSurvey>& logs,
                            const std::vector<JointInLog>& joint);
 
 /// "constant speed 10 deg/s, 2 strokes, -30° to 30°", for people.
-std::string describe(const MotionSegment& segment);
+std::string describe(const motion::MotionSegment& segment);
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -6,7 +6,7 @@
 
 #include "base/shown_text.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 using nlohmann::ordered_json;
@@ -23,8 +23,8 @@ ordered_json json_of(const ColumnSurvey& c) {
                     {"gaps", c.gaps},
                     {"constant", c.is_constant()}};
   if (!c.meaning) return json;
-  const ColumnMeaning& m = *c.meaning;
-  json["meaning"] = {{"quantity", quantity_word(m.quantity)},
+  const ingest::layout::ColumnMeaning& m = *c.meaning;
+  json["meaning"] = {{"quantity", ingest::log::quantity_word(m.quantity)},
                      {"joint", m.joint},
                      {"unit", m.unit},
                      {"unit_is_stated", m.unit_is_stated},
@@ -53,8 +53,8 @@ ordered_json json_of(const ClockSurvey& c) {
           {"gaps", std::move(gaps)}};
 }
 
-ordered_json json_of(const MotionSegment& s) {
-  ordered_json json{{"kind", to_string(s.kind)},
+ordered_json json_of(const motion::MotionSegment& s) {
+  ordered_json json{{"kind", motion::to_string(s.kind)},
                     {"from_s", s.from_s},
                     {"to_s", s.to_s},
                     {"lowest_rad", s.lowest_rad},
@@ -65,7 +65,7 @@ ordered_json json_of(const MotionSegment& s) {
     json["direction"] = s.direction;
   }
   if (s.frequency_Hz > 0) json["frequency_Hz"] = s.frequency_Hz;
-  if (s.kind == MotionKind::break_away_ramp) {
+  if (s.kind == motion::MotionKind::break_away_ramp) {
     json["effort_a_second"] = s.effort_rate;
     json["joint_slid"] = s.joint_slid;
   }
@@ -85,7 +85,7 @@ ordered_json json_of(const TableSurvey& table) {
     if (joint.speed) one["speed"] = table.columns[*joint.speed].name;
     if (joint.effort) one["effort"] = table.columns[*joint.effort].name;
     one["segments"] = ordered_json::array();
-    for (const MotionSegment& s : joint.segments) one["segments"].push_back(json_of(s));
+    for (const motion::MotionSegment& s : joint.segments) one["segments"].push_back(json_of(s));
     json["joints"].push_back(std::move(one));
   }
   return json;
@@ -100,7 +100,7 @@ std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& m
     if (!log.refusal.empty()) {
       json["refusal"] = log.refusal;
     } else {
-      json["format"] = to_string(log.format);
+      json["format"] = ingest::log::to_string(log.format);
       json["notes"] = log.notes;
       for (const TableSurvey& table : log.tables) json["tables"].push_back(json_of(table));
     }
@@ -114,4 +114,4 @@ std::string survey_json(const std::vector<LogSurvey>& logs, const std::string& m
          "\n";
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

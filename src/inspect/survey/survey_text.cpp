@@ -14,7 +14,7 @@
 #include "inspect/survey/recording_roles.h"
 #include "inspect/survey/text_table.h"
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 // Columns of a log, or of logs that look alike, as a table for the console.
 
@@ -54,8 +54,8 @@ std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remark
   std::vector<std::string> cells{printable(c.name, longest_name)};
   std::vector<std::string> notes;
   if (c.meaning) {
-    const ColumnMeaning& m = *c.meaning;
-    cells.push_back((m.is_target ? "target " : "") + quantity_word(m.quantity));
+    const ingest::layout::ColumnMeaning& m = *c.meaning;
+    cells.push_back((m.is_target ? "target " : "") + ingest::log::quantity_word(m.quantity));
     cells.push_back(printable(m.joint, longest_name));
     cells.push_back(printable(m.unit) + (m.unit_is_stated ? "" : "?"));
     if (!c.guessed_by.empty()) notes.push_back("guessed: " + c.guessed_by);
@@ -150,8 +150,9 @@ std::string joint_title(const TableSurvey& table, const JointSurvey& joint) {
 }
 
 bool moves(const JointSurvey& joint) {
-  return std::any_of(joint.segments.begin(), joint.segments.end(),
-                     [](const MotionSegment& s) { return s.kind != MotionKind::rest; });
+  return std::any_of(
+      joint.segments.begin(), joint.segments.end(),
+      [](const motion::MotionSegment& s) { return s.kind != motion::MotionKind::rest; });
 }
 
 std::string motion_text(const TableSurvey& table) {
@@ -165,9 +166,9 @@ std::string motion_text(const TableSurvey& table) {
     text += fmt::format("\n  {}\n", joint_title(table, joint));
     TextTable rows(4);
     rows.add({"from s", "to s", "kind", ""});
-    for (const MotionSegment& s : joint.segments) {
-      rows.add({fmt::format("{:.3f}", s.from_s), fmt::format("{:.3f}", s.to_s), to_string(s.kind),
-                describe(s)});
+    for (const motion::MotionSegment& s : joint.segments) {
+      rows.add({fmt::format("{:.3f}", s.from_s), fmt::format("{:.3f}", s.to_s),
+                motion::to_string(s.kind), describe(s)});
     }
     text += rows.text();
   }
@@ -180,12 +181,13 @@ std::string faults_of(const TableSurvey& table) {
   std::string text;
   if (!table.clock) text += paragraph("no clock", "no column is known as the time.");
   if (table.joints.empty()) text += paragraph("no joint", "no column is known as a joint's angle.");
-  for (const ForeignUnit& f : table.foreign) {
+  for (const ingest::layout::ForeignUnit& f : table.foreign) {
     const ColumnSurvey& column = table.columns[f.column];
-    text += paragraph("unit", fmt::format("{} looks like {} in {}, a unit that is not known; a "
-                                          "manifest can state what one is: unit = \"{}\".",
-                                          in_quotes(column.name), to_string(f.quantity),
-                                          in_quotes(column.unit), example_of_multiple(f.quantity)));
+    text += paragraph(
+        "unit", fmt::format("{} looks like {} in {}, a unit that is not known; a "
+                            "manifest can state what one is: unit = \"{}\".",
+                            in_quotes(column.name), ingest::log::to_string(f.quantity),
+                            in_quotes(column.unit), ingest::log::example_of_multiple(f.quantity)));
   }
   const bool has_effort = std::any_of(table.joints.begin(), table.joints.end(),
                                       [](const JointSurvey& j) { return j.effort.has_value(); });
@@ -214,7 +216,7 @@ std::string notes_text(const LogSurvey& log) {
 std::string block(const LogSurvey& log) {
   std::string text = printable(log.file, 400) + "\n";
   if (!log.refusal.empty()) return text + paragraph("refused", log.refusal);
-  text += "  " + to_string(log.format) + "\n" + notes_text(log);
+  text += "  " + ingest::log::to_string(log.format) + "\n" + notes_text(log);
   for (const TableSurvey& table : log.tables) {
     text += "\n  " + table_title(table) + "\n";
     if (table.clock) text += paragraph("clock", clock_words(*table.clock));
@@ -238,10 +240,10 @@ std::string motion_in_short(const TableSurvey& table, const std::string& joint_n
   if (joint == nullptr) return "no angle";
   std::string words;
   std::size_t told = 0;
-  for (const MotionSegment& s : joint->segments) {
-    if (s.kind == MotionKind::rest || s.kind == MotionKind::varying) continue;
+  for (const motion::MotionSegment& s : joint->segments) {
+    if (s.kind == motion::MotionKind::rest || s.kind == motion::MotionKind::varying) continue;
     if (told++ == segments_in_row) return words + "; ...";
-    words += (words.empty() ? "" : "; ") + to_string(s.kind) + " " + describe(s);
+    words += (words.empty() ? "" : "; ") + motion::to_string(s.kind) + " " + describe(s);
   }
   if (told > 0) return words;
   return moves(*joint) ? "other motion" : "at rest";
@@ -260,9 +262,10 @@ std::string block(const std::vector<const LogSurvey*>& logs, const std::string& 
   std::vector<const TableSurvey*> tables;
   for (const LogSurvey* log : logs) tables.push_back(&log->tables.front());
   const TableSurvey& first = *tables.front();
-  std::string text = fmt::format(
-      "{} logs with the same columns: {}{}\n", logs.size(), to_string(logs.front()->format),
-      first.logger.empty() ? "" : ", as " + first.logger + " writes them");
+  std::string text =
+      fmt::format("{} logs with the same columns: {}{}\n", logs.size(),
+                  ingest::log::to_string(logs.front()->format),
+                  first.logger.empty() ? "" : ", as " + first.logger + " writes them");
   text += notes_text(*logs.front());
   text += columns_text(tables) + faults_of(first) + "\n";
   TextTable rows(2);
@@ -309,4 +312,4 @@ std::string survey_text(const std::vector<LogSurvey>& logs, const std::string& j
   return text;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 namespace {
 
 constexpr std::size_t between = 2;
@@ -62,4 +62,4 @@ std::string TextTable::text(std::size_t width) const {
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

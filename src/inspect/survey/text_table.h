@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::inspect::survey {
 
 /// Places that a UTF-8 text takes, one for each character.
 std::size_t places(const std::string& text);
@@ -33,4 +33,4 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::inspect::survey

@@ -5,7 +5,7 @@
 #include "method/checks/check_outcome.h"
 #include "method/checks/checked_recordings.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 // log_checks.cpp, drive_checks.cpp
 DataCheck check_effort_provenance(const CheckedDataset& data);
@@ -49,4 +49,4 @@ DataCheck check_encoder_step(const CheckedDataset& data);
 DataCheck check_oscillation_cycles(const CheckedDataset& data);
 DataCheck check_oscillation_slides(const CheckedDataset& data);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -7,7 +7,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
   DataCheck check;
@@ -56,4 +56,4 @@ std::string recordings_in_words(std::size_t count) {
   return fmt::format("{} recording{}", count, count == 1 ? "" : "s");
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -6,7 +6,7 @@
 
 #include "method/checks/data_check.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 /// A check that does not apply, with the reason.
 DataCheck not_applicable(const std::string& name, const std::string& title, std::string why);
@@ -42,4 +42,4 @@ class RecordingsAsWanted {
 /// "1 recording", "3 recordings".
 std::string recordings_in_words(std::size_t count);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

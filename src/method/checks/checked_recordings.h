@@ -8,16 +8,16 @@
 #include "method/motion/moving_part.h"
 #include "method/motion/plateaus.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 inline const std::string pure_number{"1"};
 inline const std::string percent_sign{"%"};
 inline const std::string kelvin{"K"};
 
 struct CheckedRecording {
-  const Recording* recording{};
-  MotionSegments motion;
-  std::vector<Stroke> strokes;  ///< Empty: the joint does not move.
+  const joint::Recording* recording{};
+  motion::MotionSegments motion;
+  std::vector<motion::Stroke> strokes;  ///< Empty: the joint does not move.
   double lowest_rad{};
   double highest_rad{};
   double interval_s{};      ///< Median time from sample to sample.
@@ -26,24 +26,25 @@ struct CheckedRecording {
 
   /// Sweep or run: what moves on its way, neither to and fro nor from rest.
   [[nodiscard]] bool travels() const {
-    return recording->role != Role::oscillation && recording->role != Role::break_away;
+    return recording->role != joint::Role::oscillation &&
+           recording->role != joint::Role::break_away;
   }
   [[nodiscard]] double range_rad() const { return highest_rad - lowest_rad; }
   /// What the recording is there for: the plateaus of a run at constant speed, else its strokes. A
   /// run's start, its stop and its way back are not its business.
-  [[nodiscard]] std::vector<Stroke> ways() const;
+  [[nodiscard]] std::vector<motion::Stroke> ways() const;
 };
 
 struct CheckedDataset {
-  const Manifest* manifest{};
-  const std::vector<InputFile>* inputs{};  ///< Of a simulated joint: empty.
+  const joint::Manifest* manifest{};
+  const std::vector<joint::InputFile>* inputs{};  ///< Of a simulated joint: empty.
   std::vector<CheckedRecording> recordings;
   bool has_torque{};
 
-  [[nodiscard]] std::vector<const CheckedRecording*> with_role(Role role) const;
-  [[nodiscard]] bool has_role(Role role) const { return !with_role(role).empty(); }
+  [[nodiscard]] std::vector<const CheckedRecording*> with_role(joint::Role role) const;
+  [[nodiscard]] bool has_role(joint::Role role) const { return !with_role(role).empty(); }
 };
 
-CheckedDataset look_at(const Dataset& dataset);
+CheckedDataset look_at(const joint::Dataset& dataset);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 std::string to_string(CheckState state) {
   switch (state) {
@@ -37,4 +37,4 @@ std::vector<const DataCheck*> DataChecksResult::in_state(CheckState state) const
   return found;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 enum class CheckState { passed, warns, fails, not_applicable };
 
@@ -39,4 +39,4 @@ struct DataChecksResult {
   [[nodiscard]] std::vector<const DataCheck*> in_state(CheckState state) const;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -2,9 +2,9 @@
 
 #include "method/checks/check_list.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
-DataChecksResult check_recordings(const Dataset& dataset) {
+DataChecksResult check_recordings(const joint::Dataset& dataset) {
   constexpr DataCheck (*in_order[])(const CheckedDataset&) = {
       check_effort_provenance,  check_effort_column,      check_link_side_torque,
       check_joint_moves,        check_angle_unit,         check_clock_jitter,
@@ -22,4 +22,4 @@ DataChecksResult check_recordings(const Dataset& dataset) {
   return result;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -10,18 +10,19 @@
 #include "method/gravity/run_gravity.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 /// Checks that need nothing but the recordings. Without a torque those on torque are not
 /// applicable; those on the motion still run.
-DataChecksResult check_recordings(const Dataset& dataset);
+DataChecksResult check_recordings(const joint::Dataset& dataset);
 
 /// Checks that need the place and size of gravity, which the sweeps give: whether the oscillation
 /// is at the gravity peak, and whether the gravity found can be.
 /// @param sweep the one whose gravity amplitude is used further on.
 /// @param runs their gravity is compared with what is stated where no sweep gave any.
-void add_gravity_checks(const Dataset& dataset, const CogSweepResult& sweep,
-                        const RunGravityResult& runs, const std::optional<Estimate>& q_peak_rad,
+void add_gravity_checks(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep,
+                        const gravity::RunGravityResult& runs,
+                        const std::optional<statistics::Estimate>& q_peak_rad,
                         DataChecksResult& result);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

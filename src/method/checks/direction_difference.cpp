@@ -7,7 +7,7 @@
 
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 namespace {
 
 constexpr std::size_t bins = 24;
@@ -35,7 +35,7 @@ DirectionDifference direction_difference(const std::vector<const CheckedRecordin
   DirectionDifference out;
   std::array<Reach, 2> reach;
   for (const CheckedRecording* r : recordings) {
-    for (const Stroke& stroke : r->ways()) {
+    for (const motion::Stroke& stroke : r->ways()) {
       Reach& way = reach[stroke.direction > 0 ? 0 : 1];
       way.add(r->recording->q_rad[stroke.first]);
       way.add(r->recording->q_rad[stroke.last]);
@@ -53,7 +53,7 @@ DirectionDifference direction_difference(const std::vector<const CheckedRecordin
 
   std::array<std::array<Bin, bins>, 2> torque{};
   for (const CheckedRecording* r : recordings) {
-    for (const Stroke& stroke : r->ways()) {
+    for (const motion::Stroke& stroke : r->ways()) {
       for (std::size_t i = stroke.first; i < stroke.last; ++i) {
         const double place = (r->recording->q_rad[i] - low) / (high - low);
         if (!(place >= 0 && place < 1)) continue;
@@ -77,8 +77,9 @@ DirectionDifference direction_difference(const std::vector<const CheckedRecordin
   for (const double half : halves) out.friction_Nm += half / n;
   double squares = 0;
   for (const double half : halves) squares += std::pow(half - out.friction_Nm, 2);
-  out.half_width_Nm = n > 1 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n) : infinity;
+  out.half_width_Nm =
+      n > 1 ? statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n) : infinity;
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -6,7 +6,7 @@
 
 #include "method/checks/checked_recordings.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 struct DirectionDifference {
   double rising_travel_rad{};
@@ -22,4 +22,4 @@ struct DirectionDifference {
 DirectionDifference direction_difference(const std::vector<const CheckedRecording*>& recordings,
                                          bool with_torque);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -9,21 +9,21 @@
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 namespace {
 
 constexpr double least_share_percent = 10;
 
-const char* recordings_of(Role role) {
-  return role == Role::constant_speed ? "runs at constant speed" : "rough sweep";
+const char* recordings_of(joint::Role role) {
+  return role == joint::Role::constant_speed ? "runs at constant speed" : "rough sweep";
 }
 
-std::string none_of(Role role) {
-  return role == Role::constant_speed ? "no run at constant speed was recorded"
-                                      : "no rough sweep was recorded";
+std::string none_of(joint::Role role) {
+  return role == joint::Role::constant_speed ? "no run at constant speed was recorded"
+                                             : "no rough sweep was recorded";
 }
 
-DataCheck check_directions(const CheckedDataset& data, Role role, const std::string& name,
+DataCheck check_directions(const CheckedDataset& data, joint::Role role, const std::string& name,
                            const std::string& title) {
   const auto recordings = data.with_role(role);
   if (recordings.empty()) {
@@ -66,7 +66,7 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   };
   std::vector<Way> ways;
   for (const CheckedRecording* r : recordings) {
-    for (const Plateau& plateau : r->motion.plateaus) {
+    for (const motion::Plateau& plateau : r->motion.plateaus) {
       const double first = r->recording->q_rad[plateau.first];
       const double last = r->recording->q_rad[plateau.last - 1];
       ways.push_back({plateau.speed_rad_s, std::min(first, last), std::max(first, last)});
@@ -86,7 +86,7 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   return all > 0 ? shared / all : 0.0;
 }
 
-DataCheck check_common_angles(const CheckedDataset& data, Role role, const std::string& name,
+DataCheck check_common_angles(const CheckedDataset& data, joint::Role role, const std::string& name,
                               const std::string& title) {
   constexpr double least_common_percent = 20;
   constexpr double practically_none_percent = 5;
@@ -102,7 +102,7 @@ DataCheck check_common_angles(const CheckedDataset& data, Role role, const std::
   check.name = name;
   check.title = title;
   check.recording = recordings.size() == 1 ? recordings.front()->recording->name : "all";
-  const bool by_speed = role == Role::constant_speed;
+  const bool by_speed = role == joint::Role::constant_speed;
   check.measure = by_speed ? "share of the travel that both directions passed at the same speed"
                            : "share of the angles that both directions passed";
   check.unit = percent_sign;
@@ -128,23 +128,23 @@ DataCheck check_common_angles(const CheckedDataset& data, Role role, const std::
 }  // namespace
 
 DataCheck check_sweep_directions(const CheckedDataset& data) {
-  return check_directions(data, Role::rough_sweep, "sweep_directions",
+  return check_directions(data, joint::Role::rough_sweep, "sweep_directions",
                           "Both directions in the sweep");
 }
 
 DataCheck check_run_directions(const CheckedDataset& data) {
-  return check_directions(data, Role::constant_speed, "run_directions",
+  return check_directions(data, joint::Role::constant_speed, "run_directions",
                           "Both directions in the runs");
 }
 
 DataCheck check_sweep_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, Role::rough_sweep, "sweep_common_angles",
+  return check_common_angles(data, joint::Role::rough_sweep, "sweep_common_angles",
                              "Common angles of the sweep's directions");
 }
 
 DataCheck check_run_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, Role::constant_speed, "run_common_angles",
+  return check_common_angles(data, joint::Role::constant_speed, "run_common_angles",
                              "Common angles of the runs' directions");
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -9,7 +9,7 @@
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 namespace {
 
@@ -39,7 +39,7 @@ double largest_torque_Nm(const std::vector<const CheckedRecording*>& recordings)
 
 /// A logger that is known to measure behind the gear wrote at least one of the logs.
 bool is_known_behind_gear(const CheckedDataset& data) {
-  return std::any_of(data.inputs->begin(), data.inputs->end(), [](const InputFile& input) {
+  return std::any_of(data.inputs->begin(), data.inputs->end(), [](const joint::InputFile& input) {
     return input.logged_effort && input.logged_effort->is_behind_gear;
   });
 }
@@ -50,9 +50,10 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
   DataCheck check;
   check.name = "link_side_torque";
   check.title = "Gear friction in a torque of the joint";
-  const Drive& drive = data.manifest->drive;
+  const joint::Drive& drive = data.manifest->drive;
   const bool behind_gear = is_known_behind_gear(data);
-  const bool is_at_joint = drive.kind() == EffortKind::joint_torque && drive.side() == Side::joint;
+  const bool is_at_joint =
+      drive.kind() == joint::EffortKind::joint_torque && drive.side() == joint::Side::joint;
   const bool has_gear = drive.gear_ratio() != 1 || behind_gear;
   if (!is_at_joint || !has_gear) {
     return not_applicable(check.name, check.title,
@@ -64,13 +65,14 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
   check.unit = percent_sign;
   check.at_least =
       least_gear_loss_percent(drive.gear_ratio() != 1 ? drive.gear_ratio() : usual_gear_ratio);
-  for (const Role role : {Role::rough_sweep, Role::precise_sweep, Role::constant_speed}) {
+  for (const joint::Role role :
+       {joint::Role::rough_sweep, joint::Role::precise_sweep, joint::Role::constant_speed}) {
     const auto recordings = data.with_role(role);
     const DirectionDifference d = direction_difference(recordings, true);
     const double largest_Nm = largest_torque_Nm(recordings);
     if (d.common_bins == 0 || !(largest_Nm > 0)) continue;
     check.measured = 100 * d.friction_Nm / largest_Nm;
-    check.recording = to_string(role);
+    check.recording = joint::to_string(role);
     break;
   }
   const std::string behind = "friction behind the sensor, seen from the joint, is not in it";
@@ -119,15 +121,15 @@ DataCheck check_dissipation(const CheckedDataset& data) {
   check.at_least = 0;
   std::size_t wrong = 0;
   std::size_t all = 0;
-  for (const Role role :
-       {Role::rough_sweep, Role::precise_sweep, Role::oscillation, Role::constant_speed}) {
+  for (const joint::Role role : {joint::Role::rough_sweep, joint::Role::precise_sweep,
+                                 joint::Role::oscillation, joint::Role::constant_speed}) {
     const DirectionDifference d = direction_difference(data.with_role(role), true);
     if (d.common_bins == 0) continue;
     ++all;
     if (d.friction_Nm < -d.half_width_Nm) ++wrong;
     if (check.measured && d.friction_Nm >= *check.measured) continue;
     check.measured = d.friction_Nm;
-    check.recording = to_string(role);
+    check.recording = joint::to_string(role);
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title,
@@ -188,4 +190,4 @@ DataCheck check_power(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

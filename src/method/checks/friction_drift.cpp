@@ -16,7 +16,7 @@
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 namespace {
 
 constexpr std::size_t bins = 12;
@@ -26,7 +26,8 @@ constexpr double same_travel = 0.8;
 using BinMeans = std::array<double, bins>;
 
 /// Mean torque in equal bins of the angle between low and high; NaN where the stroke has no sample.
-BinMeans means_over_angle(const Recording& r, const Stroke& stroke, double low, double high) {
+BinMeans means_over_angle(const joint::Recording& r, const motion::Stroke& stroke, double low,
+                          double high) {
   std::array<double, bins> sum{};
   std::array<std::size_t, bins> count{};
   for (std::size_t i = stroke.first; i < stroke.last; ++i) {
@@ -50,16 +51,16 @@ struct FrictionAt {
 
 std::vector<FrictionAt> friction_over_time(const CheckedRecording& r) {
   std::vector<double> travels;
-  for (const Stroke& stroke : r.strokes) travels.push_back(stroke.travel_rad);
-  std::vector<Stroke> alike;
-  const double usual = median(travels);
-  for (const Stroke& stroke : r.strokes) {
+  for (const motion::Stroke& stroke : r.strokes) travels.push_back(stroke.travel_rad);
+  std::vector<motion::Stroke> alike;
+  const double usual = statistics::median(travels);
+  for (const motion::Stroke& stroke : r.strokes) {
     if (stroke.travel_rad > same_travel * usual && stroke.travel_rad < usual / same_travel) {
       alike.push_back(stroke);
     }
   }
   // The first stroke of an oscillation starts from rest, not from a turn.
-  if (r.recording->role == Role::oscillation && !alike.empty()) alike.erase(alike.begin());
+  if (r.recording->role == joint::Role::oscillation && !alike.empty()) alike.erase(alike.begin());
   const double margin = 0.1 * r.range_rad();
   std::vector<FrictionAt> found;
   for (std::size_t k = 0; k + 1 < alike.size(); k += 2) {
@@ -111,7 +112,7 @@ std::optional<Drift> drift_of(const CheckedRecording& r) {
   Drift drift;
   drift.duration_s = points.back().t_s - points.front().t_s;
   drift.percent = 100 * std::abs(slope) * drift.duration_s / f;
-  drift.is_certain = std::abs(slope) > student_t_975(n - 2) * error;
+  drift.is_certain = std::abs(slope) > statistics::student_t_975(n - 2) * error;
   drift.first_Nm = f + slope * (points.front().t_s - t);
   drift.last_Nm = f + slope * (points.back().t_s - t);
   drift.pairs = points.size();
@@ -159,4 +160,4 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -15,7 +15,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/position_mean.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 // Torque ripple as the sweep's residual shows it.
 
@@ -23,9 +23,9 @@ namespace {
 
 constexpr double fewest_turns = 5;  // of the motor, to show a period
 
-std::string in_words(const std::vector<RippleLine>& lines) {
+std::string in_words(const std::vector<gravity::RippleLine>& lines) {
   std::string words;
-  for (const RippleLine& line : lines) {
+  for (const gravity::RippleLine& line : lines) {
     words += fmt::format("{}{:.3g} N·m at {:.2f} periods", words.empty() ? "" : ", ",
                          line.amplitude_Nm, line.periods_per_turn);
   }
@@ -33,7 +33,7 @@ std::string in_words(const std::vector<RippleLine>& lines) {
 }
 
 /// Why a sweep cannot tell of ripple; empty: it can.
-std::string why_not(const CogSweepResult& sweep, double gear_ratio) {
+std::string why_not(const gravity::CogSweepResult& sweep, double gear_ratio) {
   if (!sweep.found)
     return "no gravity was found in a rough sweep, whose residual would show ripple";
   const double turns = gear_ratio * (sweep.highest_rad - sweep.lowest_rad) / (2 * std::numbers::pi);
@@ -43,7 +43,7 @@ std::string why_not(const CogSweepResult& sweep, double gear_ratio) {
 }
 
 /// Whether the oscillations' positions average the ripple out.
-DataCheck check_torque_ripple(const Dataset& dataset, const CogSweepResult& sweep) {
+DataCheck check_torque_ripple(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep) {
   // A ripple of this share shifts gravity torque by as much: what a good measurement wants.
   constexpr double most_percent = 0.3;
   DataCheck check;
@@ -52,21 +52,21 @@ DataCheck check_torque_ripple(const Dataset& dataset, const CogSweepResult& swee
   const double n = dataset.manifest.drive.gear_ratio();
   const std::string why = why_not(sweep, n);
   if (!why.empty()) return not_applicable(check.name, check.title, why);
-  const std::vector<RippleLine>& lines = sweep.ripple.lines;
+  const std::vector<gravity::RippleLine>& lines = sweep.ripple.lines;
   std::vector<double> motor_angles;
-  for (const Recording* r : dataset.with_role(Role::oscillation)) {
+  for (const joint::Recording* r : dataset.with_role(joint::Role::oscillation)) {
     const auto [low, high] = std::minmax_element(r->q_rad.begin(), r->q_rad.end());
     motor_angles.push_back(n * (*low + *high) / 2);
   }
-  check.recording = to_string(Role::rough_sweep);
+  check.recording = joint::to_string(joint::Role::rough_sweep);
   check.measure =
       "ripple that the oscillations' positions do not average out, of the gravity torque";
   check.unit = percent_sign;
   check.at_most = most_percent;
   double left_Nm = 0;
-  for (const RippleLine& line : lines) {
+  for (const gravity::RippleLine& line : lines) {
     if (motor_angles.empty()) break;
-    left_Nm += line.amplitude_Nm * share_left_in_mean(line, motor_angles);
+    left_Nm += line.amplitude_Nm * hysteresis::share_left_in_mean(line, motor_angles);
   }
   check.measured = 100 * left_Nm / sweep.gravity_Nm.value;
   check.found = lines.empty() ? "no ripple stands out of the noise of the sweep"
@@ -87,7 +87,7 @@ DataCheck check_torque_ripple(const Dataset& dataset, const CogSweepResult& swee
 
 /// Whether the ripple repeats a whole number of times a motor turn, as the stated gear ratio has
 /// it.
-DataCheck check_ripple_period(const Dataset& dataset, const CogSweepResult& sweep) {
+DataCheck check_ripple_period(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep) {
   // A motor's own ripple repeats a whole number of times a turn.
   constexpr double tolerated = 0.05;
   DataCheck check;
@@ -96,18 +96,18 @@ DataCheck check_ripple_period(const Dataset& dataset, const CogSweepResult& swee
   const double n = dataset.manifest.drive.gear_ratio();
   const std::string why = why_not(sweep, n);
   if (!why.empty()) return not_applicable(check.name, check.title, why);
-  const std::vector<RippleLine>& lines = sweep.ripple.lines;
+  const std::vector<gravity::RippleLine>& lines = sweep.ripple.lines;
   if (lines.empty()) {
     return not_applicable(check.name, check.title,
                           "no ripple stands out; without it nothing in these logs checks the gear "
                           "ratio");
   }
   double farthest = 0;
-  for (const RippleLine& line : lines) {
+  for (const gravity::RippleLine& line : lines) {
     farthest =
         std::max(farthest, std::abs(line.periods_per_turn - std::round(line.periods_per_turn)));
   }
-  check.recording = to_string(Role::rough_sweep);
+  check.recording = joint::to_string(joint::Role::rough_sweep);
   check.measure = "distance of the ripple's periods a motor turn from a whole number";
   check.unit = pure_number;
   check.at_most = tolerated;
@@ -131,21 +131,21 @@ DataCheck check_ripple_period(const Dataset& dataset, const CogSweepResult& swee
 
 namespace {
 
-DataCheck check_oscillation_at_peak(const Dataset& dataset,
-                                    const std::optional<Estimate>& q_peak_rad) {
+DataCheck check_oscillation_at_peak(const joint::Dataset& dataset,
+                                    const std::optional<statistics::Estimate>& q_peak_rad) {
   constexpr double warning_deg = 2;  // costs 6e-4 of gravity torque
   constexpr double most_deg = 10;    // from here on an angle's error of 1° costs 0.3 % and more
   DataCheck check;
   check.name = "oscillation_at_peak";
   check.title = "Oscillation at the gravity peak";
-  const auto oscillations = dataset.with_role(Role::oscillation);
+  const auto oscillations = dataset.with_role(joint::Role::oscillation);
   if (oscillations.empty() || !q_peak_rad) {
     return not_applicable(check.name, check.title,
                           oscillations.empty() ? "no oscillation was recorded"
                                                : "the angle of the gravity peak is not known");
   }
   double centre = 0;
-  for (const Recording* r : oscillations) {
+  for (const joint::Recording* r : oscillations) {
     const auto [low, high] = std::minmax_element(r->q_rad.begin(), r->q_rad.end());
     centre += (*low + *high) / 2 / static_cast<double>(oscillations.size());
   }
@@ -154,22 +154,22 @@ DataCheck check_oscillation_at_peak(const Dataset& dataset,
   check.measure = "distance of the oscillation's centre from the gravity peak";
   check.unit = "deg";
   check.at_most = warning_deg;
-  check.measured = std::abs(off) * degrees_per_rad;
+  check.measured = std::abs(off) * joint::degrees_per_rad;
   check.found = fmt::format("centre at {:.3f}°, peak at {:.3f}°: gravity is {:.3g} % smaller there",
-                            centre * degrees_per_rad, q_peak_rad->value * degrees_per_rad,
-                            100 * (1 - std::cos(off)));
+                            centre * joint::degrees_per_rad,
+                            q_peak_rad->value * joint::degrees_per_rad, 100 * (1 - std::cos(off)));
   check.state = passed_or_warns_up_to(most_deg, check);
   if (check.state == CheckState::passed) return check;
   check.consequence = fmt::format(
       "the cosine corrects for it, but an error of 0.1° of the peak's angle then costs {:.2g} % of "
       "gravity torque and mass, at the peak nothing",
-      100 * std::abs(std::tan(off)) * 0.1 / degrees_per_rad);
-  check.experiment =
-      fmt::format("repeat the oscillation about {:.2f}°", q_peak_rad->value * degrees_per_rad);
+      100 * std::abs(std::tan(off)) * 0.1 / joint::degrees_per_rad);
+  check.experiment = fmt::format("repeat the oscillation about {:.2f}°",
+                                 q_peak_rad->value * joint::degrees_per_rad);
   return check;
 }
 
-DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
+DataCheck check_gravity_within_torque(const gravity::CogSweepResult& sweep) {
   constexpr double warning_ratio = 1.5;
   constexpr double most_ratio = 3;
   DataCheck check;
@@ -180,7 +180,7 @@ DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
   }
   double largest_torque = 0;
   double largest_cos = 0;
-  for (const Recording* r : sweep.recordings) {
+  for (const joint::Recording* r : sweep.recordings) {
     for (std::size_t i = 0; i < r->size(); ++i) {
       largest_torque = std::max(largest_torque, std::abs(r->torque_Nm[i]));
       largest_cos = std::max(largest_cos, std::abs(std::cos(r->q_rad[i] - sweep.q_peak_rad.value)));
@@ -205,8 +205,9 @@ DataCheck check_gravity_within_torque(const CogSweepResult& sweep) {
 
 }  // namespace
 
-void add_gravity_checks(const Dataset& dataset, const CogSweepResult& sweep,
-                        const RunGravityResult& runs, const std::optional<Estimate>& q_peak_rad,
+void add_gravity_checks(const joint::Dataset& dataset, const gravity::CogSweepResult& sweep,
+                        const gravity::RunGravityResult& runs,
+                        const std::optional<statistics::Estimate>& q_peak_rad,
                         DataChecksResult& result) {
   result.checks.push_back(check_oscillation_at_peak(dataset, q_peak_rad));
   result.checks.push_back(check_gravity_within_torque(sweep));
@@ -218,4 +219,4 @@ void add_gravity_checks(const Dataset& dataset, const CogSweepResult& sweep,
   result.checks.push_back(check_ripple_period(dataset, sweep));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -8,7 +8,7 @@
 
 #include "method/checks/check_list.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 namespace {
 
@@ -112,33 +112,35 @@ DataCheck check_clock_gaps(const CheckedDataset& data) {
 
 namespace {
 
-bool is_torque(EffortKind kind) {
-  return kind == EffortKind::motor_torque || kind == EffortKind::joint_torque;
+bool is_torque(joint::EffortKind kind) {
+  return kind == joint::EffortKind::motor_torque || kind == joint::EffortKind::joint_torque;
 }
 
 /// What of the manifest contradicts what the logger writes; empty: nothing.
-std::string contradiction(const Drive& drive, const LoggedEffort& logged) {
-  const EffortKind stated = drive.kind();
+std::string contradiction(const joint::Drive& drive, const joint::LoggedEffort& logged) {
+  const joint::EffortKind stated = drive.kind();
   const std::string start =
       fmt::format("{} writes into column '{}' ", logged.logger, logged.column);
-  if (logged.is_target && stated != EffortKind::target_torque) {
+  if (logged.is_target && stated != joint::EffortKind::target_torque) {
     return start + "a target of its controller; the manifest states a measured " +
-           to_string(stated);
+           joint::to_string(stated);
   }
-  if (!logged.is_target && stated == EffortKind::target_torque) {
+  if (!logged.is_target && stated == joint::EffortKind::target_torque) {
     return start + "a measurement; the manifest states a target_torque";
   }
   if (!logged.kind || logged.is_target) return "";
-  if ((*logged.kind == EffortKind::motor_current) != (stated == EffortKind::motor_current)) {
-    return start + "a " + to_string(*logged.kind) + "; the manifest states a " + to_string(stated);
+  if ((*logged.kind == joint::EffortKind::motor_current) !=
+      (stated == joint::EffortKind::motor_current)) {
+    return start + "a " + joint::to_string(*logged.kind) + "; the manifest states a " +
+           joint::to_string(stated);
   }
   if (!is_torque(stated)) return "";  // the side of a current is that of its torque constant
   const bool other_side = logged.side && *logged.side != drive.side() && drive.gear_ratio() != 1;
   if (other_side) {
     return start + fmt::format("a torque on the {} side; the manifest states the {} side",
-                               to_string(*logged.side), to_string(drive.side()));
+                               joint::to_string(*logged.side), joint::to_string(drive.side()));
   }
-  if (logged.is_behind_gear && stated == EffortKind::motor_torque) {
+  if (logged.is_behind_gear && stated == joint::EffortKind::motor_torque) {
     return start + "a torque measured behind the gear; the manifest states a motor_torque";
   }
   return "";
@@ -153,13 +155,13 @@ DataCheck check_effort_provenance(const CheckedDataset& data) {
   if (!data.has_torque) {
     return not_applicable(check.name, check.title, "no torque was recorded");
   }
-  const Drive& drive = data.manifest->drive;
+  const joint::Drive& drive = data.manifest->drive;
   const bool is_confirmed = data.manifest->effort_is_confirmed;
   check.recording = "all";
   check.state = CheckState::passed;
-  check.found = fmt::format("{}, {} side, as the manifest states", to_string(drive.kind()),
-                            to_string(drive.side()));
-  if (drive.kind() == EffortKind::target_torque) {
+  check.found = fmt::format("{}, {} side, as the manifest states", joint::to_string(drive.kind()),
+                            joint::to_string(drive.side()));
+  if (drive.kind() == joint::EffortKind::target_torque) {
     check.state = CheckState::fails;
     check.found =
         "the effort is a target torque, of a controller or of its model, and no measurement";
@@ -171,7 +173,7 @@ DataCheck check_effort_provenance(const CheckedDataset& data) {
   if (check.state == CheckState::passed) {
     check.state = CheckState::warns;
     check.found = fmt::format("{} on the {} side is a proposal, and nobody confirmed it",
-                              to_string(drive.kind()), to_string(drive.side()));
+                              joint::to_string(drive.kind()), joint::to_string(drive.side()));
     check.consequence =
         "if the column is anything else, every torque and mass is wrong by one factor";
     check.experiment =
@@ -195,7 +197,7 @@ DataCheck check_effort_column(const CheckedDataset& data) {
   check.at_least = 100;
   std::string first;
   RecordingsAsWanted logs;
-  for (const InputFile& input : *data.inputs) {
+  for (const joint::InputFile& input : *data.inputs) {
     if (!input.logged_effort) continue;
     const std::string words = contradiction(data.manifest->drive, *input.logged_effort);
     if (first.empty()) first = words;
@@ -252,4 +254,4 @@ DataCheck check_temperature(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -10,7 +10,7 @@
 
 #include "method/checks/check_list.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 DataCheck check_joint_moves(const CheckedDataset& data) {
   DataCheck check;
@@ -21,7 +21,7 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
   check.at_least = 100;
   RecordingsAsWanted moving;
   for (const CheckedRecording& r : data.recordings) {
-    if (r.recording->role == Role::break_away) continue;  // it may stand from end to end
+    if (r.recording->role == joint::Role::break_away) continue;  // it may stand from end to end
     moving.add(!r.strokes.empty(), r.recording->name);
   }
   if (moving.all() == 0) {
@@ -82,7 +82,7 @@ std::optional<double> stiffness_left_percent(const CheckedRecording& r) {
   // Each direction for itself: gravity is far larger than what is looked for.
   std::array<std::array<double, bins>, 2> sum{};
   std::array<std::array<std::size_t, bins>, 2> count{};
-  for (const Stroke& stroke : r.strokes) {
+  for (const motion::Stroke& stroke : r.strokes) {
     if (stroke.travel_rad < whole_stroke * r.range_rad()) continue;
     const std::size_t way = stroke.direction > 0 ? 0 : 1;
     const double start = r.recording->q_rad[stroke.first];
@@ -121,7 +121,7 @@ DataCheck check_oscillation_cycles(const CheckedDataset& data) {
   check.measure = "cycles";
   check.unit = pure_number;
   check.at_least = enough;
-  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+  for (const CheckedRecording* r : data.with_role(joint::Role::oscillation)) {
     if (r->strokes.empty()) continue;
     const double cycles = static_cast<double>(r->strokes.size() - 1) / 2;  // two turns each
     if (check.measured && cycles >= *check.measured) continue;
@@ -155,7 +155,7 @@ DataCheck check_oscillation_slides(const CheckedDataset& data) {
   check.measure = "stiffness left at the end of a stroke, of that behind a turn";
   check.unit = percent_sign;
   check.at_most = warning_percent;
-  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+  for (const CheckedRecording* r : data.with_role(joint::Role::oscillation)) {
     const auto left = stiffness_left_percent(*r);
     // The largest stroke decides: smaller ones beside it add to what it shows.
     if (!left || (check.measured && *left >= *check.measured)) continue;
@@ -186,8 +186,8 @@ constexpr double steps_in_window = 20;  // of the encoder, at the mean speed
 constexpr std::size_t fewest_samples_in_window = 5;
 
 /// Times that a stroke stops and springs on.
-std::size_t stops_within(const CheckedRecording& r, const Stroke& stroke) {
-  const Recording& log = *r.recording;
+std::size_t stops_within(const CheckedRecording& r, const motion::Stroke& stroke) {
+  const joint::Recording& log = *r.recording;
   const double duration = log.t_s[stroke.last] - log.t_s[stroke.first];
   if (!(duration > 0)) return 0;
   const double mean = stroke.travel_rad / duration;
@@ -226,7 +226,7 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
   for (const CheckedRecording& r : data.recordings) {
     if (!r.travels()) continue;
     std::size_t stops = 0;
-    for (const Stroke& stroke : r.strokes) stops = std::max(stops, stops_within(r, stroke));
+    for (const motion::Stroke& stroke : r.strokes) stops = std::max(stops, stops_within(r, stroke));
     const auto count = static_cast<double>(stops);
     if (count > most_stops) ++affected;
     take_if_worst(check, count, r.recording->name);
@@ -248,4 +248,4 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

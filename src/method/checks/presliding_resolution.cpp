@@ -12,7 +12,7 @@
 #include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 namespace {
 
 constexpr double turned_over = 0.75;  // of the full difference of the ways in and out
@@ -22,7 +22,7 @@ constexpr double level_to = 0.02;     // and up to here the speed has hardly cha
 /// Torque over the distance from a turn: the mean of the samples on each step of the encoder.
 class TorqueOverDistance {
  public:
-  TorqueOverDistance(const CheckedRecording& r, const Stroke& stroke, double turn_rad,
+  TorqueOverDistance(const CheckedRecording& r, const motion::Stroke& stroke, double turn_rad,
                      double reach_rad) {
     struct Sums {
       double torque{}, count{};
@@ -60,8 +60,8 @@ class TorqueOverDistance {
 
 /// Travel behind one turn within which the torque of the way out parts from that of the way in, at
 /// equal angle: gravity and inertia are the same on both, and drop out.
-std::optional<double> travel_of_turn(const CheckedRecording& r, const Stroke& in,
-                                     const Stroke& out) {
+std::optional<double> travel_of_turn(const CheckedRecording& r, const motion::Stroke& in,
+                                     const motion::Stroke& out) {
   constexpr std::size_t fewest_distances = 10;
   constexpr int levels = 20;
   constexpr double most_steps = 1e6;
@@ -78,7 +78,7 @@ std::optional<double> travel_of_turn(const CheckedRecording& r, const Stroke& in
   std::vector<double> level;
   const double from = level_from / level_to * reach;
   for (int k = 0; k <= levels; ++k) level.push_back(difference(from + (reach - from) * k / levels));
-  const double full = median(std::move(level));
+  const double full = statistics::median(std::move(level));
   if (!(full > 0)) return std::nullopt;
   for (double distance = step; distance < from; distance += step) {
     if (difference(distance) >= turned_over * full) return distance;
@@ -96,7 +96,7 @@ struct Resolution {
 
 std::optional<Resolution> of_oscillations(const CheckedDataset& data) {
   std::optional<Resolution> worst;
-  for (const CheckedRecording* r : data.with_role(Role::oscillation)) {
+  for (const CheckedRecording* r : data.with_role(joint::Role::oscillation)) {
     if (r->angle_step_rad <= 0) continue;
     const double steps = r->range_rad() / r->angle_step_rad;
     if (worst && steps >= worst->steps) continue;
@@ -108,7 +108,7 @@ std::optional<Resolution> of_oscillations(const CheckedDataset& data) {
 std::optional<Resolution> of_reversals(const CheckedDataset& data) {
   std::vector<double> travels;
   std::optional<Resolution> found;
-  for (const CheckedRecording* r : data.with_role(Role::rough_sweep)) {
+  for (const CheckedRecording* r : data.with_role(joint::Role::rough_sweep)) {
     if (r->angle_step_rad <= 0 || !data.has_torque) continue;
     for (std::size_t k = 0; k + 1 < r->strokes.size(); ++k) {
       const auto travel = travel_of_turn(*r, r->strokes[k], r->strokes[k + 1]);
@@ -118,7 +118,7 @@ std::optional<Resolution> of_reversals(const CheckedDataset& data) {
     }
   }
   if (!found) return std::nullopt;
-  found->travel_rad = median(std::move(travels));
+  found->travel_rad = statistics::median(std::move(travels));
   found->steps = found->travel_rad / found->step_rad;
   return found;
 }
@@ -130,8 +130,8 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   check.name = "encoder_step";
   check.title = "Encoder step against pre-sliding";
   check.unit = pure_number;
-  check.at_least = fewest_steps_in_presliding;
-  const bool has_loop = data.has_role(Role::oscillation);
+  check.at_least = motion::fewest_steps_in_presliding;
+  const bool has_loop = data.has_role(joint::Role::oscillation);
   const auto worst = has_loop ? of_oscillations(data) : of_reversals(data);
   if (!worst) {
     if (has_loop) {
@@ -149,7 +149,8 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   if (worst->step_is_of_print) {
     check.found += ", the step of the decimals in the log; its encoder's may be larger";
   }
-  check.state = worst->steps >= fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
+  check.state =
+      worst->steps >= motion::fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
   if (check.state == CheckState::passed) return check;
   check.consequence =
       "pre-sliding is not resolved: bristle stiffness, bristle damping and "
@@ -160,4 +161,4 @@ DataCheck check_encoder_step(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

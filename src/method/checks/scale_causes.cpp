@@ -12,7 +12,7 @@
 #include "method/checks/check_outcome.h"
 #include "method/checks/checked_recordings.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 namespace {
 
@@ -34,8 +34,8 @@ std::vector<Cause> usual_speed_causes(double n) {
       {0.5, "a difference over one sample divided by the time of two"},
       {5.0 / 3, "divided by a sampling time of 3/5 of the real one, such as 6 ms for 10 ms"},
       {3.0 / 5, "divided by a sampling time of 5/3 of the real one, such as 10 ms for 6 ms"},
-      {degrees_per_rad, "degrees per second taken for radians per second"},
-      {rad_per_degree, "radians per second taken for degrees per second"},
+      {joint::degrees_per_rad, "degrees per second taken for radians per second"},
+      {joint::rad_per_degree, "radians per second taken for degrees per second"},
       {2 * pi / 60, "radians per second taken for revolutions per minute"},
       {60 / (2 * pi), "revolutions per minute taken for radians per second"},
       {2 * pi, "radians per second where the angle is in turns"},
@@ -54,9 +54,9 @@ std::vector<Cause> usual_speed_causes(double n) {
   return causes;
 }
 
-std::vector<Cause> usual_torque_causes(const Drive& drive) {
+std::vector<Cause> usual_torque_causes(const joint::Drive& drive) {
   const double n = drive.gear_ratio();
-  const bool is_current = drive.kind() == EffortKind::motor_current;
+  const bool is_current = drive.kind() == joint::EffortKind::motor_current;
   std::vector<Cause> causes{
       {1000, is_current ? "mA taken for A" : "mN·m taken for N·m"},
       {1e-3, is_current ? "A taken for mA" : "N·m taken for mN·m, or kN·m for N·m"},
@@ -104,13 +104,14 @@ std::string likely_cause_of_scale(double factor, double half_width, double gear_
   return named.empty() ? no_cause : named;
 }
 
-std::string likely_cause_of_torque_scale(double factor, double half_width, const Drive& drive) {
+std::string likely_cause_of_torque_scale(double factor, double half_width,
+                                         const joint::Drive& drive) {
   const double size = std::abs(factor);
   const double tolerance = std::max(torque_tolerance, half_width / size);
   std::string named = named_causes(usual_torque_causes(drive), size, tolerance);
   if (named.empty() && std::abs(size - 1) > tolerance) {
     named = no_cause;
-    if (drive.kind() != EffortKind::motor_current) {
+    if (drive.kind() != joint::EffortKind::motor_current) {
       named += "; a current in A taken for a torque has one over its torque constant";
     }
   }
@@ -129,7 +130,7 @@ constexpr double certainly_less = 0.5;
 constexpr double certainly_more = 1 / certainly_less;
 constexpr double noticeable_turn_deg = 20;
 
-void judge(DataCheck& check, double factor, double half_width, const Drive& drive) {
+void judge(DataCheck& check, double factor, double half_width, const joint::Drive& drive) {
   const double low = std::abs(factor) - half_width;
   const double high = std::abs(factor) + half_width;
   const bool too_small = high < present(check.at_least);
@@ -154,7 +155,7 @@ void judge(DataCheck& check, double factor, double half_width, const Drive& driv
 
 }  // namespace
 
-DataCheck check_static_torque(const Manifest& m, const std::optional<FoundGravity>& found) {
+DataCheck check_static_torque(const joint::Manifest& m, const std::optional<FoundGravity>& found) {
   DataCheck check;
   check.name = "static_torque";
   check.title = "Static torque against the weight";
@@ -191,10 +192,10 @@ DataCheck check_static_torque(const Manifest& m, const std::optional<FoundGravit
   const double sign = std::cos(turn) < 0 ? -1.0 : 1.0;
   check.measured = sign * found_Nm / stated_Nm;
   check.found = fmt::format("{:.4g} N·m found, largest at {:.4g}°; {:.4g} N·m stated, at {:.4g}°",
-                            found_Nm, found->q_peak_rad * degrees_per_rad, stated_Nm,
-                            m.known_gravity->q_peak_rad() * degrees_per_rad);
+                            found_Nm, found->q_peak_rad * joint::degrees_per_rad, stated_Nm,
+                            m.known_gravity->q_peak_rad() * joint::degrees_per_rad);
   judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, m.drive);
-  const double off_deg = std::abs(std::remainder(turn, std::numbers::pi)) * degrees_per_rad;
+  const double off_deg = std::abs(std::remainder(turn, std::numbers::pi)) * joint::degrees_per_rad;
   if (off_deg > noticeable_turn_deg) {
     if (check.state == CheckState::passed) check.state = CheckState::warns;
     check.found += fmt::format("; the angles of the peak are {:.3g}° apart", off_deg);
@@ -206,4 +207,4 @@ DataCheck check_static_torque(const Manifest& m, const std::optional<FoundGravit
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

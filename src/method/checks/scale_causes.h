@@ -10,7 +10,7 @@
 #include "method/checks/data_check.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 /// The usual causes of a factor logged / true of a speed, in words; "no usual cause has this
 /// factor" where none fits. Several that fit are all named.
@@ -19,18 +19,20 @@ std::string likely_cause_of_scale(double factor, double half_width, double gear_
 
 /// The same of a torque, found / true: unit, side of the gear, torque constant. What is true is
 /// known to some per cent only.
-std::string likely_cause_of_torque_scale(double factor, double half_width, const Drive& drive);
+std::string likely_cause_of_torque_scale(double factor, double half_width,
+                                         const joint::Drive& drive);
 
 // Internal to the checks: the torque that holds the load against what the load weighs.
 
 /// Gravity as it was found, motor side.
 struct FoundGravity {
-  Estimate amplitude_Nm;
+  statistics::Estimate amplitude_Nm;
   double q_peak_rad{};
 };
 
 /// Gravity that was found against the one stated ([known_gravity]), or else against the least that
 /// a stated payload makes, m g r. Names what makes a torque wrong by such a factor.
-DataCheck check_static_torque(const Manifest& manifest, const std::optional<FoundGravity>& found);
+DataCheck check_static_torque(const joint::Manifest& manifest,
+                              const std::optional<FoundGravity>& found);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

@@ -15,7 +15,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 namespace {
 
@@ -32,9 +32,9 @@ struct SpeedScale {
 };
 
 std::optional<SpeedScale> speed_scale(const CheckedRecording& r) {
-  const Recording& log = *r.recording;
+  const joint::Recording& log = *r.recording;
   if (log.dq_rad_s.empty() || r.strokes.empty()) return std::nullopt;
-  if (log.role == Role::break_away) return std::nullopt;  // hardly a motion to compare
+  if (log.role == joint::Role::break_away) return std::nullopt;  // hardly a motion to compare
   const std::size_t width = std::max(fewest_samples_a_window, log.size() / windows);
   double xx = 0, xy = 0, yy = 0, count = 0;
   for (std::size_t first = 0; first + width < log.size(); first += width) {
@@ -51,8 +51,8 @@ std::optional<SpeedScale> speed_scale(const CheckedRecording& r) {
   if (count < 5 || !(yy > 0)) return std::nullopt;
   SpeedScale scale;
   scale.factor = xy / yy;
-  scale.half_width =
-      student_t_975(count - 1) * std::sqrt(std::max(0.0, xx - xy * xy / yy) / (count - 1) / yy);
+  scale.half_width = statistics::student_t_975(count - 1) *
+                     std::sqrt(std::max(0.0, xx - xy * xy / yy) / (count - 1) / yy);
   scale.correlation = xx > 0 ? std::abs(xy) / std::sqrt(xx * yy) : 0.0;
   scale.range_rad = r.range_rad();
   return scale;
@@ -121,7 +121,7 @@ namespace {
 
 /// Scatter of the logged speed about the slope of the angle, in % of the usual speed; < 0: unknown.
 double noise_percent(const CheckedRecording& r) {
-  const Recording& log = *r.recording;
+  const joint::Recording& log = *r.recording;
   if (log.dq_rad_s.empty() || r.strokes.empty() || r.motion.fastest_rad_s <= 0) return -1;
   constexpr double rest_share = 0.1;
   std::vector<double> speeds;
@@ -133,7 +133,8 @@ double noise_percent(const CheckedRecording& r) {
     deviations.push_back(std::abs(log.dq_rad_s[i] - slope));
   }
   if (speeds.size() < 20) return -1;
-  return 100 * normal_sd_by_median_size * median(std::move(deviations)) / median(std::move(speeds));
+  return 100 * statistics::normal_sd_by_median_size * statistics::median(std::move(deviations)) /
+         statistics::median(std::move(speeds));
 }
 
 }  // namespace
@@ -172,11 +173,11 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
   DataCheck check;
   check.name = "run_speeds";
   check.title = "Number of speeds";
-  const auto runs = data.with_role(Role::constant_speed);
+  const auto runs = data.with_role(joint::Role::constant_speed);
   if (runs.empty()) return not_applicable(check.name, check.title, "no runs at constant speed");
   std::vector<double> speeds;
   for (const CheckedRecording* r : runs) {
-    for (const Plateau& plateau : r->motion.plateaus) {
+    for (const motion::Plateau& plateau : r->motion.plateaus) {
       speeds.push_back(std::abs(plateau.speed_rad_s));
     }
   }
@@ -209,4 +210,4 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

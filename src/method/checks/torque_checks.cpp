@@ -10,7 +10,7 @@
 #include "method/motion/encoder_resolution.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::checks {
 
 namespace {
 
@@ -25,14 +25,14 @@ struct TorqueScatter {
       squares += torque * torque;
       count += 1;
     }
-    const std::vector<double> more = third_differences(t);
+    const std::vector<double> more = statistics::third_differences(t);
     third.insert(third.end(), more.begin(), more.end());
   }
   /// White noise shows in third differences; a signal of a robot does not.
   [[nodiscard]] double white_percent() const {
     const double variance = squares / count - std::pow(sum / count, 2);
     if (!(variance > 0)) return 0;
-    return std::min(100.0, 100 * white_variance(third) / variance);
+    return std::min(100.0, 100 * statistics::white_variance(third) / variance);
   }
 };
 
@@ -78,15 +78,16 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
   check.measure = "share of white noise in the variance of the torque";
   check.unit = percent_sign;
   check.at_most = warning_percent;
-  for (const Role role : {Role::rough_sweep, Role::oscillation, Role::constant_speed}) {
+  for (const joint::Role role :
+       {joint::Role::rough_sweep, joint::Role::oscillation, joint::Role::constant_speed}) {
     const auto recordings = data.with_role(role);
     if (recordings.empty()) continue;
     TorqueScatter scatter;
     for (const CheckedRecording* r : recordings) scatter.add(r->recording->torque_Nm);
     const double percent = scatter.white_percent();
-    take_if_worst(
-        check, percent,
-        recordings.size() == 1 ? recordings.front()->recording->name : to_string(role) + ", all");
+    take_if_worst(check, percent,
+                  recordings.size() == 1 ? recordings.front()->recording->name
+                                         : joint::to_string(role) + ", all");
   }
   if (!check.measured) {
     return not_applicable(check.name, check.title, "no sweep, oscillation or run");
@@ -119,12 +120,13 @@ DataCheck check_torque_step(const CheckedDataset& data) {
   check.at_most = warning_percent;
   double worst_step = 0;
   double its_friction = 0;
-  for (const Role role : {Role::rough_sweep, Role::oscillation, Role::constant_speed}) {
+  for (const joint::Role role :
+       {joint::Role::rough_sweep, joint::Role::oscillation, joint::Role::constant_speed}) {
     const auto recordings = data.with_role(role);
     const DirectionDifference d = direction_difference(recordings, true);
     if (d.common_bins == 0 || d.friction_Nm == 0) continue;
     for (const CheckedRecording* r : recordings) {
-      const double step = common_step(r->recording->torque_Nm);
+      const double step = motion::common_step(r->recording->torque_Nm);
       const double percent = 100 * step / std::abs(d.friction_Nm);
       if (!take_if_worst(check, percent, r->recording->name)) continue;
       worst_step = step;
@@ -215,9 +217,9 @@ struct Saturation {
 /// The torque of what is used of a recording: a run may well start at the drive's limit.
 std::vector<double> torque_of(const CheckedRecording& r) {
   const std::vector<double>& torque = r.recording->torque_Nm;
-  if (r.recording->role != Role::constant_speed || r.motion.plateaus.empty()) return torque;
+  if (r.recording->role != joint::Role::constant_speed || r.motion.plateaus.empty()) return torque;
   std::vector<double> used;
-  for (const Plateau& plateau : r.motion.plateaus) {
+  for (const motion::Plateau& plateau : r.motion.plateaus) {
     used.insert(used.end(), torque.begin() + static_cast<std::ptrdiff_t>(plateau.first),
                 torque.begin() + static_cast<std::ptrdiff_t>(plateau.last));
   }
@@ -260,7 +262,7 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
   double value_Nm = 0;
   std::size_t clipped = 0;
   for (const CheckedRecording& r : data.recordings) {
-    if (r.recording->role == Role::break_away) continue;  // a ramp may well end at the limit
+    if (r.recording->role == joint::Role::break_away) continue;  // a ramp may well end at the limit
     const Saturation s = saturation_of(torque_of(r));
     if (s.percent > most_percent) ++clipped;
     if (!take_if_worst(check, s.percent, r.recording->name)) continue;
@@ -283,4 +285,4 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
   return check;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::checks

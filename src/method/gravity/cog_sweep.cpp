@@ -13,7 +13,7 @@
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 namespace {
 
 constexpr std::size_t fewest_samples = 20;
@@ -24,7 +24,7 @@ double nearest_turn(double q, double middle) {
 }
 
 /// Mean of the rising offsets less that of the falling ones, halved, as a sum over coefficients.
-Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& samples) {
+Eigen::VectorXd direction_contrast(const SweepDesign& d, const motion::SweepSamples& samples) {
   Eigen::VectorXd contrast = Eigen::VectorXd::Zero(d.x.cols());
   if (d.direction >= 0) {
     contrast(d.direction) = 1;
@@ -40,30 +40,31 @@ Eigen::VectorXd direction_contrast(const SweepDesign& d, const SweepSamples& sam
   });
 }
 
-void read_friction(const SweepDesign& d, const SweepSamples& samples, const SweepGravityFit& fit,
-                   double gear_ratio, CogSweepResult& out) {
+void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
+                   const SweepGravityFit& fit, double gear_ratio, CogSweepResult& out) {
   const Eigen::VectorXd& c = fit.regression.coefficients;
   const auto half_width = [&](Eigen::Index k) { return fit.regression.half_width(k); };
   const char* method = "least squares, blocks of neighbouring samples";
   if (!samples.constant_speed) {
     out.offset_Nm = c(d.offsets);
     if (d.direction >= 0) {
-      out.coulomb_Nm = symmetric_estimate(c(d.direction), half_width(d.direction), method);
+      out.coulomb_Nm =
+          statistics::symmetric_estimate(c(d.direction), half_width(d.direction), method);
     }
     if (d.load >= 0) {
       out.unloaded_coulomb_Nm = out.coulomb_Nm;
-      out.load_coulomb_Nm = symmetric_estimate(c(d.load), half_width(d.load), method);
+      out.load_coulomb_Nm = statistics::symmetric_estimate(c(d.load), half_width(d.load), method);
       const double load = d.x.col(d.load).cwiseAbs().mean();
       Eigen::VectorXd mean = Eigen::VectorXd::Zero(c.size());
       mean(d.direction) = 1;
       mean(d.load) = load;
-      out.coulomb_Nm =
-          symmetric_estimate(mean.dot(c), fit.regression.half_width_along(mean), method);
+      out.coulomb_Nm = statistics::symmetric_estimate(
+          mean.dot(c), fit.regression.half_width_along(mean), method);
     }
-    out.viscous_Nms_rad =
-        symmetric_estimate(c(d.speed) / gear_ratio, half_width(d.speed) / gear_ratio, method);
-    out.inertia_kgm2 = symmetric_estimate(c(d.acceleration) / gear_ratio,
-                                          half_width(d.acceleration) / gear_ratio, method);
+    out.viscous_Nms_rad = statistics::symmetric_estimate(c(d.speed) / gear_ratio,
+                                                         half_width(d.speed) / gear_ratio, method);
+    out.inertia_kgm2 = statistics::symmetric_estimate(
+        c(d.acceleration) / gear_ratio, half_width(d.acceleration) / gear_ratio, method);
     return;
   }
   if (!samples.both_directions()) return;
@@ -73,14 +74,15 @@ void read_friction(const SweepDesign& d, const SweepSamples& samples, const Swee
   for (Eigen::Index k = 0; k < d.offset_count; ++k) {
     freedom = std::min(freedom, fit.regression.freedom(d.offsets + k));
   }
-  out.coulomb_Nm = symmetric_estimate(contrast.dot(c), student_t_975(freedom) * error, method);
+  out.coulomb_Nm = statistics::symmetric_estimate(
+      contrast.dot(c), statistics::student_t_975(freedom) * error, method);
   out.offset_Nm = contrast.cwiseAbs().dot(c);
 }
 
 /// The ripple that the residual shows, and the fit without it.
-SweepGravityFit fit_without_ripple(const std::vector<const Recording*>& recordings,
-                                   const SweepSamples& samples, double gear_ratio, double middle,
-                                   const std::vector<std::size_t>& blocks,
+SweepGravityFit fit_without_ripple(const std::vector<const joint::Recording*>& recordings,
+                                   const motion::SweepSamples& samples, double gear_ratio,
+                                   double middle, const std::vector<std::size_t>& blocks,
                                    const SweepGravityFit& first, SweepDesign& design,
                                    CogSweepResult& out) {
   const double white = white_torque_variance(recordings, samples);
@@ -105,9 +107,9 @@ SweepGravityFit fit_without_ripple(const std::vector<const Recording*>& recordin
 }
 
 /// How far the ripple of another sweep moves the angle, each line at any phase.
-void widen_by_ripple(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
-                     const SweepDesign& design, double gear_ratio, const Ripple& ripple,
-                     CogSweepResult& out) {
+void widen_by_ripple(const std::vector<const joint::Recording*>& recordings,
+                     const motion::SweepSamples& samples, const SweepDesign& design,
+                     double gear_ratio, const Ripple& ripple, CogSweepResult& out) {
   std::vector<double> amplitudes;
   const auto rows = static_cast<Eigen::Index>(samples.size());
   for (const RippleLine& line : ripple.lines) {
@@ -124,13 +126,13 @@ void widen_by_ripple(const std::vector<const Recording*>& recordings, const Swee
     amplitudes.push_back(line.amplitude_Nm * out.resampling.ripple_lever.back());
   }
   if (amplitudes.empty()) return;
-  out.q_peak_rad = symmetric_estimate(
+  out.q_peak_rad = statistics::symmetric_estimate(
       out.q_peak_rad.value,
       std::hypot(out.q_peak_rad.half_width(), random_phase_half_width(amplitudes, 0)),
       out.q_peak_rad.method + ", widened by the ripple that the rough sweep shows");
 }
 
-void keep_for_resampling(const SweepDesign& design, const SweepSamples& samples,
+void keep_for_resampling(const SweepDesign& design, const motion::SweepSamples& samples,
                          const SweepGravityFit& fit, CogSweepResult& out) {
   const Eigen::MatrixXd& shifts = fit.block_shifts;
   const Eigen::RowVectorXd coulomb =
@@ -143,8 +145,8 @@ void keep_for_resampling(const SweepDesign& design, const SweepSamples& samples,
 
 /// Strokes over the same angles repeat what the model leaves there, which blocks of neighbouring
 /// samples cannot see. Blocks of the angle can: the wider of the two intervals is stated.
-SweepGravityFit with_the_wider_blocks(const std::vector<const Recording*>& recordings,
-                                      const SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_the_wider_blocks(const std::vector<const joint::Recording*>& recordings,
+                                      const motion::SweepSamples& samples, SweepDesign& design,
                                       double middle, const SweepGravityFit& fit,
                                       const CogSweepResult& range) {
   constexpr double cells = 20;
@@ -159,7 +161,7 @@ SweepGravityFit with_the_wider_blocks(const std::vector<const Recording*>& recor
   return other.gravity_Nm.half_width() > fit.gravity_Nm.half_width() ? other : fit;
 }
 
-CogSweepResult skipped(const std::string& name, std::string reason, StageState state) {
+CogSweepResult skipped(const std::string& name, std::string reason, statistics::StageState state) {
   CogSweepResult out;
   out.stage = {name, state, std::move(reason)};
   return out;
@@ -168,8 +170,9 @@ CogSweepResult skipped(const std::string& name, std::string reason, StageState s
 }  // namespace
 
 CogSweepResult identify_cog_sweep(const std::string& name,
-                                  const std::vector<const Recording*>& recordings,
-                                  double gear_ratio, const std::optional<Estimate>& gravity_Nm,
+                                  const std::vector<const joint::Recording*>& recordings,
+                                  double gear_ratio,
+                                  const std::optional<statistics::Estimate>& gravity_Nm,
                                   const Ripple& known_ripple) {
   const bool precise = name == "cog_precise";
   if (recordings.empty()) {
@@ -179,20 +182,21 @@ CogSweepResult identify_cog_sweep(const std::string& name,
                            : "no rough_sweep was recorded; a slow sweep over the joint's range in "
                              "both directions would give the angle of the centre of gravity and "
                              "the gravity torque",
-                   StageState::skipped);
+                   statistics::StageState::skipped);
   }
   CogSweepResult out;
   out.recordings = recordings;
-  const SweepSamples samples = select_sweep_samples(recordings);
+  const motion::SweepSamples samples = motion::select_sweep_samples(recordings);
   out.samples_used = samples.size();
   out.samples_left_out = samples.left_out;
   out.constant_speed = samples.constant_speed;
   out.both_directions = samples.both_directions();
-  for (const Recording* recording : recordings) out.used.emplace_back(recording->size(), false);
+  for (const joint::Recording* recording : recordings)
+    out.used.emplace_back(recording->size(), false);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     out.used[samples.recording[i]][samples.index[i]] = true;
   }
-  out.stage = {name, StageState::not_identifiable, ""};
+  out.stage = {name, statistics::StageState::not_identifiable, ""};
   if (samples.size() < fewest_samples) {
     out.stage.reason =
         fmt::format("only {} samples of the sweep move steadily; at least {} are needed",
@@ -216,7 +220,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   SweepDesign design = sweep_design(recordings, samples, amplitude_known ? 1 : 2);
   const std::size_t strokes = samples.stroke.back() + 1;
   const std::vector<std::size_t> blocks =
-      equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
+      statistics::equal_blocks(samples.stroke, std::max<std::size_t>(4, 40 / strokes));
   SweepGravityFit fit = amplitude_known
                             ? fit_angle(recordings, samples, design, middle, *gravity_Nm, blocks)
                             : fit_amplitude_and_angle(recordings, samples, design, middle, blocks);
@@ -254,28 +258,29 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     out.stage.reason = fmt::format(
         "gravity does not show: amplitude {:.3g} N·m with a 95 % interval from {:.3g} to {:.3g} "
         "N·m over {:.1f}° of travel; sweep further, or load the joint",
-        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high, range * degrees_per_rad);
+        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high,
+        range * joint::degrees_per_rad);
     return out;
   }
   find_torque_maximum(recordings, samples, out);
   out.found = true;
-  out.stage.state = StageState::done;
+  out.stage.state = statistics::StageState::done;
   if (!out.both_directions) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason =
         "only one direction was recorded: friction does not cancel, and a friction that changes "
         "with the angle would be taken for gravity";
   } else if (!precise &&
              (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = fmt::format(
         "the sweep from {:.1f}° to {:.1f}° does not cross the gravity peak, which is "
         "extrapolated to {:.1f}°; the arg-max of the paper is not valid there",
-        out.lowest_rad * degrees_per_rad, out.highest_rad * degrees_per_rad,
-        out.q_peak_rad.value * degrees_per_rad);
+        out.lowest_rad * joint::degrees_per_rad, out.highest_rad * joint::degrees_per_rad,
+        out.q_peak_rad.value * joint::degrees_per_rad);
   }
   add_fit_curves(recordings, samples, fit.regression.residuals, out);
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

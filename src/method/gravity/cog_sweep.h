@@ -21,10 +21,10 @@
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
 struct CogSweepResult {
-  StageReport stage;
+  statistics::StageReport stage;
   bool found{false};   ///< The values below are valid.
   std::string method;  ///< What was fitted, for the report.
 
@@ -34,17 +34,18 @@ struct CogSweepResult {
   double argmax_torque_Nm{};  ///< Motor side, at the arg-max.
   bool argmax_at_end{};       ///< The maximum lies at the sweep's end: no peak was crossed.
 
-  Estimate q_peak_rad;                 ///< Ours.
-  Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
-  std::optional<Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor side; at
-                                       ///< the mean load of the sweep.
+  statistics::Estimate q_peak_rad;                 ///< Ours.
+  statistics::Estimate gravity_Nm;                 ///< Gravity amplitude G/n at the motor.
+  std::optional<statistics::Estimate> coulomb_Nm;  ///< Half the distance of the directions, motor
+                                                   ///< side; at the mean load of the sweep.
   /// Where Coulomb friction that grows with the load describes strokes held out better: what is
   /// left without load, and what the full gravity torque adds. Motor side.
-  std::optional<Estimate> unloaded_coulomb_Nm;
-  std::optional<Estimate> load_coulomb_Nm;
-  std::optional<Estimate>
-      viscous_Nms_rad;                   ///< Per motor speed; only from a sweep of varying speed.
-  std::optional<Estimate> inertia_kgm2;  ///< Reflected to the motor; only if accelerations show it.
+  std::optional<statistics::Estimate> unloaded_coulomb_Nm;
+  std::optional<statistics::Estimate> load_coulomb_Nm;
+  std::optional<statistics::Estimate>
+      viscous_Nms_rad;  ///< Per motor speed; only from a sweep of varying speed.
+  std::optional<statistics::Estimate>
+      inertia_kgm2;      ///< Reflected to the motor; only if accelerations show it.
   double offset_Nm{};    ///< Mean of both directions that is not gravity, motor side.
   double residual_Nm{};  ///< Standard deviation of what the fit leaves.
   /// Standard deviation of the part of the residual that is no white noise: torque ripple, friction
@@ -72,7 +73,7 @@ struct CogSweepResult {
 
   /// For figures and later stages: per recording, a mask of the samples used.
   std::vector<std::vector<bool>> used;
-  std::vector<const Recording*> recordings;  ///< Those that the stage was given.
+  std::vector<const joint::Recording*> recordings;  ///< Those that the stage was given.
   /// Fitted motor-side torque for figures: rising and falling joint angle.
   std::vector<double> fit_q_rad;
   std::vector<double> fit_rising_Nm;
@@ -84,10 +85,9 @@ struct CogSweepResult {
 /// @param gravity_Nm amplitude at the motor known from a rough sweep, or nullopt.
 /// @param known_ripple of the rough sweep: a short sweep cannot average it out, and its angle's
 /// interval is as wide as the ripple at any phase demands.
-CogSweepResult identify_cog_sweep(const std::string& name,
-                                  const std::vector<const Recording*>& recordings,
-                                  double gear_ratio,
-                                  const std::optional<Estimate>& gravity_Nm = std::nullopt,
-                                  const Ripple& known_ripple = {});
+CogSweepResult identify_cog_sweep(
+    const std::string& name, const std::vector<const joint::Recording*>& recordings,
+    double gear_ratio, const std::optional<statistics::Estimate>& gravity_Nm = std::nullopt,
+    const Ripple& known_ripple = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

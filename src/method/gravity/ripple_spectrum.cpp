@@ -11,7 +11,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 namespace {
 
 using std::numbers::pi;
@@ -164,11 +164,12 @@ Ripple find_ripple(const std::vector<double>& motor_angle_rad,
   return out;
 }
 
-Estimate with_ripple(const Estimate& torque_Nm, const Ripple& ripple) {
+statistics::Estimate with_ripple(const statistics::Estimate& torque_Nm, const Ripple& ripple) {
   const double half_width = ripple.half_width_Nm();
   if (!(half_width > 0)) return torque_Nm;
-  return symmetric_estimate(torque_Nm.value, std::hypot(torque_Nm.half_width(), half_width),
-                            torque_Nm.method + ", widened by the ripple that the sweep shows");
+  return statistics::symmetric_estimate(
+      torque_Nm.value, std::hypot(torque_Nm.half_width(), half_width),
+      torque_Nm.method + ", widened by the ripple that the sweep shows");
 }
 
 double random_phase_half_width(const std::vector<double>& amplitudes, double normal_sd) {
@@ -176,7 +177,7 @@ double random_phase_half_width(const std::vector<double>& amplitudes, double nor
   for (const double a : amplitudes) sum += a;
   if (sum == 0) return 1.959963984540054 * normal_sd;
   constexpr std::size_t draws = 4000;  // the quantile to about 1 %
-  RandomStream random(4000, 1);
+  statistics::RandomStream random(4000, 1);
   std::vector<double> sizes(draws);
   for (double& size : sizes) {
     double value = normal_sd > 0 ? normal_sd * random.normal() : 0.0;
@@ -188,4 +189,4 @@ double random_phase_half_width(const std::vector<double>& amplitudes, double nor
   return *at;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

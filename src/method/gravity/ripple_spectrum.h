@@ -11,7 +11,7 @@
 
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
 /// One period of the ripple: amplitude * cos(periods_per_turn * motor angle + phase).
 struct RippleLine {
@@ -49,9 +49,9 @@ Ripple find_ripple(const std::vector<double>& motor_angle_rad,
 
 /// A torque read at one position, with the ripple laid on its interval: over a micro-oscillation
 /// ripple is a constant, which no repetition averages out.
-Estimate with_ripple(const Estimate& torque_Nm, const Ripple& ripple);
+statistics::Estimate with_ripple(const statistics::Estimate& torque_Nm, const Ripple& ripple);
 
 /// The 0.95 quantile of |sum of amplitude_k cos(random phase) + normal noise|.
 double random_phase_half_width(const std::vector<double>& amplitudes, double normal_sd);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

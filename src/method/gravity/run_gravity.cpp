@@ -12,11 +12,11 @@
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 namespace {
 
 constexpr double least_travel_share = 0.25;
-constexpr double least_travel_rad = 3 / degrees_per_rad;
+constexpr double least_travel_rad = 3 / joint::degrees_per_rad;
 constexpr std::size_t fewest_blocks = 6;
 // As for the sweep: a chance of far below 0.1 % without gravity.
 constexpr double least_evidence = 27;
@@ -26,7 +26,7 @@ constexpr double hardly = 0.05;  // share of a way
 
 /// Least squares with blocks in the order of the rows; `block` gives a row's block.
 template <class Block>
-BlockRegression fit(std::vector<GravityRow> rows, Block block) {
+statistics::BlockRegression fit(std::vector<GravityRow> rows, Block block) {
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const GravityRow& a, const GravityRow& b) { return block(a) < block(b); });
   const auto n = static_cast<Eigen::Index>(rows.size());
@@ -39,7 +39,7 @@ BlockRegression fit(std::vector<GravityRow> rows, Block block) {
     x.row(static_cast<Eigen::Index>(i)) << rows[i].cosine, rows[i].sine;
     y(static_cast<Eigen::Index>(i)) = rows[i].torque_Nm;
   }
-  return block_regression(x, y, blocks);
+  return statistics::block_regression(x, y, blocks);
 }
 
 /// Rows that share their angle share the ripple, rows of a run share its day: the variance for
@@ -53,18 +53,18 @@ class TwoWayFit {
         by_run_(runs >= fewest_blocks ? fit(rows, run_of) : by_angle_),
         by_both_(runs >= fewest_blocks ? fit(rows, angle_and_run) : by_angle_) {}
 
-  [[nodiscard]] const BlockRegression& by_angle() const { return by_angle_; }
-  [[nodiscard]] const BlockRegression& by_run() const { return by_run_; }
+  [[nodiscard]] const statistics::BlockRegression& by_angle() const { return by_angle_; }
+  [[nodiscard]] const statistics::BlockRegression& by_run() const { return by_run_; }
   /// Half width of the 95 % interval of a quantity with this gradient.
   [[nodiscard]] double half_width(const Eigen::Vector2d& gradient) const {
-    const auto variance = [&](const BlockRegression& r) {
+    const auto variance = [&](const statistics::BlockRegression& r) {
       return std::pow(r.standard_error_along(gradient), 2);
     };
     // Runs cannot take away from what the blocks of the angle show.
     const double added = std::max(0.0, variance(by_run_) - variance(by_both_));
     const double freedom =
         std::min(by_angle_.freedom_along(gradient), by_run_.freedom_along(gradient));
-    return student_t_975(freedom) * std::sqrt(variance(by_angle_) + added);
+    return statistics::student_t_975(freedom) * std::sqrt(variance(by_angle_) + added);
   }
 
  private:
@@ -75,7 +75,7 @@ class TwoWayFit {
   static std::size_t angle_and_run(const GravityRow& r) {
     return r.run * GravityCells::blocks + angle_block(r);
   }
-  BlockRegression by_angle_, by_run_, by_both_;
+  statistics::BlockRegression by_angle_, by_run_, by_both_;
 };
 
 bool lifts_always(const std::vector<GravityRun>& runs, double q_peak) {
@@ -93,7 +93,7 @@ bool lifts_always(const std::vector<GravityRun>& runs, double q_peak) {
 
 }  // namespace
 
-RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings,
+RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>& recordings,
                                       double gear_ratio) {
   RunGravityResult out;
   if (recordings.empty()) {
@@ -115,7 +115,7 @@ RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recor
     out.reason = fmt::format(
         "no run at constant speed travels far enough for gravity: the widest {:.2g}°, at least "
         "{:.2g}° are needed",
-        widest * degrees_per_rad, least_travel_rad * degrees_per_rad);
+        widest * joint::degrees_per_rad, least_travel_rad * joint::degrees_per_rad);
     return out;
   }
   out.lowest_rad = runs.front().low_rad;
@@ -137,14 +137,15 @@ RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recor
   out.ripple = ripple;
   out.residual_Nm = fitted.by_angle().residual_sd;
   const char* method = "runs at constant speed, blocks of the angle and of the runs";
-  out.gravity_Nm =
-      symmetric_estimate(g, fitted.half_width(Eigen::Vector2d(b, c) / std::max(g, 1e-300)), method);
+  out.gravity_Nm = statistics::symmetric_estimate(
+      g, fitted.half_width(Eigen::Vector2d(b, c) / std::max(g, 1e-300)), method);
   const Eigen::Vector2d angle_gradient = Eigen::Vector2d(-c, b) / std::max(g * g, 1e-300);
   double q_peak = middle + std::atan2(c, b);
   q_peak -= 2 * std::numbers::pi * std::round((q_peak - middle) / (2 * std::numbers::pi));
-  out.q_peak_rad = symmetric_estimate(q_peak, fitted.half_width(angle_gradient), method);
+  out.q_peak_rad =
+      statistics::symmetric_estimate(q_peak, fitted.half_width(angle_gradient), method);
   const Eigen::Vector2d bc(b, c);
-  const auto evidence = [&](const BlockRegression& r) {
+  const auto evidence = [&](const statistics::BlockRegression& r) {
     return bc.dot(Eigen::Matrix2d(r.covariance).ldlt().solve(bc));
   };
   const double least_shown = std::min(evidence(fitted.by_angle()), evidence(fitted.by_run()));
@@ -161,4 +162,4 @@ RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recor
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

@@ -23,14 +23,14 @@
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
 struct RunGravityResult {
   bool found{false};   ///< The values below are valid.
   std::string reason;  ///< Why not found; empty if it is.
-  Estimate q_peak_rad;
-  Estimate gravity_Nm;   ///< Amplitude G/n at the motor.
-  Ripple ripple;         ///< What of it repeats with the motor's angle.
+  statistics::Estimate q_peak_rad;
+  statistics::Estimate gravity_Nm;  ///< Amplitude G/n at the motor.
+  Ripple ripple;                    ///< What of it repeats with the motor's angle.
   double residual_Nm{};  ///< Standard deviation of what fit and ripple leave in cells of the angle.
   std::size_t runs_used{};
   std::size_t runs_left_out{};  ///< Plateaus with too short a way.
@@ -42,7 +42,7 @@ struct RunGravityResult {
 
 /// @param recordings those of constant speed; may be empty.
 /// @param gear_ratio n, of the motor's angle to the joint's.
-RunGravityResult identify_run_gravity(const std::vector<const Recording*>& recordings,
+RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>& recordings,
                                       double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

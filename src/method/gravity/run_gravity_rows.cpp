@@ -8,7 +8,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 namespace {
 
 void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cells,
@@ -49,9 +49,9 @@ void add_rows(const GravityRun& run, std::size_t number, const GravityCells& cel
 double white_variance_of(const GravityRun& run) {
   std::vector<double> third;
   for (std::size_t i = run.plateau.first + 3; i < run.plateau.last; ++i) {
-    third.push_back(third_difference(&run.recording->torque_Nm[i - 3]));
+    third.push_back(statistics::third_difference(&run.recording->torque_Nm[i - 3]));
   }
-  return white_variance(third);
+  return statistics::white_variance(third);
 }
 
 }  // namespace
@@ -61,10 +61,10 @@ std::size_t GravityCells::of(double q_rad) const {
   return std::min(count - 1, static_cast<std::size_t>((q_rad - lowest_rad) / width));
 }
 
-std::vector<GravityRun> gravity_runs_of(const std::vector<const Recording*>& recordings) {
+std::vector<GravityRun> gravity_runs_of(const std::vector<const joint::Recording*>& recordings) {
   std::vector<GravityRun> runs;
-  for (const Recording* r : recordings) {
-    for (const Plateau& p : find_plateaus(*r).plateaus) {
+  for (const joint::Recording* r : recordings) {
+    for (const motion::Plateau& p : motion::find_plateaus(*r).plateaus) {
       const auto begin = r->q_rad.begin();
       const auto [low, high] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(p.first),
                                                    begin + static_cast<std::ptrdiff_t>(p.last));
@@ -106,7 +106,7 @@ Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& c
     white.push_back(white_variance_of(run));
   }
   // A fast run passes ripple so quickly that it looks like noise: not the mean.
-  const double noise = median(white);
+  const double noise = statistics::median(white);
   const double sd = std::sqrt(squares / static_cast<double>(residual.size()));
   // Half a period in a block of the angle: slower lines are like gravity.
   constexpr double fewest_periods = GravityCells::blocks / 2.0;
@@ -117,4 +117,4 @@ Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& c
   return find_ripple(angle, residual, torque_ripple_Nm(sd, noise), noise, search);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

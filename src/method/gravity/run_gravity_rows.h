@@ -8,12 +8,12 @@
 #include "method/gravity/ripple_spectrum.h"
 #include "method/motion/plateaus.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
 /// A plateau of constant speed, and the angles it passes [rad, joint].
 struct GravityRun {
-  const Recording* recording;
-  Plateau plateau;
+  const joint::Recording* recording;
+  motion::Plateau plateau;
   double low_rad, high_rad;
 };
 
@@ -34,7 +34,7 @@ struct GravityCells {
   [[nodiscard]] std::size_t of(double q_rad) const;
 };
 
-std::vector<GravityRun> gravity_runs_of(const std::vector<const Recording*>& recordings);
+std::vector<GravityRun> gravity_runs_of(const std::vector<const joint::Recording*>& recordings);
 
 /// Rows of all runs. Taking a run's means off its columns is the same as an offset of its own.
 /// @param ripple is taken off the torque, by the motor's angle.
@@ -48,4 +48,4 @@ std::vector<GravityRow> gravity_rows(const std::vector<GravityRun>& runs, const 
 Ripple ripple_of_runs(const std::vector<GravityRun>& runs, const GravityCells& cells,
                       double gear_ratio, double b_Nm, double c_Nm);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

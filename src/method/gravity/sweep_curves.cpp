@@ -6,10 +6,10 @@
 #include "method/gravity/sweep_regression.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
-void find_torque_maximum(const std::vector<const Recording*>& recordings,
-                         const SweepSamples& samples, CogSweepResult& result) {
+void find_torque_maximum(const std::vector<const joint::Recording*>& recordings,
+                         const motion::SweepSamples& samples, CogSweepResult& result) {
   std::size_t best = 0;
   const auto torque = [&](std::size_t i) {
     return recordings[samples.recording[i]]->torque_Nm[samples.index[i]];
@@ -37,8 +37,9 @@ void find_torque_maximum(const std::vector<const Recording*>& recordings,
       result.argmax_rad - result.lowest_rad < edge || result.highest_rad - result.argmax_rad < edge;
 }
 
-void add_fit_curves(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
-                    const Eigen::VectorXd& residuals, CogSweepResult& result) {
+void add_fit_curves(const std::vector<const joint::Recording*>& recordings,
+                    const motion::SweepSamples& samples, const Eigen::VectorXd& residuals,
+                    CogSweepResult& result) {
   constexpr std::size_t bins = 240;
   // The median: a few samples of an abrupt stop, with its torque of inertia, must not bend the
   // curve.
@@ -46,7 +47,7 @@ void add_fit_curves(const std::vector<const Recording*>& recordings, const Sweep
   std::vector<std::vector<double>> falling(bins);
   const double width = (result.highest_rad - result.lowest_rad) / static_cast<double>(bins);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Recording& r = *recordings[samples.recording[i]];
+    const joint::Recording& r = *recordings[samples.recording[i]];
     const double q = r.q_rad[samples.index[i]];
     const auto bin = std::min(bins - 1, static_cast<std::size_t>((q - result.lowest_rad) / width));
     (samples.direction[i] > 0 ? rising : falling)[bin].push_back(
@@ -54,8 +55,8 @@ void add_fit_curves(const std::vector<const Recording*>& recordings, const Sweep
   }
   for (std::size_t bin = 0; bin < bins; ++bin) {
     result.fit_q_rad.push_back(result.lowest_rad + (static_cast<double>(bin) + 0.5) * width);
-    result.fit_rising_Nm.push_back(median(rising[bin]));
-    result.fit_falling_Nm.push_back(median(falling[bin]));
+    result.fit_rising_Nm.push_back(statistics::median(rising[bin]));
+    result.fit_falling_Nm.push_back(statistics::median(falling[bin]));
   }
   if (!result.both_directions) {
     const bool up = std::any_of(samples.direction.begin(), samples.direction.end(),
@@ -64,4 +65,4 @@ void add_fit_curves(const std::vector<const Recording*>& recordings, const Sweep
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

@@ -10,19 +10,19 @@
 #include "statistics/distributions.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
-double white_torque_variance(const std::vector<const Recording*>& recordings,
-                             const SweepSamples& samples) {
+double white_torque_variance(const std::vector<const joint::Recording*>& recordings,
+                             const motion::SweepSamples& samples) {
   std::vector<double> third;
   for (std::size_t i = 3; i < samples.size(); ++i) {
     const bool neighbours = samples.recording[i - 3] == samples.recording[i] &&
                             samples.index[i - 3] + 3 == samples.index[i];
     if (!neighbours) continue;
-    const Recording& r = *recordings[samples.recording[i]];
-    third.push_back(third_difference(&r.torque_Nm[samples.index[i] - 3]));
+    const joint::Recording& r = *recordings[samples.recording[i]];
+    third.push_back(statistics::third_difference(&r.torque_Nm[samples.index[i] - 3]));
   }
-  return white_variance(third);
+  return statistics::white_variance(third);
 }
 
 double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {
@@ -31,13 +31,13 @@ double torque_ripple_Nm(double residual_sd_Nm, double white_variance) {
   return rest > least_share * white_variance ? std::sqrt(rest) : 0.0;
 }
 
-double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
-                std::size_t i) {
+double angle_of(const std::vector<const joint::Recording*>& recordings,
+                const motion::SweepSamples& samples, std::size_t i) {
   return recordings[samples.recording[i]]->q_rad[samples.index[i]];
 }
 
-SweepDesign sweep_design(const std::vector<const Recording*>& recordings,
-                         const SweepSamples& samples, Eigen::Index gravity_columns) {
+SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
+                         const motion::SweepSamples& samples, Eigen::Index gravity_columns) {
   SweepDesign d;
   const auto rows = static_cast<Eigen::Index>(samples.size());
   const bool both = samples.both_directions();
@@ -77,9 +77,9 @@ SweepDesign sweep_design(const std::vector<const Recording*>& recordings,
   return d;
 }
 
-SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& recordings,
-                                        const SweepSamples& samples, SweepDesign& d, double middle,
-                                        const std::vector<std::size_t>& blocks) {
+SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording*>& recordings,
+                                        const motion::SweepSamples& samples, SweepDesign& d,
+                                        double middle, const std::vector<std::size_t>& blocks) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double q = angle_of(recordings, samples, i) - middle;
     // 1 - cos q as 2 sin^2(q/2): no cancellation in a sweep of one degree.
@@ -88,22 +88,22 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& rec
     d.x(static_cast<Eigen::Index>(i), 1) = std::sin(q);
   }
   SweepGravityFit fit;
-  fit.regression = block_regression(d.x, d.y, blocks);
+  fit.regression = statistics::block_regression(d.x, d.y, blocks);
   const double b = fit.regression.coefficients(0);
   const double c = fit.regression.coefficients(1);
   const auto& v = fit.regression.covariance;
   const double g = std::hypot(b, c);
   fit.freedom = fit.regression.freedom.head<2>().minCoeff();
-  const double t = student_t_975(fit.freedom);
+  const double t = statistics::student_t_975(fit.freedom);
   const Eigen::Vector2d bc(b, c);
   const Eigen::Matrix2d v2 = v.topLeftCorner<2, 2>();
   fit.evidence = bc.dot(v2.ldlt().solve(bc));
   const double var_q = (c * c * v(0, 0) - 2 * b * c * v(0, 1) + b * b * v(1, 1)) / std::pow(g, 4);
   const double var_g = (b * b * v(0, 0) + 2 * b * c * v(0, 1) + c * c * v(1, 1)) / (g * g);
   const char* method = "least squares, blocks of neighbouring samples";
-  fit.q_peak_rad =
-      symmetric_estimate(middle + std::atan2(c, b), t * std::sqrt(std::max(0.0, var_q)), method);
-  fit.gravity_Nm = symmetric_estimate(g, t * std::sqrt(std::max(0.0, var_g)), method);
+  fit.q_peak_rad = statistics::symmetric_estimate(middle + std::atan2(c, b),
+                                                  t * std::sqrt(std::max(0.0, var_q)), method);
+  fit.gravity_Nm = statistics::symmetric_estimate(g, t * std::sqrt(std::max(0.0, var_g)), method);
   const auto& shifts = fit.regression.block_shifts;
   fit.block_shifts.resize(2, shifts.cols());
   fit.block_shifts.row(0) = (b * shifts.row(1) - c * shifts.row(0)) / (g * g);
@@ -115,9 +115,10 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& rec
   return fit;
 }
 
-SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
-                          const SweepSamples& samples, SweepDesign& d, double middle,
-                          const Estimate& gravity, const std::vector<std::size_t>& blocks) {
+SweepGravityFit fit_angle(const std::vector<const joint::Recording*>& recordings,
+                          const motion::SweepSamples& samples, SweepDesign& d, double middle,
+                          const statistics::Estimate& gravity,
+                          const std::vector<std::size_t>& blocks) {
   const Eigen::VectorXd torque = d.y;
   double q_peak = middle;
   SweepGravityFit fit;
@@ -128,7 +129,7 @@ SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
       d.y(row) = torque(row) - gravity.value * std::cos(q);
       d.x(row, 0) = gravity.value * std::sin(q);
     }
-    fit.regression = block_regression(d.x, d.y, blocks);
+    fit.regression = statistics::block_regression(d.x, d.y, blocks);
     const double step = std::clamp(fit.regression.coefficients(0), -0.5, 0.5);
     q_peak += step;
     if (std::abs(step) < 1e-13) break;
@@ -136,8 +137,9 @@ SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
   const double from_noise = fit.regression.half_width(0);
   // An amplitude off by a share shifts the angle by that share of its distance from the middle.
   const double from_amplitude = (q_peak - middle) * gravity.half_width() / gravity.value;
-  fit.q_peak_rad = symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
-                                      "least squares with the amplitude of the rough sweep");
+  fit.q_peak_rad =
+      statistics::symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
+                                     "least squares with the amplitude of the rough sweep");
   fit.gravity_Nm = gravity;
   fit.freedom = fit.regression.freedom(0);
   fit.block_shifts = Eigen::MatrixXd::Zero(2, fit.regression.block_shifts.cols());
@@ -159,8 +161,8 @@ namespace {
 constexpr std::size_t fewest_strokes = 4;
 constexpr double standard_errors = 2.0;
 
-void fill_load_column(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
-                      double q_peak, SweepDesign& d) {
+void fill_load_column(const std::vector<const joint::Recording*>& recordings,
+                      const motion::SweepSamples& samples, double q_peak, SweepDesign& d) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     d.x(static_cast<Eigen::Index>(i), d.load) =
         samples.direction[i] * std::abs(std::cos(angle_of(recordings, samples, i) - q_peak));
@@ -203,8 +205,8 @@ bool pays(const std::vector<double>& without, const std::vector<double>& with) {
 
 }  // namespace
 
-SweepGravityFit with_load_where_it_pays(const std::vector<const Recording*>& recordings,
-                                        const SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_load_where_it_pays(const std::vector<const joint::Recording*>& recordings,
+                                        const motion::SweepSamples& samples, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks,
                                         const SweepGravityFit& fit) {
   const bool has_strokes = !samples.stroke.empty() && samples.stroke.back() + 1 >= fewest_strokes;
@@ -230,4 +232,4 @@ SweepGravityFit with_load_where_it_pays(const std::vector<const Recording*>& rec
   return better;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

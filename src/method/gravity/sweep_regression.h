@@ -11,12 +11,12 @@
 #include "statistics/block_regression.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::gravity {
 
 /// Variance of the white noise of the torque [N²·m²] from third differences of neighbouring
 /// samples, in which everything slower than a few samples drops out. 0 without neighbours.
-double white_torque_variance(const std::vector<const Recording*>& recordings,
-                             const SweepSamples& samples);
+double white_torque_variance(const std::vector<const joint::Recording*>& recordings,
+                             const motion::SweepSamples& samples);
 
 /// Standard deviation of what the residual holds beyond white noise [N·m]: torque ripple, friction
 /// that changes with the angle. 0 below what sampling of the two variances explains.
@@ -43,16 +43,16 @@ struct SweepDesign {
 
 /// @param gravity_columns are left free at the front: two for cosine and sine, or one for the angle
 /// alone.
-SweepDesign sweep_design(const std::vector<const Recording*>& recordings,
-                         const SweepSamples& samples, Eigen::Index gravity_columns);
+SweepDesign sweep_design(const std::vector<const joint::Recording*>& recordings,
+                         const motion::SweepSamples& samples, Eigen::Index gravity_columns);
 
 struct SweepGravityFit {
-  Estimate q_peak_rad;
-  Estimate gravity_Nm;
+  statistics::Estimate q_peak_rad;
+  statistics::Estimate gravity_Nm;
   /// Chi-square of "there is no gravity" with two degrees of freedom. The amplitude alone cannot
   /// tell: noise too has a positive one.
   double evidence{};
-  BlockRegression regression;
+  statistics::BlockRegression regression;
   /// Rows q_peak and gravity: what the error of each block does to them.
   Eigen::MatrixXd block_shifts;
   double freedom{};  ///< Degrees of freedom of their scatter.
@@ -60,22 +60,23 @@ struct SweepGravityFit {
 
 /// Amplitude and angle together, about the sweep's middle; fills the two columns of gravity.
 /// @param blocks of each sample, for block_regression().
-SweepGravityFit fit_amplitude_and_angle(const std::vector<const Recording*>& recordings,
-                                        const SweepSamples& samples, SweepDesign& design,
+SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording*>& recordings,
+                                        const motion::SweepSamples& samples, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks);
 
 /// The angle alone, the amplitude being known: Gauss-Newton on T = offset + G cos(q - q_peak).
-SweepGravityFit fit_angle(const std::vector<const Recording*>& recordings,
-                          const SweepSamples& samples, SweepDesign& design, double middle_rad,
-                          const Estimate& gravity_Nm, const std::vector<std::size_t>& blocks);
+SweepGravityFit fit_angle(const std::vector<const joint::Recording*>& recordings,
+                          const motion::SweepSamples& samples, SweepDesign& design,
+                          double middle_rad, const statistics::Estimate& gravity_Nm,
+                          const std::vector<std::size_t>& blocks);
 
 /// What a torque `extra_Nm` (one value per sample) laid on the measured one does to the fitted
 /// coefficients.
 Eigen::VectorXd effect_on_coefficients(const SweepDesign& design, const Eigen::VectorXd& extra_Nm);
 
 /// Joint angle of a sample [rad].
-double angle_of(const std::vector<const Recording*>& recordings, const SweepSamples& samples,
-                std::size_t i);
+double angle_of(const std::vector<const joint::Recording*>& recordings,
+                const motion::SweepSamples& samples, std::size_t i);
 
 // Internal to the sweep stage: Coulomb friction that grows with the load, as a further column of
 // the regression of a sweep of varying speed.
@@ -86,9 +87,9 @@ double angle_of(const std::vector<const Recording*>& recordings, const SweepSamp
 
 /// @param fit of the design without the column, its columns of gravity filled.
 /// @return the fit with the column, `design` extended by it; or `fit` with `design` as it was.
-SweepGravityFit with_load_where_it_pays(const std::vector<const Recording*>& recordings,
-                                        const SweepSamples& samples, SweepDesign& design,
+SweepGravityFit with_load_where_it_pays(const std::vector<const joint::Recording*>& recordings,
+                                        const motion::SweepSamples& samples, SweepDesign& design,
                                         double middle_rad, const std::vector<std::size_t>& blocks,
                                         const SweepGravityFit& fit);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::gravity

@@ -11,7 +11,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/summits.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double share_of_travel = 0.1;  // so that creep and slip are seen at t
 constexpr double torque_on = 0.1;        // share of the largest torque that tells the direction
 
 /// Sign of the ramp: that of the torque when it has first left its rest.
-double direction_of(const Recording& r) {
+double direction_of(const joint::Recording& r) {
   double largest = 0;
   for (const double torque : r.torque_Nm) {
     largest = std::max(largest, std::abs(torque - r.torque_Nm.front()));
@@ -39,19 +39,19 @@ double usual_step_rad(const std::vector<double>& q_rad) {
   for (std::size_t i = 1; i < q_rad.size(); ++i) {
     if (q_rad[i] != q_rad[i - 1]) steps.push_back(std::abs(q_rad[i] - q_rad[i - 1]));
   }
-  return steps.empty() ? 0.0 : median(std::move(steps));
+  return steps.empty() ? 0.0 : statistics::median(std::move(steps));
 }
 
 /// Where the joint has moved `need` on from sample i, or the end.
-std::size_t moved_on(const Summits& travel, std::size_t i, double need) {
+std::size_t moved_on(const statistics::Summits& travel, std::size_t i, double need) {
   const double here = travel.signal()[i];
   return travel.first(i + 1, [&](double there) { return there - here >= need; });
 }
 
 /// Travel from break-away at sample `at` to where the joint has slowed down to a third of the speed
 /// by which break-away was told.
-std::optional<double> slip_until_stop(const Recording& r, const Summits& summits, std::size_t at,
-                                      std::size_t end, double least) {
+std::optional<double> slip_until_stop(const joint::Recording& r, const statistics::Summits& summits,
+                                      std::size_t at, std::size_t end, double least) {
   const std::vector<double>& travel = summits.signal();
   const double need = std::max(least, share_of_travel * travel[at]);
   const double mean_speed = std::max(travel[at], least) / (r.t_s[at] - r.t_s.front());
@@ -67,7 +67,7 @@ double gravity_torque(const std::optional<KnownGravity>& gravity, double q_rad) 
   return gravity ? gravity->amplitude_Nm.value * std::cos(q_rad - gravity->q_peak_rad) : 0.0;
 }
 
-BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& gravity) {
+BreakAwayRamp read_ramp(const joint::Recording& r, const std::optional<KnownGravity>& gravity) {
   BreakAwayRamp ramp;
   ramp.recording = r.name;
   const double sign = direction_of(r);
@@ -79,7 +79,7 @@ BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& g
     way[i] = sign * (r.q_rad[i] - r.q_rad.front());
     if (sign * (r.torque_Nm[i] - r.torque_Nm[furthest]) > 0) furthest = i;
   }
-  const Summits summits(std::move(way));
+  const statistics::Summits summits(std::move(way));
   const std::vector<double>& travel = summits.signal();
   const double least = fewest_steps * usual_step_rad(r.q_rad);
   std::size_t at = furthest;
@@ -108,8 +108,8 @@ BreakAwayRamp read_ramp(const Recording& r, const std::optional<KnownGravity>& g
   return ramp;
 }
 
-std::optional<Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
-                                const std::optional<KnownGravity>& gravity) {
+std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is_rising,
+                                            const std::optional<KnownGravity>& gravity) {
   double mean = 0;
   double n = 0;
   double by_gravity = 0;
@@ -130,8 +130,9 @@ std::optional<Estimate> mean_of(const std::vector<BreakAwayRamp>& ramps, bool is
     if (ramp.broke_away && ramp.is_rising == is_rising)
       squares += std::pow(ramp.friction_Nm - mean, 2);
   }
-  const double scatter = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return symmetric_estimate(mean, std::hypot(scatter, by_gravity), "scatter of the ramps");
+  const double scatter = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return statistics::symmetric_estimate(mean, std::hypot(scatter, by_gravity),
+                                        "scatter of the ramps");
 }
 
 /// What the ramps that did not break away say.
@@ -147,26 +148,26 @@ std::string censored_words(const BreakAwayResult& result) {
   return words;
 }
 
-void add_reason(StageReport& stage, const std::string& words) {
-  stage.state = StageState::partial;
+void add_reason(statistics::StageReport& stage, const std::string& words) {
+  stage.state = statistics::StageState::partial;
   stage.reason += (stage.reason.empty() ? "" : "; ") + words;
 }
 
 }  // namespace
 
-BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
+BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity) {
   BreakAwayResult out;
   out.stage.name = "break_away";
   out.gravity_taken_off = gravity.has_value();
   if (ramps.empty()) {
-    out.stage.state = StageState::skipped;
+    out.stage.state = statistics::StageState::skipped;
     out.stage.reason =
         "no break-away ramp was recorded; five slow torque ramps from rest in each direction would "
         "give the break-away torque without a model";
     return out;
   }
-  for (const Recording* r : ramps) {
+  for (const joint::Recording* r : ramps) {
     if (r->size() < 3) continue;
     out.ramps.push_back(read_ramp(*r, gravity));
     out.censored += out.ramps.back().broke_away ? 0 : 1;
@@ -174,12 +175,12 @@ BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
   out.rising_Nm = mean_of(out.ramps, true, gravity);
   out.falling_Nm = mean_of(out.ramps, false, gravity);
   if (out.rising_Nm && out.falling_Nm) {
-    out.mean_Nm = symmetric_estimate(
+    out.mean_Nm = statistics::symmetric_estimate(
         (out.rising_Nm->value + out.falling_Nm->value) / 2,
         std::hypot(out.rising_Nm->half_width(), out.falling_Nm->half_width()) / 2,
         "scatter of the ramps, both directions");
   }
-  out.stage.state = StageState::done;
+  out.stage.state = statistics::StageState::done;
   if (out.censored > 0) add_reason(out.stage, censored_words(out));
   if (!out.rising_Nm || !out.falling_Nm) {
     add_reason(
@@ -195,7 +196,7 @@ BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
                "gravity at these angles is not known and was not taken off: only the mean of both "
                "directions is friction alone");
   }
-  if (!out.rising_Nm && !out.falling_Nm) out.stage.state = StageState::not_identifiable;
+  if (!out.rising_Nm && !out.falling_Nm) out.stage.state = statistics::StageState::not_identifiable;
   return out;
 }
 
@@ -204,7 +205,7 @@ namespace {
 /// Friction that the joint holds in one direction, beyond the scatter of its ramps. Of single
 /// readings the largest would be their noise.
 double surely_held(const BreakAwayResult& ramps, bool is_rising) {
-  const std::optional<Estimate>& mean = is_rising ? ramps.rising_Nm : ramps.falling_Nm;
+  const std::optional<statistics::Estimate>& mean = is_rising ? ramps.rising_Nm : ramps.falling_Nm;
   double held = mean ? mean->low : 0;
   for (const BreakAwayRamp& ramp : ramps.ramps) {
     const bool is_in_mean = mean && ramp.broke_away;
@@ -252,4 +253,4 @@ LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   return fit;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -18,13 +18,13 @@
 #include "method/hysteresis/lugre_fit.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 inline constexpr double yield_at_break_away = 30;
 
 /// Gravity torque at the motor, to be taken off the driving torque.
 struct KnownGravity {
-  Estimate amplitude_Nm;
+  statistics::Estimate amplitude_Nm;
   double q_peak_rad{};
 };
 
@@ -46,20 +46,20 @@ struct BreakAwayRamp {
 };
 
 struct BreakAwayResult {
-  StageReport stage;
+  statistics::StageReport stage;
   bool gravity_taken_off{};
   std::vector<BreakAwayRamp> ramps;
   std::size_t censored{};
   /// Break-away torque by the direction of the torque, motor side, a magnitude; interval from the
   /// scatter of the ramps, absent with fewer than two that broke away.
-  std::optional<Estimate> rising_Nm;
-  std::optional<Estimate> falling_Nm;
+  std::optional<statistics::Estimate> rising_Nm;
+  std::optional<statistics::Estimate> falling_Nm;
   /// Mean of the two directions, in which gravity cancels where it was not taken off.
-  std::optional<Estimate> mean_Nm;
+  std::optional<statistics::Estimate> mean_Nm;
 };
 
 /// @param ramps recordings of that role; may be empty (the stage is then skipped and says so).
-BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
+BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& ramps,
                                     const std::optional<KnownGravity>& gravity);
 
 // The level that hysteresis loops flatten at, against torque ramps that made the joint slide or
@@ -70,4 +70,4 @@ BreakAwayResult identify_break_away(const std::vector<const Recording*>& ramps,
 /// is no break-away. What the fit keeps for resampling (LuGreFit::linearised) still has them.
 LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -14,36 +14,36 @@
 #include "method/motion/moving_part.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 /// Says, from the reversals of the sweep, whether an oscillation would have been resolved.
-void explain_without_oscillation(const CogSweepResult& rough, double gear_ratio,
+void explain_without_oscillation(const gravity::CogSweepResult& rough, double gear_ratio,
                                  HysteresisResult& out) {
-  out.stage.state = StageState::skipped;
+  out.stage.state = statistics::StageState::skipped;
   out.stage.reason =
       "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
       "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
   if (!rough.found || rough.recordings.empty()) return;
-  const auto [step, is_of_print] = angle_step(rough.recordings.front()->q_rad, gear_ratio);
+  const auto [step, is_of_print] = motion::angle_step(rough.recordings.front()->q_rad, gear_ratio);
   const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
   if (step <= 0 || !travel) return;
   out.encoder_step_rad = step;
   out.step_is_of_print = is_of_print;
   out.presliding_travel_rad = travel;
   const double steps = *travel / step;
-  if (steps < fewest_steps_in_presliding) {
-    out.stage.state = StageState::not_identifiable;
+  if (steps < motion::fewest_steps_in_presliding) {
+    out.stage.state = statistics::StageState::not_identifiable;
     out.stage.reason = fmt::format(
         "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
         "{:.3g} "
         "rad leaves {:.1f} steps in the {:.2g} rad within which friction turns over after a "
         "reversal of the sweep; at least {:.0f} are needed",
-        step, steps, *travel, fewest_steps_in_presliding);
+        step, steps, *travel, motion::fewest_steps_in_presliding);
   }
 }
 
-LoopTrace make_trace(const Recording& r) {
+LoopTrace make_trace(const joint::Recording& r) {
   return {r.name, r.t_s, r.q_rad, r.torque_Nm, r.z_rad, r.dz_rad_s, {}, {}};
 }
 
@@ -73,7 +73,7 @@ std::vector<LoopPoint> average_turns(const Turns& turns) {
     }
     for (const auto& turn : turns) squares += std::pow(turn[k].torque_Nm - torque, 2);
     // Turns scatter independently; with too few of them the reading's own width is all there is.
-    half_width = n >= 3 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)
+    half_width = n >= 3 ? statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n)
                         : half_width / std::sqrt(n);
     mean[k] = {mean[k].name,        mean[k].t_s,         q, torque,
                torque - half_width, torque + half_width, z, dz};
@@ -97,23 +97,24 @@ void widen_by_scatter(const std::vector<LoopPoint>& steady, std::size_t turns,
 }
 
 struct LoopResult {
-  Recording recording;
-  std::optional<OscillationMotion> motion;  ///< Where the angle swings with a period.
-  std::optional<TracedMotion> traced;  ///< Where harmonics do not follow it, or there are none.
-  std::string why_not_followed;        ///< Where no model can be driven by the angle.
+  joint::Recording recording;
+  std::optional<motion::OscillationMotion> motion;  ///< Where the angle swings with a period.
+  std::optional<motion::TracedMotion>
+      traced;                    ///< Where harmonics do not follow it, or there are none.
+  std::string why_not_followed;  ///< Where no model can be driven by the angle.
   Oscillation oscillation;
   LoopTrace trace;
   std::optional<LoopMidline> midline;  ///< Of a loop with a period.
 };
 
 /// The mid-lines of all recordings that have one as one estimate of the gravity torque.
-void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple, double gear_ratio,
-                      HysteresisResult& out) {
-  std::vector<Estimate> at_peak;
+void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Ripple& ripple,
+                      double gear_ratio, HysteresisResult& out) {
+  std::vector<statistics::Estimate> at_peak;
   std::vector<double> angle;
   for (const LoopResult& loop : loops) {
     if (!loop.midline) continue;
-    at_peak.push_back(scaled(loop.midline->torque_Nm, 1 / loop.midline->mean_cos));
+    at_peak.push_back(statistics::scaled(loop.midline->torque_Nm, 1 / loop.midline->mean_cos));
     angle.push_back(gear_ratio * loop.oscillation.centre_rad);
   }
   if (loops.size() == 1) {
@@ -127,9 +128,9 @@ void combine_midlines(const std::vector<LoopResult>& loops, const Ripple& ripple
 
 /// The motion of a recording, by harmonics or else by a spline; why not, if neither.
 std::string follow_the_angle(double encoder_step, LoopResult& loop) {
-  loop.motion = fit_oscillation_motion(loop.recording);
+  loop.motion = motion::fit_oscillation_motion(loop.recording);
   if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return "";
-  MotionTrace trace = trace_motion(loop.recording);
+  motion::MotionTrace trace = motion::trace_motion(loop.recording);
   loop.traced = std::move(trace.motion);
   if (loop.traced) return "";
   const std::string no_period =
@@ -151,7 +152,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
             0,
             encoder_step};
   }
-  const TracedMotion& traced = present(loop.traced);
+  const motion::TracedMotion& traced = present(loop.traced);
   return {traced.centre_rad,
           traced.amplitude_rad,
           traced.frequency_Hz,
@@ -162,7 +163,7 @@ Oscillation oscillation_of(const LoopResult& loop, double encoder_step) {
 
 /// LuGre fitted to all loops together; it observes the bristle of those that hold none.
 void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q_peak,
-                     const Ripple& ripple, HysteresisResult& out) {
+                     const gravity::Ripple& ripple, HysteresisResult& out) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
   std::string not_followed;
@@ -193,9 +194,9 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
 
 }  // namespace
 
-HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscillations,
-                                     const CogSweepResult& rough, double gear_ratio,
-                                     const std::optional<Estimate>& q_peak_rad) {
+HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
+                                     const gravity::CogSweepResult& rough, double gear_ratio,
+                                     const std::optional<statistics::Estimate>& q_peak_rad) {
   HysteresisResult out;
   out.stage.name = "hysteresis";
   if (oscillations.empty()) {
@@ -204,12 +205,12 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   }
   std::vector<LoopResult> loops;
   std::vector<std::string> reasons;
-  for (const Recording* whole : oscillations) {
+  for (const joint::Recording* whole : oscillations) {
     LoopResult loop;
-    loop.recording = moving_part(*whole);
-    const Recording& recording = loop.recording;
+    loop.recording = motion::moving_part(*whole);
+    const joint::Recording& recording = loop.recording;
     out.samples_at_rest += whole->size() - recording.size();
-    const auto [step, is_of_print] = angle_step(recording.q_rad, gear_ratio);
+    const auto [step, is_of_print] = motion::angle_step(recording.q_rad, gear_ratio);
     // Rounding by the print lies on top of a step that is not known.
     loop.why_not_followed = follow_the_angle(is_of_print ? 0.0 : step, loop);
     if (!loop.motion && !loop.traced) {
@@ -220,12 +221,12 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     loop.oscillation = oscillation_of(loop, step);
     loop.oscillation.step_is_of_print = is_of_print;
     const double width = 2 * loop.oscillation.amplitude_rad;
-    if (step > 0 && width < fewest_steps_in_presliding * step) {
-      reasons.push_back(
-          fmt::format("{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
-                      "of {:.3g} rad; "
-                      "at least {:.0f} are needed",
-                      recording.name, step, width / step, width, fewest_steps_in_presliding));
+    if (step > 0 && width < motion::fewest_steps_in_presliding * step) {
+      reasons.push_back(fmt::format(
+          "{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
+          "of {:.3g} rad; "
+          "at least {:.0f} are needed",
+          recording.name, step, width / step, width, motion::fewest_steps_in_presliding));
       out.encoder_step_rad = step;
       out.step_is_of_print = is_of_print;
       continue;
@@ -251,7 +252,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
     out.stage.reason += (out.stage.reason.empty() ? "" : "; ") + reason;
   }
   if (loops.empty()) {
-    out.stage.state = StageState::not_identifiable;
+    out.stage.state = statistics::StageState::not_identifiable;
     return out;
   }
 
@@ -259,7 +260,8 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   observe_bristle(loops, gear_ratio, q_peak, rough.ripple, out);
 
   out.found = true;
-  out.stage.state = reasons.empty() ? StageState::done : StageState::partial;
+  out.stage.state =
+      reasons.empty() ? statistics::StageState::done : statistics::StageState::partial;
   const LoopResult& first = loops.front();
   combine_midlines(loops, rough.ripple, gear_ratio, out);
   out.midline_q_rad = first.oscillation.centre_rad;
@@ -288,7 +290,7 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
       if (out.steady_points.empty()) out.steady_points = out.points;
     }
   } else {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason += (out.stage.reason.empty() ? "" : "; ") +
                         std::string("no bristle deflection is to be had: ") +
                         (out.lugre ? out.lugre->reason : "");
@@ -300,4 +302,4 @@ HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscill
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -19,7 +19,7 @@
 #include "method/hysteresis/position_mean.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 inline constexpr std::array<char, 6> loop_point_names{'A', 'B', 'C', 'D', 'E', 'F'};
 
@@ -58,7 +58,7 @@ struct Oscillation {
 };
 
 struct HysteresisResult {
-  StageReport stage;
+  statistics::StageReport stage;
   bool found{false};
   std::string bristle_source;             ///< "recorded" or "LuGre model fitted to the loop" or "".
   std::vector<Oscillation> oscillations;  ///< One per recording used.
@@ -68,7 +68,7 @@ struct HysteresisResult {
   std::vector<LoopPoint> points;
   /// The same points of the steady loop, averaged over its cycles.
   std::vector<LoopPoint> steady_points;
-  std::optional<Estimate>
+  std::optional<statistics::Estimate>
       midline_Nm;                 ///< Motor-side torque of the steady loop's mid-line at q_peak.
   double midline_q_rad{};         ///< Mean angle of the loop.
   double midline_mean_cos{1.0};   ///< Mean of cos(q - q_peak) over the loop.
@@ -95,8 +95,8 @@ struct HysteresisResult {
 /// @param oscillations recordings of that role; may be empty.
 /// @param rough the rough sweep: its reversals tell about pre-sliding where no oscillation does.
 /// @param q_peak_rad from the sweeps, or nullopt: the arm is then taken to swing about its peak.
-HysteresisResult identify_hysteresis(const std::vector<const Recording*>& oscillations,
-                                     const CogSweepResult& rough, double gear_ratio,
-                                     const std::optional<Estimate>& q_peak_rad);
+HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>& oscillations,
+                                     const gravity::CogSweepResult& rough, double gear_ratio,
+                                     const std::optional<statistics::Estimate>& q_peak_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 constexpr std::size_t bins = 60;
@@ -29,7 +29,7 @@ struct Mean {
 
 }  // namespace
 
-LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& model_Nm,
+LoopMisfit loop_misfit(const joint::Recording& recording, const std::vector<double>& model_Nm,
                        const std::vector<double>& speed) {
   const auto [low, high] = std::minmax_element(recording.q_rad.begin(), recording.q_rad.end());
   const double width = (*high - *low) / static_cast<double>(bins);
@@ -54,4 +54,4 @@ LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& mo
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -6,7 +6,7 @@
 
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 struct LoopMisfit {
   std::vector<double> q_rad;       ///< Middles of the bins that both directions pass.
@@ -18,7 +18,7 @@ struct LoopMisfit {
 
 /// @param model_Nm torque of the model at the recording's samples.
 /// @param speed of the motion there, of any unit: > 0 rising, < 0 falling.
-LoopMisfit loop_misfit(const Recording& recording, const std::vector<double>& model_Nm,
+LoopMisfit loop_misfit(const joint::Recording& recording, const std::vector<double>& model_Nm,
                        const std::vector<double>& speed);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -9,7 +9,7 @@
 #include "statistics/distributions.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 namespace {
 
@@ -36,10 +36,10 @@ double integral(const std::vector<double>& t, const std::vector<double>& y, doub
 }
 
 /// (rising + falling)/2 over equal bins of the angle, from the steady samples.
-void add_branches(const Recording& r, const OscillationMotion& motion, double from, double to,
-                  LoopMidline& out) {
+void add_branches(const joint::Recording& r, const motion::OscillationMotion& motion, double from,
+                  double to, LoopMidline& out) {
   constexpr std::size_t bins = 80;
-  const HarmonicMotion joint = motion.motor_motion(1.0);
+  const simulate::HarmonicMotion joint = motion.motor_motion(1.0);
   const double low = motion.centre_rad - motion.amplitude_rad;
   const double width = 2 * motion.amplitude_rad / static_cast<double>(bins);
   std::vector<double> sum[2] = {std::vector<double>(bins, 0.0), std::vector<double>(bins, 0.0)};
@@ -63,9 +63,9 @@ void add_branches(const Recording& r, const OscillationMotion& motion, double fr
 
 }  // namespace
 
-std::optional<LoopMidline> find_loop_midline(const Recording& recording,
-                                             const OscillationMotion& motion, double q_peak_rad,
-                                             double white_noise_Nm) {
+std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
+                                             const motion::OscillationMotion& motion,
+                                             double q_peak_rad, double white_noise_Nm) {
   LoopMidline out;
   const auto& t = recording.t_s;
   const double period = 1 / motion.frequency_Hz;
@@ -97,11 +97,13 @@ std::optional<LoopMidline> find_loop_midline(const Recording& recording,
     double squares = 0;
     for (double m : out.cycle_means_Nm) squares += (m - mean) * (m - mean);
     const double error = std::sqrt(squares / (n - 1) / n);
-    out.torque_Nm = symmetric_estimate(mean, student_t_975(n - 1) * error, "scatter of the cycles");
+    out.torque_Nm = statistics::symmetric_estimate(mean, statistics::student_t_975(n - 1) * error,
+                                                   "scatter of the cycles");
   } else {
     const double samples = (last - first) / sample;
-    out.torque_Nm = symmetric_estimate(mean, normal_975 * white_noise_Nm / std::sqrt(samples),
-                                       "white noise only: fewer than three steady cycles");
+    out.torque_Nm = statistics::symmetric_estimate(
+        mean, statistics::normal_975 * white_noise_Nm / std::sqrt(samples),
+        "white noise only: fewer than three steady cycles");
   }
   add_branches(recording, motion, first, last, out);
   return out;
@@ -148,7 +150,7 @@ double extremum_time(const std::vector<double>& t, const std::vector<double>& y,
 TraceReader::TraceReader(const LoopTrace& trace, double period_s)
     : trace_(trace),
       window_s_(0.01 * period_s),
-      noise_Nm_(white_sd_beside_jumps(third_differences(trace.torque_Nm))) {
+      noise_Nm_(statistics::white_sd_beside_jumps(statistics::third_differences(trace.torque_Nm))) {
   const auto [low, high] = std::minmax_element(trace.torque_Nm.begin(), trace.torque_Nm.end());
   is_clean_ = noise_Nm_ < 1e-4 * (*high - *low);
 }
@@ -188,7 +190,8 @@ TorqueReading TraceReader::torque(double t_s) const {
   const auto& t = trace_.t_s;
   const auto begin = std::lower_bound(t.begin(), t.end(), t_s - window_s_) - t.begin();
   const auto end = std::upper_bound(t.begin(), t.end(), t_s + window_s_) - t.begin();
-  if (end - begin < 6) return {interpolate(trace_.torque_Nm, t_s), normal_975 * noise_Nm_};
+  if (end - begin < 6)
+    return {interpolate(trace_.torque_Nm, t_s), statistics::normal_975 * noise_Nm_};
   Eigen::MatrixXd x(end - begin, 3);
   Eigen::VectorXd y(end - begin);
   for (auto i = begin; i < end; ++i) {
@@ -198,7 +201,7 @@ TorqueReading TraceReader::torque(double t_s) const {
   }
   const Eigen::Matrix3d inverse = (x.transpose() * x).inverse();
   const double value = (inverse * (x.transpose() * y))(0);
-  return {value, normal_975 * noise_Nm_ * std::sqrt(inverse(0, 0))};
+  return {value, statistics::normal_975 * noise_Nm_ * std::sqrt(inverse(0, 0))};
 }
 
 std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
@@ -258,4 +261,4 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
                                 point('F', extremum_time(t, dz, f))};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -10,7 +10,7 @@
 #include "method/motion/oscillation_motion.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 // The mid-line of a steady loop: what is left of the torque when friction has cancelled.
 //
@@ -20,8 +20,8 @@ namespace tribolog {
 // protection.
 
 struct LoopMidline {
-  Estimate torque_Nm;    ///< Mean over the steady cycles, motor side.
-  double mean_cos{1.0};  ///< Mean of cos(q - q_peak) over the same cycles.
+  statistics::Estimate torque_Nm;  ///< Mean over the steady cycles, motor side.
+  double mean_cos{1.0};            ///< Mean of cos(q - q_peak) over the same cycles.
   double mean_q_rad{};
   double cycles{};                ///< Whole cycles in the recording.
   double steady_cycles{};         ///< Those averaged.
@@ -33,9 +33,9 @@ struct LoopMidline {
 };
 
 /// @param white_noise_Nm of the torque samples; gives the interval where cycles are too few.
-std::optional<LoopMidline> find_loop_midline(const Recording& recording,
-                                             const OscillationMotion& motion, double q_peak_rad,
-                                             double white_noise_Nm);
+std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
+                                             const motion::OscillationMotion& motion,
+                                             double q_peak_rad, double white_noise_Nm);
 
 // The points A to F of one turn of the hysteresis loop, and reading a noisy torque at an instant.
 
@@ -71,4 +71,4 @@ std::optional<std::vector<LoopPoint>> find_loop_points(const LoopTrace& trace,
                                                        const TraceReader& reader, std::size_t first,
                                                        std::size_t& next);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

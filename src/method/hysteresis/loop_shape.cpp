@@ -7,7 +7,7 @@
 #include "method/motion/oscillation_motion.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 double compliance(const std::vector<double>& torque_Nm, const std::vector<double>& q_rad,
                   std::size_t first, std::size_t last) {
@@ -27,21 +27,20 @@ double compliance(const std::vector<double>& torque_Nm, const std::vector<double
   return by_t > 0 ? by_q / by_t : 0;
 }
 
-Estimate stiffness_of(const std::vector<double>& values) {
+statistics::Estimate stiffness_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   double mean = 0;
   for (const double v : values) mean += v / n;
   double squares = 0;
   for (const double v : values) squares += std::pow(v - mean, 2);
-  const double half = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  const double half = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
   const double share = std::min(half / mean, 0.99);
   return {1 / mean, 1 / (mean * (1 + share)), 1 / (mean * (1 - share)), "scatter of the strokes"};
 }
 
-std::optional<Estimate> stiffness_behind_turns(const std::vector<double>& q_rad,
-                                               const std::vector<double>& measured_Nm,
-                                               const std::vector<double>& torque_Nm,
-                                               const std::vector<StrokeSamples>& strokes) {
+std::optional<statistics::Estimate> stiffness_behind_turns(
+    const std::vector<double>& q_rad, const std::vector<double>& measured_Nm,
+    const std::vector<double>& torque_Nm, const std::vector<StrokeSamples>& strokes) {
   std::vector<double> all;
   for (const StrokeSamples& stroke : strokes) {
     const double start = measured_Nm[stroke.first];
@@ -75,7 +74,7 @@ double interpolate(const std::vector<double>& t, const std::vector<double>& y, d
 }
 
 struct SteadyPart {
-  const Recording& r;
+  const joint::Recording& r;
   std::size_t first;  ///< Behind the first cycle.
   double period_s;
 };
@@ -105,10 +104,10 @@ double dissipated_per_cycle(const SteadyPart& s, double gear_ratio, double cycle
 
 /// Compliances behind each reversal of the steady cycles. A reversal is the last sample at the
 /// extreme angle of a half cycle about the fitted motion's own.
-std::vector<double> compliances(const SteadyPart& s, const HarmonicMotion& motion, double start_s,
-                                double height_Nm) {
+std::vector<double> compliances(const SteadyPart& s, const simulate::HarmonicMotion& motion,
+                                double start_s, double height_Nm) {
   std::vector<double> out;
-  const Recording& r = s.r;
+  const joint::Recording& r = s.r;
   std::size_t i = s.first;
   while (i + 1 < r.size()) {
     // A half cycle in which the fitted motion keeps its direction.
@@ -137,12 +136,12 @@ std::vector<double> compliances(const SteadyPart& s, const HarmonicMotion& motio
 
 }  // namespace
 
-std::vector<LoopShape> describe_loops(const std::vector<const Recording*>& oscillations,
+std::vector<LoopShape> describe_loops(const std::vector<const joint::Recording*>& oscillations,
                                       double gear_ratio) {
   std::vector<LoopShape> shapes;
-  for (const Recording* whole : oscillations) {
-    const Recording r = moving_part(*whole);
-    const auto motion = fit_oscillation_motion(r);
+  for (const joint::Recording* whole : oscillations) {
+    const joint::Recording r = motion::moving_part(*whole);
+    const auto motion = motion::fit_oscillation_motion(r);
     if (!motion) continue;
     const double period = 1 / motion->frequency_Hz;
     const auto first = static_cast<std::size_t>(
@@ -171,4 +170,4 @@ std::vector<LoopShape> describe_loops(const std::vector<const Recording*>& oscil
   return shapes;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

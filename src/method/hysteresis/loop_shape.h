@@ -11,7 +11,7 @@
 #include "joint/recording.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// Samples of one stroke, [first, last): from its turn to the next.
 struct StrokeSamples {
@@ -29,16 +29,15 @@ double compliance(const std::vector<double>& torque_Nm, const std::vector<double
                   std::size_t first, std::size_t last);
 
 /// 1 / mean of compliances, with the interval of their scatter; at least two.
-Estimate stiffness_of(const std::vector<double>& compliances_rad_Nm);
+statistics::Estimate stiffness_of(const std::vector<double>& compliances_rad_Nm);
 
 /// dT/dq behind the turns at which strokes begin, by joint angle [N·m/rad]; absent where fewer than
 /// two strokes show it.
 /// @param measured_Nm says how far "behind the turn" reaches.
 /// @param torque_Nm whose slope is taken: the same, or a model's over the same samples.
-std::optional<Estimate> stiffness_behind_turns(const std::vector<double>& q_rad,
-                                               const std::vector<double>& measured_Nm,
-                                               const std::vector<double>& torque_Nm,
-                                               const std::vector<StrokeSamples>& strokes);
+std::optional<statistics::Estimate> stiffness_behind_turns(
+    const std::vector<double>& q_rad, const std::vector<double>& measured_Nm,
+    const std::vector<double>& torque_Nm, const std::vector<StrokeSamples>& strokes);
 
 // What a recorded hysteresis loop shows without any model: whether it closes, how stiff the contact
 // is right after a reversal, and the work that a cycle dissipates.
@@ -58,7 +57,7 @@ struct LoopShape {
   bool closes{};          ///< closing_gap <= largest_closing_gap
   double dissipated_J{};  ///< Per steady cycle, at the joint: the area of T n over q.
   /// dT/dq behind a reversal, motor torque per joint angle [N·m/rad]; absent if no stroke shows it.
-  std::optional<Estimate> stiffness_Nm_rad;
+  std::optional<statistics::Estimate> stiffness_Nm_rad;
   std::size_t strokes{};  ///< That took part in the stiffness.
 };
 
@@ -66,7 +65,7 @@ struct LoopShape {
 inline constexpr double largest_closing_gap = 0.05;
 
 /// Shape of each oscillation; those that do not swing through three cycles are left out.
-std::vector<LoopShape> describe_loops(const std::vector<const Recording*>& oscillations,
+std::vector<LoopShape> describe_loops(const std::vector<const joint::Recording*>& oscillations,
                                       double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

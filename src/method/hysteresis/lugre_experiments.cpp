@@ -8,7 +8,7 @@
 
 #include "method/hysteresis/lugre_ladder.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 /// By how much a parameter's torque has to grow against the scatter to be shown, with a margin.
@@ -82,4 +82,4 @@ LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
   return fit;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

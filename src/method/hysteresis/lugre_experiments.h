@@ -5,7 +5,7 @@
 
 #include "method/hysteresis/lugre_fit.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// Fills LuGreParameter::experiment of what is not shown, with amplitudes and frequencies.
 /// @param stribeck_speed_rad_s of the curve at constant speed (motor), where one was fitted:
@@ -13,4 +13,4 @@ namespace tribolog {
 LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
                           const std::optional<double>& stribeck_speed_rad_s);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

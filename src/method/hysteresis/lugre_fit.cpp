@@ -15,13 +15,13 @@
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 /// Samples a cycle that first guesses are tried on.
 constexpr double thinned_per_cycle = 60;
 
-std::size_t stride_of(const Recording& r, double frequency_Hz) {
+std::size_t stride_of(const joint::Recording& r, double frequency_Hz) {
   const double per_cycle =
       static_cast<double>(r.size() - 1) / ((r.t_s.back() - r.t_s.front()) * frequency_Hz);
   return static_cast<std::size_t>(std::max(1.0, std::floor(per_cycle / thinned_per_cycle)));
@@ -149,7 +149,7 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
       std::sqrt(residuals.squaredNorm() / std::max(1.0, static_cast<double>(freedom)));
   Eigen::Index top = 0;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
-    const Recording& recording = *inputs[r].recording;
+    const joint::Recording& recording = *inputs[r].recording;
     const Eigen::Index column = LuGreProblem::gravity_column(climb.free, r);
     const auto half_width = [&](Eigen::Index k) { return climb.standing(k, 1).half_width; };
     LuGreLoop loop;
@@ -165,8 +165,9 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     loop.height_Nm = problem.models()[r].height_Nm();
     loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
     if (climb.free.starts) {
-      loop.gravity_Nm = symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
-                                           "LuGre fit, blocks of half a cycle");
+      loop.gravity_Nm =
+          statistics::symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
+                                         "LuGre fit, blocks of half a cycle");
       // The loop shows the deflection at its start within an interval; where that holds zero, the
       // arm started from rest and z = 0 is the simpler truth.
       loop.start_deflection_rad = climb.point.locals[r].start_rad;
@@ -187,8 +188,8 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
 }
 
 PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const LuGreFit& fit,
-                                    double gear_ratio, const Ripple& ripple) {
-  std::vector<Estimate> each;
+                                    double gear_ratio, const gravity::Ripple& ripple) {
+  std::vector<statistics::Estimate> each;
   std::vector<double> angle;
   for (std::size_t r = 0; r < inputs.size(); ++r) {
     each.push_back(present(fit.loops[r].gravity_Nm));
@@ -198,9 +199,10 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
 }
 
 /// All that resampling needs.
-LinearisedFit linearised(const LuGreClimb& climb, std::vector<LinearisedReading> shown,
-                         std::size_t recordings, std::size_t samples_in_row) {
-  LinearisedFit out = climb.linear.fit;
+statistics::LinearisedFit linearised(const LuGreClimb& climb,
+                                     std::vector<statistics::LinearisedReading> shown,
+                                     std::size_t recordings, std::size_t samples_in_row) {
+  statistics::LinearisedFit out = climb.linear.fit;
   out.readings = std::move(shown);
   out.samples_in_row = samples_in_row;
   for (std::size_t r = 0; climb.free.starts && r < recordings; ++r) {
@@ -288,7 +290,7 @@ const LuGreLoop* LuGreFit::worst_described() const {
   return worst == loops.end() ? nullptr : &*worst;
 }
 
-std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
+std::optional<statistics::Estimate> LuGreFit::shown(const std::string& name) const {
   for (const LuGreParameter& p : parameters) {
     if (p.name == name) return p.estimate;
   }
@@ -296,7 +298,7 @@ std::optional<Estimate> LuGreFit::shown(const std::string& name) const {
 }
 
 LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                   const Ripple& ripple) {
+                   const gravity::Ripple& ripple) {
   if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
   LuGreFit fit;
   LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
@@ -332,8 +334,9 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   }
   if (climb.free.starts) {
     fit.positions = gravity_over_positions(loops, fit, gear_ratio, ripple);
-    fit.gravity_Nm = fit.positions->freedom > 0 ? fit.positions->gravity_Nm
-                                                : with_ripple(fit.positions->gravity_Nm, ripple);
+    fit.gravity_Nm = fit.positions->freedom > 0
+                         ? fit.positions->gravity_Nm
+                         : gravity::with_ripple(fit.positions->gravity_Nm, ripple);
   }
   fit.reason = what_is_not_shown(fit);
   const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
@@ -347,9 +350,9 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
   add_grain(samples_in_row, fit);
   const std::string misfit = worst_misfit(fit);
   if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
-  fit.linearised = std::make_shared<LinearisedFit>(
+  fit.linearised = std::make_shared<statistics::LinearisedFit>(
       linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -26,14 +26,16 @@
 #include "method/hysteresis/traced_loop.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
-
+namespace tribolog::statistics {
 struct LinearisedFit;
+}
+
+namespace tribolog::method::hysteresis {
 
 struct LuGreParameter {
   std::string name;  ///< Stable, with its unit: see lugre_parameter_names.
   /// Present only where the loops show it. Motor side.
-  std::optional<Estimate> estimate;
+  std::optional<statistics::Estimate> estimate;
   std::optional<double> held_at;  ///< Where the fit did not vary it.
   /// Standard error over the value; absent where it was held.
   std::optional<double> relative_error;
@@ -71,7 +73,8 @@ struct LuGreIdentifiability {
 /// The fit's view of one recording.
 struct LuGreLoop {
   std::string recording;
-  std::optional<Estimate> gravity_Nm;  ///< At the gravity peak; ripple of its position included.
+  std::optional<statistics::Estimate>
+      gravity_Nm;  ///< At the gravity peak; ripple of its position included.
   double start_deflection_rad{};
   double residual_Nm{};  ///< Standard deviation of T - model.
   std::vector<double> t_s;
@@ -91,7 +94,8 @@ struct LuGreFit {
   bool converged{false};
   std::string rung;  ///< "elastic", "level", "curvature" or "whole": see lugre_ladder.h.
   std::vector<LuGreParameter> parameters;  ///< All of them, shown or not.
-  std::optional<Estimate> gravity_Nm;      ///< Motor side, at the peak, over all recordings.
+  std::optional<statistics::Estimate>
+      gravity_Nm;  ///< Motor side, at the peak, over all recordings.
   LuGreIdentifiability identifiability;
   std::vector<LuGreLoop> loops;  ///< In the order given.
   double residual_Nm{};          ///< Standard deviation of T - model.
@@ -105,13 +109,13 @@ struct LuGreFit {
   /// Gravity before ripple is laid on it; present with gravity_Nm.
   std::optional<PositionMean> positions;
   /// Of a fit that converged (statistics/levenberg_marquardt.h).
-  std::shared_ptr<const LinearisedFit> linearised;
+  std::shared_ptr<const statistics::LinearisedFit> linearised;
 
   /// The loop in which what noise does not explain is the largest share of the height; null
   /// without loops.
   [[nodiscard]] const LuGreLoop* worst_described() const;
   /// Present only where the parameter is shown.
-  [[nodiscard]] std::optional<Estimate> shown(const std::string& name) const;
+  [[nodiscard]] std::optional<statistics::Estimate> shown(const std::string& name) const;
 };
 
 /// @param loops at least one.
@@ -120,6 +124,6 @@ struct LuGreFit {
 /// three.
 /// @throw std::invalid_argument if there is no loop.
 LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
-                   const Ripple& ripple = {});
+                   const gravity::Ripple& ripple = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -6,14 +6,14 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 using Shared = LuGreShared;
 
 constexpr const char* interval_from = "loop fit, blocks of half a cycle";
 
-using Reading = LinearisedReading;
+using Reading = statistics::LinearisedReading;
 
 class Reader {
  public:
@@ -49,8 +49,8 @@ class Reader {
   const LuGreClimb& climb_;
 };
 
-Estimate estimate_of(const Reading& r, double half_width) {
-  if (!r.logarithmic) return symmetric_estimate(r.value, half_width, interval_from);
+statistics::Estimate estimate_of(const Reading& r, double half_width) {
+  if (!r.logarithmic) return statistics::symmetric_estimate(r.value, half_width, interval_from);
   return {r.value, r.value * std::exp(-half_width), r.value * std::exp(half_width), interval_from};
 }
 
@@ -77,7 +77,7 @@ LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
   } else if (relative < widest_shown) {
     out.estimate = estimate_of(r, half);
   } else {
-    const Estimate wide = estimate_of(r, half);
+    const statistics::Estimate wide = estimate_of(r, half);
     out.why_not = fmt::format("its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value",
                               wide.low, wide.high, unit);
   }
@@ -280,4 +280,4 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

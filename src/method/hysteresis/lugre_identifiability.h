@@ -4,11 +4,11 @@
 #include "method/hysteresis/lugre_fit.h"
 #include "method/hysteresis/lugre_ladder.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 struct LuGreReadings {
-  std::vector<LuGreParameter> parameters;  ///< All: the estimate, or why there is none.
-  std::vector<LinearisedReading> shown;    ///< Those with an estimate.
+  std::vector<LuGreParameter> parameters;            ///< All: the estimate, or why there is none.
+  std::vector<statistics::LinearisedReading> shown;  ///< Those with an estimate.
 };
 
 /// @param peak_speed_rad_s largest motor speed in the loops.
@@ -17,4 +17,4 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
 LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_speed_rad_s,
                                            double peak_acceleration_rad_s2);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

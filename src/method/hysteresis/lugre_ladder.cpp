@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 using Shared = LuGreShared;
@@ -111,7 +111,7 @@ class Climber {
   /// wrong they would run away to fit it.
   LuGreProblem::Solution best_thinned(const LuGreFreedom& free,
                                       const std::vector<LuGrePoint>& guesses) {
-    const LeastSquaresLimits rough{1e-6, 1e-4, 60};
+    const statistics::LeastSquaresLimits rough{1e-6, 1e-4, 60};
     LuGreProblem::Solution best;
     best.squares = std::numeric_limits<double>::infinity();
     for (const LuGrePoint& guess : guesses) {
@@ -131,7 +131,7 @@ class Climber {
     out.free = free;
     out.height_Nm = height_;
     LuGrePoint start = guess;
-    LeastSquaresLimits limits;
+    statistics::LeastSquaresLimits limits;
     if (halfway_ != nullptr) {
       limits.cost_change = smallest_gain / static_cast<double>(problem_.rows());
       const LuGreProblem::Solution nearby = halfway_->solve(free, guess, limits);
@@ -150,7 +150,8 @@ class Climber {
 
   void surround(LuGreClimb& at) const {
     at.linear = problem_.linearise(at.free, at.point, blocks_);
-    at.around = block_regression(at.linear.fit.jacobian, -at.linear.fit.residuals, blocks_);
+    at.around =
+        statistics::block_regression(at.linear.fit.jacobian, -at.linear.fit.residuals, blocks_);
   }
 
   LuGreClimb from_level(const LuGreFreedom& free) {
@@ -170,8 +171,8 @@ class Climber {
     probe.point = level.point;
     probe.height_Nm = height_;
     probe.linear = problem_.linearise(probe.free, probe.point, blocks_);
-    const LinearisedFit& fit = probe.linear.fit;
-    probe.around = block_regression(fit.jacobian, -fit.residuals, blocks_);
+    const statistics::LinearisedFit& fit = probe.linear.fit;
+    probe.around = statistics::block_regression(fit.jacobian, -fit.residuals, blocks_);
     const Eigen::Index k = probe.column(Shared::fall);
     const LuGreStanding s = probe.standing(k, probe.around.coefficients(k));
     return s.relative < widest_climbed && s.effect_Nm > smallest_effect * height_;
@@ -270,4 +271,4 @@ LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
   return Climber(problems, block_of_row).climb();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -19,7 +19,7 @@
 #include "method/hysteresis/lugre_problem.h"
 #include "statistics/block_regression.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// A parameter that came out negative beyond doubt, and was held at zero instead.
 struct NegativeOutcome {
@@ -49,8 +49,9 @@ struct LuGreClimb {
   LuGreFreedom free;
   LuGrePoint point;
   LuGreProblem::Linearisation linear;
-  BlockRegression around;  ///< The next step of the fit, which is none, and its covariance.
-  double height_Nm{};      ///< Largest height of a loop.
+  statistics::BlockRegression
+      around;          ///< The next step of the fit, which is none, and its covariance.
+  double height_Nm{};  ///< Largest height of a loop.
   int evaluations{};
   std::vector<NegativeOutcome> negative;
 
@@ -78,4 +79,4 @@ struct LuGreProblems {
 LuGreClimb climb_lugre_ladder(const LuGreProblems& problems,
                               const std::vector<std::size_t>& block_of_row);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -9,7 +9,7 @@
 #include "simulate/careful_step.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 using Shared = LuGreShared;
@@ -29,11 +29,11 @@ struct SteadyDeflection {
   static constexpr bool same_at_all_speeds = N == at_micro_speed;
   double rest_rad, share, fall;
 
-  Dual<N> operator()(double w) const {
-    Dual<N> g(rest_rad);
+  friction::Dual<N> operator()(double w) const {
+    friction::Dual<N> g(rest_rad);
     g.by[by_log_rest] = rest_rad;
     if constexpr (N == at_any_speed) {
-      const double e = exp_nonpositive(-fall * w * w);
+      const double e = friction::exp_nonpositive(-fall * w * w);
       g.value = rest_rad * (share + (1 - share) * e);
       g.by[by_log_rest] = g.value;
       g.by[by_log_share] = rest_rad * share * (1 - e);
@@ -47,7 +47,7 @@ struct PlainDeflection {
   static constexpr bool same_at_all_speeds = false;
   double rest_rad, share, fall;
   double operator()(double w) const {
-    return rest_rad * (share + (1 - share) * exp_nonpositive(-fall * w * w));
+    return rest_rad * (share + (1 - share) * friction::exp_nonpositive(-fall * w * w));
   }
 };
 
@@ -82,7 +82,7 @@ void LuGreLoopModel::tell_smooth_rows(std::vector<Together>& rows) {
   }
 }
 
-std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& recording,
+std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const joint::Recording& recording,
                                                               const LuGreGrain& grain) const {
   std::vector<Together> rows;
   const std::size_t step = grain.stride * grain.samples_in_row;
@@ -103,7 +103,7 @@ std::vector<LuGreLoopModel::Together> LuGreLoopModel::rows_of(const Recording& r
 }
 
 /// Each sample is a row. @return the instants of the samples
-std::vector<double> LuGreLoopModel::look_at_samples(const Recording& recording,
+std::vector<double> LuGreLoopModel::look_at_samples(const joint::Recording& recording,
                                                     const LuGreGrain& grain) {
   std::vector<double> instants;
   const std::size_t samples = std::min(recording.size() / grain.stride + 1, grain.most_samples);
@@ -118,7 +118,7 @@ std::vector<double> LuGreLoopModel::look_at_samples(const Recording& recording,
 }
 
 /// @return the instants at which the model is looked at
-std::vector<double> LuGreLoopModel::look_at_rows(const Recording& recording,
+std::vector<double> LuGreLoopModel::look_at_rows(const joint::Recording& recording,
                                                  const LuGreGrain& grain) {
   std::vector<double> instants;
   for (const Together& row : rows_of(recording, grain)) {
@@ -145,8 +145,9 @@ std::vector<double> LuGreLoopModel::look_at_rows(const Recording& recording,
   return instants;
 }
 
-LuGreLoopModel::LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
-                               double gear_ratio, double q_peak_rad, const LuGreGrain& grain)
+LuGreLoopModel::LuGreLoopModel(const joint::Recording& recording,
+                               std::shared_ptr<const simulate::Motion> motion, double gear_ratio,
+                               double q_peak_rad, const LuGreGrain& grain)
     : motion_(std::move(motion)), samples_in_row_(grain.samples_in_row) {
   const std::vector<double> instants =
       samples_in_row_ == 1 ? look_at_samples(recording, grain) : look_at_rows(recording, grain);
@@ -191,7 +192,7 @@ void LuGreLoopModel::add_way(double from_s, double to_s, double start_speed, dou
     distance_rad_.push_back(std::abs(way));
   };
   if (start_speed * end_speed < 0) {
-    const double turn = reversal_time(*motion_, from_s, to_s, start_speed < 0);
+    const double turn = simulate::reversal_time(*motion_, from_s, to_s, start_speed < 0);
     add(from_s, turn, start_speed, 0.0, false);
     add(turn, to_s, 0.0, end_speed, true);
   } else {
@@ -216,14 +217,14 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
     const Scalar backward = -g0;
     // They depend on no z: all exponentials at once, in a loop that vectorises.
     std::vector<double> decays(pieces_.size());
-    const double scale = -value_of(inverse0);
+    const double scale = -friction::value_of(inverse0);
     for (std::size_t k = 0; k < decays.size(); ++k) {
-      decays[k] = exp_nonpositive(scale * distance_rad_[k]);
+      decays[k] = friction::exp_nonpositive(scale * distance_rad_[k]);
     }
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       const Scalar length = distance_rad_[k] * inverse0;
-      z = relaxed_to<Scalar>(pieces_[k].backward ? backward : g0,
-                             chained(decays[k], -decays[k], length), z);
+      z = friction::relaxed_to<Scalar>(pieces_[k].backward ? backward : g0,
+                                       friction::chained(decays[k], -decays[k], length), z);
       if (pieces_[k].ends_at_instant) visit_instant(inverse0);
     }
     return;
@@ -234,14 +235,15 @@ void LuGreLoopModel::run(const Deflection& g, const Scalar& start, Visit visit) 
     const Scalar gm = g(p.middle_speed);
     const Scalar g1 = g(p.end_speed);
     const Scalar inverse1 = Scalar(1.0 / g1);
-    const StepShape<Scalar> shape =
-        step_shape<Scalar>(start_speed, p.middle_speed, p.end_speed, g0, gm, g1, inverse0,
-                           Scalar(1.0 / gm), inverse1, p.end_s - from_s);
-    const bool rough = std::abs(value_of(shape.c2)) > roughest_step * value_of(gm) ||
-                       reverses(start_speed, p.middle_speed, p.end_speed);
-    z = rough ? careful_step<Scalar>(g, *motion_, from_s, p.end_s, start_speed, p.end_speed, z,
-                                     deepest_halving_in_a_fit)
-              : relaxed(shape, z);
+    const friction::StepShape<Scalar> shape =
+        friction::step_shape<Scalar>(start_speed, p.middle_speed, p.end_speed, g0, gm, g1, inverse0,
+                                     Scalar(1.0 / gm), inverse1, p.end_s - from_s);
+    const bool rough =
+        std::abs(friction::value_of(shape.c2)) > simulate::roughest_step * friction::value_of(gm) ||
+        simulate::reverses(start_speed, p.middle_speed, p.end_speed);
+    z = rough ? simulate::careful_step<Scalar>(g, *motion_, from_s, p.end_s, start_speed,
+                                               p.end_speed, z, deepest_halving_in_a_fit)
+              : friction::relaxed(shape, z);
     from_s = p.end_s;
     start_speed = p.end_speed;
     g0 = g1;
@@ -257,31 +259,33 @@ void LuGreLoopModel::evaluate_with(const Shared::Vector& p, const LuGreLocal& lo
   const double s1 = p(Shared::damping);
   const double s2 = p(Shared::viscous);
   const double inertia = p(Shared::inertia);
-  run<Dual<N>>(deflection_of<SteadyDeflection<N>>(p), Dual<N>::parameter(local.start_rad, by_start),
-               [&](Eigen::Index instant, const Dual<N>& z, const Dual<N>& dz) {
-                 const auto i = static_cast<std::size_t>(instant);
-                 const Eigen::Index row = row_of(instant);
-                 residuals(row) += local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
-                                   s2 * speed_[i] + inertia * acceleration_[i];
-                 const auto by = [&](int k) {
-                   const auto at = static_cast<std::size_t>(k);
-                   return s0 * z.by[at] + s1 * dz.by[at];
-                 };
-                 const auto shared = [&](Shared::Index k) -> double& {
-                   return derivatives(row, local_count + k);
-                 };
-                 derivatives(row, 0) += cosine_[i];
-                 derivatives(row, 1) += by(by_start);
-                 shared(Shared::log_stiffness) += s0 * z.value - by(by_log_rest);
-                 shared(Shared::log_static) += by(by_log_rest);
-                 if constexpr (N == at_any_speed) {
-                   shared(Shared::log_share) += by(by_log_share);
-                   shared(Shared::fall) += by(by_fall);
-                 }
-                 shared(Shared::damping) += dz.value;
-                 shared(Shared::viscous) += speed_[i];
-                 shared(Shared::inertia) += acceleration_[i];
-               });
+  run<friction::Dual<N>>(
+      deflection_of<SteadyDeflection<N>>(p),
+      friction::Dual<N>::parameter(local.start_rad, by_start),
+      [&](Eigen::Index instant, const friction::Dual<N>& z, const friction::Dual<N>& dz) {
+        const auto i = static_cast<std::size_t>(instant);
+        const Eigen::Index row = row_of(instant);
+        residuals(row) += local.gravity_Nm * cosine_[i] + s0 * z.value + s1 * dz.value +
+                          s2 * speed_[i] + inertia * acceleration_[i];
+        const auto by = [&](int k) {
+          const auto at = static_cast<std::size_t>(k);
+          return s0 * z.by[at] + s1 * dz.by[at];
+        };
+        const auto shared = [&](Shared::Index k) -> double& {
+          return derivatives(row, local_count + k);
+        };
+        derivatives(row, 0) += cosine_[i];
+        derivatives(row, 1) += by(by_start);
+        shared(Shared::log_stiffness) += s0 * z.value - by(by_log_rest);
+        shared(Shared::log_static) += by(by_log_rest);
+        if constexpr (N == at_any_speed) {
+          shared(Shared::log_share) += by(by_log_share);
+          shared(Shared::fall) += by(by_fall);
+        }
+        shared(Shared::damping) += dz.value;
+        shared(Shared::viscous) += speed_[i];
+        shared(Shared::inertia) += acceleration_[i];
+      });
   if (samples_in_row_ > 1) {
     average_over_rows(residuals);
     for (int k = 0; k < columns; ++k) average_over_rows(derivatives.col(k));
@@ -368,4 +372,4 @@ double LuGreLoopModel::mean_torque_Nm() const {
   return sum / static_cast<double>(measured_Nm_.size());
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -22,7 +22,7 @@
 #include "joint/recording.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// The shared parameters as the fit varies them: positive ones by their logarithm.
 struct LuGreShared {
@@ -53,7 +53,7 @@ class LuGreLoopModel {
 
   /// @param motion of the motor shaft, by the time since the recording's first sample.
   /// @param grain how the samples are compared.
-  LuGreLoopModel(const Recording& recording, std::shared_ptr<const Motion> motion,
+  LuGreLoopModel(const joint::Recording& recording, std::shared_ptr<const simulate::Motion> motion,
                  double gear_ratio, double q_peak_rad, const LuGreGrain& grain = {});
 
   /// One for each of the samples, or for so many of them together.
@@ -88,10 +88,10 @@ class LuGreLoopModel {
     bool backward, ends_at_instant;
   };
   struct Together;
-  [[nodiscard]] std::vector<Together> rows_of(const Recording& recording,
+  [[nodiscard]] std::vector<Together> rows_of(const joint::Recording& recording,
                                               const LuGreGrain& grain) const;
-  std::vector<double> look_at_samples(const Recording& recording, const LuGreGrain& grain);
-  std::vector<double> look_at_rows(const Recording& recording, const LuGreGrain& grain);
+  std::vector<double> look_at_samples(const joint::Recording& recording, const LuGreGrain& grain);
+  std::vector<double> look_at_rows(const joint::Recording& recording, const LuGreGrain& grain);
   static void tell_smooth_rows(std::vector<Together>& rows);
   void add_instants(const std::vector<double>& times_s, double gear_ratio, double q_peak_rad);
   void add_ways(const std::vector<double>& instants);
@@ -102,7 +102,7 @@ class LuGreLoopModel {
   void evaluate_with(const LuGreShared::Vector& shared, const LuGreLocal& local,
                      Eigen::VectorXd& residuals, Rows& derivatives) const;
 
-  std::shared_ptr<const Motion> motion_;
+  std::shared_ptr<const simulate::Motion> motion_;
   std::size_t samples_in_row_;
   [[nodiscard]] Eigen::Index row_of(Eigen::Index instant) const;
   void average_over_rows(Eigen::Ref<Eigen::VectorXd> column) const;
@@ -127,4 +127,4 @@ class LuGreLoopModel {
   std::vector<Eigen::Index> row_of_instant_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

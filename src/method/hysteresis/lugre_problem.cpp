@@ -4,11 +4,11 @@
 
 #include <Eigen/Dense>
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
-std::shared_ptr<const Motion> LuGreInput::motor_motion(double gear_ratio) const {
+std::shared_ptr<const simulate::Motion> LuGreInput::motor_motion(double gear_ratio) const {
   if (traced != nullptr) return traced->motor_motion(gear_ratio);
-  return std::make_shared<HarmonicMotion>(motion->motor_motion(gear_ratio));
+  return std::make_shared<simulate::HarmonicMotion>(motion->motor_motion(gear_ratio));
 }
 
 double LuGreInput::frequency_Hz() const {
@@ -155,11 +155,11 @@ Eigen::Index LuGreProblem::rows() const {
 }
 
 LuGreProblem::Solution LuGreProblem::solve(const LuGreFreedom& free, const LuGrePoint& start,
-                                           const LeastSquaresLimits& limits) const {
+                                           const statistics::LeastSquaresLimits& limits) const {
   const Layout layout(free, models_.size());
   Reduced reduced;
   // The solver asks for derivatives where it has just asked for residuals: they come together.
-  const LeastSquaresProblem problem{
+  const statistics::LeastSquaresProblem problem{
       static_cast<Eigen::Index>(layout.columns().size() + 1) *
           static_cast<Eigen::Index>(models_.size()),
       [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
@@ -170,7 +170,8 @@ LuGreProblem::Solution LuGreProblem::solve(const LuGreFreedom& free, const LuGre
         r = reduced.residuals;
         if (j != nullptr) *j = reduced.jacobian;
       }};
-  const LeastSquaresSolution found = solve_least_squares(problem, layout.vector_of(start), limits);
+  const statistics::LeastSquaresSolution found =
+      statistics::solve_least_squares(problem, layout.vector_of(start), limits);
   return {layout.point_of(found.parameters, start), 2 * found.cost, found.evaluations,
           found.converged};
 }
@@ -206,4 +207,4 @@ LuGreProblem::Linearisation LuGreProblem::linearise(
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

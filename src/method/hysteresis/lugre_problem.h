@@ -17,15 +17,15 @@
 #include "simulate/motion.h"
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 struct LuGreInput {
-  const Recording* recording{};
-  const OscillationMotion* motion{};  ///< Fitted to it; unless `traced` is given.
-  const TracedMotion* traced{};       ///< Taken instead where it is given.
+  const joint::Recording* recording{};
+  const motion::OscillationMotion* motion{};  ///< Fitted to it; unless `traced` is given.
+  const motion::TracedMotion* traced{};       ///< Taken instead where it is given.
 
   /// By the time since the recording's first sample.
-  [[nodiscard]] std::shared_ptr<const Motion> motor_motion(double gear_ratio) const;
+  [[nodiscard]] std::shared_ptr<const simulate::Motion> motor_motion(double gear_ratio) const;
   [[nodiscard]] double frequency_Hz() const;
   [[nodiscard]] double centre_rad() const;
   /// Half loop of each sample, counted from 0: half cycles of the frequency, or the strokes between
@@ -67,12 +67,12 @@ class LuGreProblem {
     bool converged{false};
   };
   [[nodiscard]] Solution solve(const LuGreFreedom& free, const LuGrePoint& start,
-                               const LeastSquaresLimits& limits = {}) const;
+                               const statistics::LeastSquaresLimits& limits = {}) const;
 
   /// Columns: the free shared parameters in their order, then of each recording G and, if free, its
   /// start.
   struct Linearisation {
-    LinearisedFit fit;
+    statistics::LinearisedFit fit;
     Eigen::MatrixXd r_factor;  ///< Triangular factor of the Jacobian.
   };
   /// @param block_of_row of all recordings' rows, one recording after the other.
@@ -89,4 +89,4 @@ class LuGreProblem {
   std::vector<LuGreLoopModel> models_;
 };
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

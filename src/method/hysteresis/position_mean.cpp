@@ -11,7 +11,7 @@
 
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 // Lines whose sines look alike at the positions would make the mean worse than leaving them.
@@ -22,36 +22,38 @@ constexpr Eigen::Index fewest_for_harmonics = 6;
 constexpr double evenly_spread = 0.5;
 
 struct Positions {
-  std::vector<Estimate> gravity_Nm;
+  std::vector<statistics::Estimate> gravity_Nm;
   std::vector<double> angle_rad;  // ascending
 };
 
 /// Motor angles between which ripple changes by a quarter of a period.
-double quarter_period_rad(const Ripple& ripple) {
+double quarter_period_rad(const gravity::Ripple& ripple) {
   constexpr double periods_per_turn = 6;
   const double strongest = ripple.lines.empty() ? 0.0 : ripple.lines.front().periods_per_turn;
   return std::numbers::pi / 2 / std::max(periods_per_turn, strongest);
 }
 
 /// The plain mean, with the wider of the own intervals and of the scatter.
-Estimate plain_mean(const std::vector<Estimate>& all, const std::string& from_one_source) {
+statistics::Estimate plain_mean(const std::vector<statistics::Estimate>& all,
+                                const std::string& from_one_source) {
   if (all.size() == 1) return all.front();
   const auto n = static_cast<double>(all.size());
   double mean = 0;
   double own = 0;
-  for (const Estimate& e : all) {
+  for (const statistics::Estimate& e : all) {
     mean += e.value / n;
     own += std::pow(e.half_width() / n, 2);
   }
   double squares = 0;
-  for (const Estimate& e : all) squares += std::pow(e.value - mean, 2);
-  const double between = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return symmetric_estimate(mean, std::max(std::sqrt(own), between),
-                            "scatter of the " + from_one_source + " and of the recordings");
+  for (const statistics::Estimate& e : all) squares += std::pow(e.value - mean, 2);
+  const double between = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return statistics::symmetric_estimate(
+      mean, std::max(std::sqrt(own), between),
+      "scatter of the " + from_one_source + " and of the recordings");
 }
 
 /// Sorted by angle, repeats of one position averaged.
-Positions without_repeats(const std::vector<Estimate>& gravity_Nm,
+Positions without_repeats(const std::vector<statistics::Estimate>& gravity_Nm,
                           const std::vector<double>& motor_angle_rad, double together_rad,
                           const std::string& from_one_source) {
   std::vector<std::size_t> order(gravity_Nm.size());
@@ -61,7 +63,7 @@ Positions without_repeats(const std::vector<Estimate>& gravity_Nm,
   });
   Positions out;
   for (std::size_t first = 0; first < order.size();) {
-    std::vector<Estimate> here;
+    std::vector<statistics::Estimate> here;
     double angle = 0;
     std::size_t k = first;
     for (; k < order.size() &&
@@ -98,10 +100,10 @@ double evenness(const Eigen::MatrixXd& x) {
 
 /// Columns: 1, and cosine and sine of as many lines as the positions can tell apart; of harmonics
 /// where no line is known.
-Eigen::MatrixXd position_design(const std::vector<double>& angle, const Ripple& ripple) {
+Eigen::MatrixXd position_design(const std::vector<double>& angle, const gravity::Ripple& ripple) {
   const auto n = static_cast<Eigen::Index>(angle.size());
   Eigen::MatrixXd x = Eigen::MatrixXd::Ones(n, 1);
-  for (const RippleLine& line : ripple.lines) {
+  for (const gravity::RippleLine& line : ripple.lines) {
     if (n - x.cols() - 2 < fewest_spare) break;
     const Eigen::MatrixXd wider = with_period(x, angle, line.periods_per_turn);
     if (evenness(wider) * largest_condition >= 1) x = wider;
@@ -116,13 +118,14 @@ Eigen::MatrixXd position_design(const std::vector<double>& angle, const Ripple& 
 
 }  // namespace
 
-double share_left_in_mean(const RippleLine& line, const std::vector<double>& motor_angle_rad) {
+double share_left_in_mean(const gravity::RippleLine& line,
+                          const std::vector<double>& motor_angle_rad) {
   std::complex<double> sum = 0;
   for (const double angle : motor_angle_rad) sum += std::polar(1.0, line.periods_per_turn * angle);
   return std::abs(sum) / static_cast<double>(motor_angle_rad.size());
 }
 
-std::size_t distinct_positions(std::vector<double> motor_angle_rad, const Ripple& ripple) {
+std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravity::Ripple& ripple) {
   const double apart = quarter_period_rad(ripple);
   std::sort(motor_angle_rad.begin(), motor_angle_rad.end());
   std::size_t count = 0;
@@ -135,8 +138,9 @@ std::size_t distinct_positions(std::vector<double> motor_angle_rad, const Ripple
   return count;
 }
 
-PositionMean mean_over_positions(const std::vector<Estimate>& gravity_Nm,
-                                 const std::vector<double>& motor_angle_rad, const Ripple& ripple,
+PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravity_Nm,
+                                 const std::vector<double>& motor_angle_rad,
+                                 const gravity::Ripple& ripple,
                                  const std::string& from_one_source) {
   if (gravity_Nm.empty() || gravity_Nm.size() != motor_angle_rad.size()) {
     throw std::invalid_argument("no recordings to combine, or not one angle of each");
@@ -161,10 +165,10 @@ PositionMean mean_over_positions(const std::vector<Estimate>& gravity_Nm,
   out.residuals_Nm.assign(residuals.begin(), residuals.end());
   out.freedom = static_cast<double>(x.rows() - x.cols());
   const double variance = residuals.squaredNorm() / out.freedom * inverse(0, 0);
-  out.gravity_Nm = symmetric_estimate(
-      c(0), student_t_975(out.freedom) * std::sqrt(variance),
+  out.gravity_Nm = statistics::symmetric_estimate(
+      c(0), statistics::student_t_975(out.freedom) * std::sqrt(variance),
       x.cols() > 1 ? "scatter of the positions about the ripple" : "scatter of the positions");
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -16,7 +16,7 @@
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// From this many positions on their scatter tells of the ripple.
 inline constexpr std::size_t fewest_positions = 3;
@@ -24,10 +24,10 @@ inline constexpr std::size_t fewest_positions = 3;
 /// Positions that see different ripple: motor angles more than a 24th of a turn apart (ripple of
 /// six periods a turn has then gone through a quarter of one), or a quarter of the period of the
 /// strongest line where that is shorter.
-std::size_t distinct_positions(std::vector<double> motor_angle_rad, const Ripple& ripple);
+std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravity::Ripple& ripple);
 
 struct PositionMean {
-  Estimate gravity_Nm;
+  statistics::Estimate gravity_Nm;
   /// Degrees of freedom of the positions' scatter. 0: distinct positions are fewer than three; the
   /// interval is that of the recordings, and ripple has still to be laid on it (with_ripple()).
   double freedom{};
@@ -41,11 +41,12 @@ struct PositionMean {
 /// @param motor_angle_rad centres of the oscillations, one of each.
 /// @param from_one_source what scatters within a recording: "cycles".
 /// @throw std::invalid_argument if there is none, or the sizes differ.
-PositionMean mean_over_positions(const std::vector<Estimate>& gravity_Nm,
-                                 const std::vector<double>& motor_angle_rad, const Ripple& ripple,
-                                 const std::string& from_one_source);
+PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravity_Nm,
+                                 const std::vector<double>& motor_angle_rad,
+                                 const gravity::Ripple& ripple, const std::string& from_one_source);
 
 /// Share of a line's amplitude left in the mean over these motor angles, 0 to 1.
-double share_left_in_mean(const RippleLine& line, const std::vector<double>& motor_angle_rad);
+double share_left_in_mean(const gravity::RippleLine& line,
+                          const std::vector<double>& motor_angle_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

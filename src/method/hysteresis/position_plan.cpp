@@ -10,7 +10,7 @@
 #include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 using std::numbers::pi;
@@ -26,9 +26,9 @@ std::vector<double> spread(double centre, double over) {
 }
 
 /// Standard deviation of the mean that the lines leave, each at any phase.
-double ripple_left(const Ripple& ripple, const std::vector<double>& angles) {
+double ripple_left(const gravity::Ripple& ripple, const std::vector<double>& angles) {
   double variance = 0;
-  for (const RippleLine& line : ripple.lines) {
+  for (const gravity::RippleLine& line : ripple.lines) {
     variance += std::pow(line.amplitude_Nm * share_left_in_mean(line, angles), 2) / 2;
   }
   return std::sqrt(variance);
@@ -36,7 +36,7 @@ double ripple_left(const Ripple& ripple, const std::vector<double>& angles) {
 
 }  // namespace
 
-std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
+std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
                                            const HysteresisResult& hysteresis, double gear_ratio) {
   if (!hysteresis.found || !hysteresis.midline_Nm || !(rough.ripple.half_width_Nm() > 0)) {
     return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
   plan.spread_motor_rad = 2 * pi;
   double least = ripple_left(rough.ripple, spread(centre, plan.spread_motor_rad));
   constexpr double clearly = 0.5;
-  for (const RippleLine& line : rough.ripple.lines) {
+  for (const gravity::RippleLine& line : rough.ripple.lines) {
     const double over = 2 * pi / line.periods_per_turn;
     const double left = ripple_left(rough.ripple, spread(centre, over));
     if (left < clearly * least) {
@@ -66,19 +66,20 @@ std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
   plan.ripple_half_width_Nm = rough.ripple.half_width_Nm();
   plan.half_width_now_Nm = std::hypot(own, plan.ripple_half_width_Nm);
   const auto cycles = static_cast<double>(hysteresis.cycle_means_Nm.size());
-  const double sd = own / student_t_975(std::max(1.0, cycles - 1));
+  const double sd = own / statistics::student_t_975(std::max(1.0, cycles - 1));
   const auto positions = static_cast<double>(planned_positions);
   const double fitted =
       2 * static_cast<double>(std::min<std::size_t>(rough.ripple.lines.size(), 2));
   const double scatter = std::hypot(sd, rough.ripple.rest_Nm);
   plan.expected_half_width_Nm =
-      std::hypot(student_t_975(positions - 1 - fitted) * scatter / std::sqrt(positions), 2 * least);
+      std::hypot(statistics::student_t_975(positions - 1 - fitted) * scatter / std::sqrt(positions),
+                 2 * least);
   return plan;
 }
 
-std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple) {
+std::string ripple_in_words(const PositionPlan& plan, const gravity::Ripple& ripple) {
   std::vector<std::string> periods;
-  for (const RippleLine& line : ripple.lines) {
+  for (const gravity::RippleLine& line : ripple.lines) {
     periods.push_back(
         fmt::format("{:.3g} N·m at {:.4g}", line.amplitude_Nm, line.periods_per_turn));
   }
@@ -95,4 +96,4 @@ std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple) {
       lines, plan.half_width_now_Nm, plan.further_rad.size(), plan.expected_half_width_Nm);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

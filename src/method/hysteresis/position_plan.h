@@ -8,7 +8,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/hysteresis_loop.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 struct PositionPlan {
   double spread_motor_rad{};        ///< Motor angle over which the positions are evenly spread.
@@ -23,10 +23,10 @@ inline constexpr std::size_t planned_positions = 8;
 
 /// Absent where no ripple shows, where there is no loop, or where three positions or more were
 /// recorded.
-std::optional<PositionPlan> plan_positions(const CogSweepResult& rough,
+std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
                                            const HysteresisResult& hysteresis, double gear_ratio);
 
 /// Why the interval is as wide as it is, and what would narrow it: one sentence.
-std::string ripple_in_words(const PositionPlan& plan, const Ripple& ripple);
+std::string ripple_in_words(const PositionPlan& plan, const gravity::Ripple& ripple);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

@@ -8,16 +8,17 @@
 #include "method/motion/plateaus.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 /// Travels of one recording, one per reversal.
-void add_travels(const Recording& r, const std::vector<bool>& steady, const CogSweepResult& sweep,
-                 double gear_ratio, std::vector<double>& travels) {
+void add_travels(const joint::Recording& r, const std::vector<bool>& steady,
+                 const gravity::CogSweepResult& sweep, double gear_ratio,
+                 std::vector<double>& travels) {
   const double coulomb = present(sweep.coulomb_Nm).value;
   // At a reversal acceleration is largest: without inertia friction would seem to turn over early.
   const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
-  const std::vector<double> acceleration = find_plateaus(r).acceleration_rad_s2;
+  const std::vector<double> acceleration = motion::find_plateaus(r).acceleration_rad_s2;
   const auto friction = [&](std::size_t i) {
     return r.torque_Nm[i] - sweep.offset_Nm - inertia * acceleration[i] -
            sweep.gravity_Nm.value * std::cos(r.q_rad[i] - sweep.q_peak_rad.value);
@@ -47,14 +48,15 @@ void add_travels(const Recording& r, const std::vector<bool>& steady, const CogS
 
 }  // namespace
 
-std::optional<double> presliding_travel_rad(const CogSweepResult& sweep, double gear_ratio) {
+std::optional<double> presliding_travel_rad(const gravity::CogSweepResult& sweep,
+                                            double gear_ratio) {
   if (!sweep.found || !sweep.coulomb_Nm || !(sweep.coulomb_Nm->low > 0)) return std::nullopt;
   std::vector<double> travels;
   for (std::size_t k = 0; k < sweep.recordings.size(); ++k) {
     add_travels(*sweep.recordings[k], sweep.used[k], sweep, gear_ratio, travels);
   }
   if (travels.empty()) return std::nullopt;
-  return median(std::move(travels));
+  return statistics::median(std::move(travels));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

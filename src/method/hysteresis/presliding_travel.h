@@ -5,11 +5,12 @@
 
 #include "method/gravity/cog_sweep.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// Joint travel after a reversal of the sweep within which friction turns over to 70 % of the
 /// Coulomb torque of the other direction [rad], median over the reversals. Absent if the sweep
 /// shows no reversal, no gravity or no Coulomb torque.
-std::optional<double> presliding_travel_rad(const CogSweepResult& sweep, double gear_ratio);
+std::optional<double> presliding_travel_rad(const gravity::CogSweepResult& sweep,
+                                            double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

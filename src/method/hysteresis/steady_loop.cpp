@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 /// Behind the last sample there is one more step to the end of the last cycle.
@@ -73,4 +73,4 @@ std::optional<SteadyLoop> steady_loop(const LoopTrace& trace, const Oscillation&
   return loop;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

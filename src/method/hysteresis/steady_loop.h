@@ -7,7 +7,7 @@
 
 #include "method/hysteresis/hysteresis_loop.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// In the order of time; closed where it is the mean of whole cycles.
 struct SteadyLoop {
@@ -23,4 +23,4 @@ struct SteadyLoop {
 std::optional<SteadyLoop> steady_loop(const LoopTrace& trace, const Oscillation& oscillation,
                                       std::size_t most_points);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

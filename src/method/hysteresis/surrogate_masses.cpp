@@ -8,7 +8,7 @@
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 namespace {
 
 struct Context {
@@ -20,8 +20,8 @@ struct Context {
 };
 
 /// Mass of a torque read at an angle, with the angle's own uncertainty carried into the cosine.
-SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, double cosine,
-                        const Context& c) {
+SurrogateMass make_mass(std::string estimator, statistics::Estimate torque, double q_rad,
+                        double cosine, const Context& c) {
   SurrogateMass m;
   m.estimator = std::move(estimator);
   m.torque_Nm = torque;
@@ -32,9 +32,9 @@ SurrogateMass make_mass(std::string estimator, Estimate torque, double q_rad, do
   const double by_angle =
       torque.value * std::abs(1 / std::cos(std::min(reach, 1.5)) - 1 / std::cos(from_peak));
   const double half_width = std::hypot(torque.half_width() / cosine, by_angle);
-  m.gravity_Nm = symmetric_estimate(torque.value / cosine, half_width, torque.method);
-  m.mass_kg =
-      scaled(m.gravity_Nm, surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
+  m.gravity_Nm = statistics::symmetric_estimate(torque.value / cosine, half_width, torque.method);
+  m.mass_kg = statistics::scaled(
+      m.gravity_Nm, joint::surrogate_mass_kg(1.0, c.gear_ratio, c.distance_m, c.gravity_m_s2, 1.0));
   return m;
 }
 
@@ -49,15 +49,16 @@ double cosine_at(const Context& c, double q_rad) {
 }
 
 /// The paper's six, the pair means, the mid-line and the loop fit.
-void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hysteresis,
+void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
                      const Context& context, SurrogateMassesResult& out) {
-  const Ripple& ripple = rough.ripple;  // points and pairs are read at one position
+  const gravity::Ripple& ripple = rough.ripple;  // points and pairs are read at one position
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
-    const Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, "one reading"};
-    out.masses.push_back(make_mass(std::string(1, name), with_ripple(torque, ripple), p->q_rad,
-                                   cosine_at(context, p->q_rad), context));
+    const statistics::Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm,
+                                      "one reading"};
+    out.masses.push_back(make_mass(std::string(1, name), gravity::with_ripple(torque, ripple),
+                                   p->q_rad, cosine_at(context, p->q_rad), context));
   }
   for (const auto& [first, second] : {std::pair{'A', 'B'}, {'C', 'D'}, {'E', 'F'}}) {
     const LoopPoint* p = find_point(hysteresis.steady_points, first);
@@ -67,15 +68,15 @@ void add_loop_masses(const CogSweepResult& rough, const HysteresisResult& hyster
         std::hypot(p->torque_high_Nm - p->torque_low_Nm, q->torque_high_Nm - q->torque_low_Nm) / 4;
     const double angle = (p->q_rad + q->q_rad) / 2;
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
-    const Estimate torque =
-        symmetric_estimate((p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
+    const statistics::Estimate torque = statistics::symmetric_estimate(
+        (p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
     out.masses.push_back(
-        make_mass({first, second}, with_ripple(torque, ripple), angle, cosine, context));
+        make_mass({first, second}, gravity::with_ripple(torque, ripple), angle, cosine, context));
   }
   if (hysteresis.midline_Nm) {
-    const Estimate torque = hysteresis.positions_hold_ripple()
-                                ? *hysteresis.midline_Nm
-                                : with_ripple(*hysteresis.midline_Nm, ripple);
+    const statistics::Estimate torque = hysteresis.positions_hold_ripple()
+                                            ? *hysteresis.midline_Nm
+                                            : gravity::with_ripple(*hysteresis.midline_Nm, ripple);
     out.masses.push_back(make_mass("midline", torque, hysteresis.midline_q_rad,
                                    hysteresis.midline_mean_cos, context));
   }
@@ -94,11 +95,10 @@ const SurrogateMass* SurrogateMassesResult::find(const std::string& estimator) c
   return it == masses.end() ? nullptr : &*it;
 }
 
-SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
-                                                const HysteresisResult& hysteresis,
-                                                const std::optional<Estimate>& q_peak_rad,
-                                                double gear_ratio, double distance_m,
-                                                double gravity_m_s2, const OtherGravity& other) {
+SurrogateMassesResult identify_surrogate_masses(
+    const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
+    const std::optional<statistics::Estimate>& q_peak_rad, double gear_ratio, double distance_m,
+    double gravity_m_s2, const OtherGravity& other) {
   SurrogateMassesResult out;
   out.distance_m = distance_m;
   out.gravity_m_s2 = gravity_m_s2;
@@ -136,19 +136,19 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
 
   out.stage.name = "surrogate_masses";
   if (out.masses.empty()) {
-    out.stage.state = StageState::skipped;
+    out.stage.state = statistics::StageState::skipped;
     out.stage.reason =
         "neither an oscillation, a sweep nor the runs give a gravity torque, so there is no "
         "surrogate mass";
   } else if (!is_near_peak) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = fmt::format(
         "the oscillation lies {:.0f}° from the gravity peak, where {:.0f} % of the gravity torque "
         "show: the paper's six masses and the mid-line are not to be had there; oscillate at the "
         "peak",
-        degrees_per_rad * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
+        joint::degrees_per_rad * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
   } else if (!hysteresis.found) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = fmt::format(
         "without a hysteresis loop the paper's six masses and the mid-line are not to be had; the "
         "mass is that of the {}",
@@ -156,14 +156,14 @@ SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
         : out.find("runs") != nullptr ? "gravity amplitude of the runs at constant speed"
                                       : "gravity that the manifest states");
   } else if (hysteresis.points.empty()) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason =
         "the points A to F were not found: no whole turn of the loop with its "
         "bristle deflection";
   } else {
-    out.stage.state = StageState::done;
+    out.stage.state = statistics::StageState::done;
   }
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

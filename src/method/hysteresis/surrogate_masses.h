@@ -17,7 +17,7 @@
 #include "method/hysteresis/hysteresis_loop.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 inline constexpr const char* stated_estimator = "stated";
 /// A loop's torque is divided by this cosine of its distance from the peak at least: further away
@@ -26,21 +26,21 @@ inline constexpr double least_loop_cosine = 0.5;
 
 /// Gravity that comes from neither sweep nor loop.
 struct OtherGravity {
-  const RunGravityResult* runs{nullptr};
-  std::optional<StatedGravity> stated;
+  const gravity::RunGravityResult* runs{nullptr};
+  std::optional<joint::StatedGravity> stated;
 };
 
 struct SurrogateMass {
   std::string estimator;  ///< "A".."F", "AB", "CD", "EF", "midline", "fit", "sweep", "runs",
                           ///< "stated", in this order.
-  Estimate torque_Nm;     ///< Motor side.
-  double q_rad{};         ///< Joint angle it was read at.
-  Estimate mass_kg;
-  Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: torque / cos(q - q_peak).
+  statistics::Estimate torque_Nm;  ///< Motor side.
+  double q_rad{};                  ///< Joint angle it was read at.
+  statistics::Estimate mass_kg;
+  statistics::Estimate gravity_Nm;  ///< Amplitude G/n that it stands for: torque / cos(q - q_peak).
 };
 
 struct SurrogateMassesResult {
-  StageReport stage;
+  statistics::StageReport stage;
   std::vector<SurrogateMass> masses;
   double distance_m{};  ///< r_REPL
   double gravity_m_s2{};
@@ -48,11 +48,9 @@ struct SurrogateMassesResult {
   [[nodiscard]] const SurrogateMass* find(const std::string& estimator) const;
 };
 
-SurrogateMassesResult identify_surrogate_masses(const CogSweepResult& rough,
-                                                const HysteresisResult& hysteresis,
-                                                const std::optional<Estimate>& q_peak_rad,
-                                                double gear_ratio, double distance_m,
-                                                double gravity_m_s2,
-                                                const OtherGravity& other = {});
+SurrogateMassesResult identify_surrogate_masses(
+    const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
+    const std::optional<statistics::Estimate>& q_peak_rad, double gear_ratio, double distance_m,
+    double gravity_m_s2, const OtherGravity& other = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

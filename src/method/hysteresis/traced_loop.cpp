@@ -12,15 +12,16 @@
 #include "statistics/random_stream.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 namespace {
 
 constexpr std::size_t repeats = 12;
 
 /// The recording that the traced motion would have given.
-Recording recorded_again(const Recording& r, const TracedMotion& motion, RandomStream& random) {
-  Recording out = r;
+joint::Recording recorded_again(const joint::Recording& r, const motion::TracedMotion& motion,
+                                statistics::RandomStream& random) {
+  joint::Recording out = r;
   const double step = motion.is_stepped() ? motion.encoder_step_rad : 0.0;
   const double phase = random.uniform();
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -54,11 +55,11 @@ class Beginnings {
   [[nodiscard]] double share() const { return share_; }
 
  private:
-  [[nodiscard]] Recording beginning_of(const Recording& r) const {
+  [[nodiscard]] joint::Recording beginning_of(const joint::Recording& r) const {
     constexpr double fewest = 1000;
     const auto size = static_cast<double>(r.size());
     const auto count = static_cast<std::ptrdiff_t>(std::min(size, std::max(fewest, share_ * size)));
-    Recording out;
+    joint::Recording out;
     out.name = r.name;
     out.role = r.role;
     out.t_s.assign(r.t_s.begin(), r.t_s.begin() + count);
@@ -68,7 +69,7 @@ class Beginnings {
   }
 
   double share_{1};
-  std::vector<Recording> recordings_;
+  std::vector<joint::Recording> recordings_;
   std::vector<LuGreInput> inputs_;
 };
 
@@ -79,7 +80,7 @@ Eigen::VectorXd step_along(const std::vector<LuGreInput>& loops, const LuGreClim
   for (const LuGreInput& loop : loops) {
     models.emplace_back(*loop.recording, loop.motor_motion(gear_ratio), gear_ratio, q_peak_rad);
   }
-  const LinearisedFit fit =
+  const statistics::LinearisedFit fit =
       LuGreProblem(std::move(models)).linearise(climb.free, climb.point, {}).fit;
   return -fit.jacobian.colPivHouseholderQr().solve(fit.residuals);
 }
@@ -98,14 +99,14 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
   const std::vector<LuGreInput>& inputs = parts.inputs();
   Eigen::MatrixXd shifts(parameters, static_cast<Eigen::Index>(repeats));
   parallel_for(repeats, [&](std::size_t k) {
-    RandomStream random(1, k);
-    std::vector<MotionTrace> traces(inputs.size());
+    statistics::RandomStream random(1, k);
+    std::vector<motion::MotionTrace> traces(inputs.size());
     std::vector<LuGreInput> again = inputs;
     for (std::size_t r = 0; r < inputs.size(); ++r) {
       if (inputs[r].traced == nullptr) continue;
-      MotionTrace& trace = traces[r];
-      const TracedMotion& traced = *inputs[r].traced;
-      trace = trace_motion(recorded_again(*inputs[r].recording, traced, random), &traced);
+      motion::MotionTrace& trace = traces[r];
+      const motion::TracedMotion& traced = *inputs[r].traced;
+      trace = motion::trace_motion(recorded_again(*inputs[r].recording, traced, random), &traced);
       // Refused by chance, at the edge of what can be traced: the motion stays as it was.
       if (trace.motion) again[r].traced = &*trace.motion;
     }
@@ -134,7 +135,8 @@ constexpr double misfit_factor = 1.5;
 constexpr double smallest_misfit_share = 1e-4;
 
 /// The strokes that begin at a turn.
-std::vector<StrokeSamples> strokes_behind_turns(const Recording& r, const TracedMotion& motion) {
+std::vector<StrokeSamples> strokes_behind_turns(const joint::Recording& r,
+                                                const motion::TracedMotion& motion) {
   std::vector<StrokeSamples> strokes;
   const auto index_of = [&](double since_s) {
     const auto it = std::lower_bound(r.t_s.begin(), r.t_s.end(), r.t_s.front() + since_s);
@@ -150,7 +152,8 @@ std::vector<StrokeSamples> strokes_behind_turns(const Recording& r, const Traced
 
 }  // namespace
 
-TracedLoop describe_traced_loop(const Recording& recording, const TracedMotion& motion,
+TracedLoop describe_traced_loop(const joint::Recording& recording,
+                                const motion::TracedMotion& motion,
                                 const std::vector<double>& model_Nm,
                                 const std::vector<double>& slope_Nm_rad, double gear_ratio) {
   TracedLoop out;
@@ -161,7 +164,7 @@ TracedLoop describe_traced_loop(const Recording& recording, const TracedMotion& 
   for (const double slope : slope_Nm_rad) squares += slope * slope;
   out.explained_Nm = std::hypot(
       gear_ratio * motion.noise_rad * std::sqrt(squares / static_cast<double>(slope_Nm_rad.size())),
-      white_sd_beside_jumps(third_differences(recording.torque_Nm)));
+      statistics::white_sd_beside_jumps(statistics::third_differences(recording.torque_Nm)));
   const auto [low, high] =
       std::minmax_element(recording.torque_Nm.begin(), recording.torque_Nm.end());
   out.explained_Nm = std::max(out.explained_Nm, smallest_misfit_share * (*high - *low));
@@ -190,4 +193,4 @@ std::string misfit_in_words(const std::string& recording, const TracedLoop& loop
   return words;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

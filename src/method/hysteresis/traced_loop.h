@@ -22,7 +22,7 @@
 #include "method/motion/traced_motion.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::hysteresis {
 
 /// Columns whose products with themselves add up to the parameters' covariance by that noise, in
 /// the order of the climb's columns; none where no motion was traced.
@@ -43,13 +43,14 @@ struct TracedLoop {
   double explained_Nm{};
   /// Torque at the motor over joint angle behind the reversals (loop_shape.h), measured
   /// and of the model over the same samples; absent where fewer than two strokes show it.
-  std::optional<Estimate> turn_stiffness_Nm_rad;
-  std::optional<Estimate> model_turn_stiffness_Nm_rad;
+  std::optional<statistics::Estimate> turn_stiffness_Nm_rad;
+  std::optional<statistics::Estimate> model_turn_stiffness_Nm_rad;
 };
 
 /// @param model_Nm torque of the model at the recording's samples.
 /// @param slope_Nm_rad of the model there, by motor angle.
-TracedLoop describe_traced_loop(const Recording& recording, const TracedMotion& motion,
+TracedLoop describe_traced_loop(const joint::Recording& recording,
+                                const motion::TracedMotion& motion,
                                 const std::vector<double>& model_Nm,
                                 const std::vector<double>& slope_Nm_rad, double gear_ratio);
 
@@ -57,4 +58,4 @@ TracedLoop describe_traced_loop(const Recording& recording, const TracedMotion& 
 std::string misfit_in_words(const std::string& recording, const TracedLoop& loop,
                             double residual_Nm);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::hysteresis

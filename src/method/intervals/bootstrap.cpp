@@ -11,15 +11,13 @@
 #include "method/intervals/chain_quantities.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog {
+namespace tribolog::method::intervals {
 
 namespace {
 
-using bootstrap::ChainDraw;
-
 std::vector<ChainDraw> draw_all(const ChainResults& results, const ResamplingOptions& options,
                                 const std::function<void(std::size_t)>& progress) {
-  const bootstrap::ChainResampler chain(results);
+  const ChainResampler chain(results);
   std::vector<ChainDraw> draws(options.resamples);
   constexpr std::size_t parts = 10;
   for (std::size_t part = 0; part < parts; ++part) {
@@ -29,7 +27,7 @@ std::vector<ChainDraw> draw_all(const ChainResults& results, const ResamplingOpt
     parallel_for(
         last - first,
         [&](std::size_t k) {
-          RandomStream random(options.seed, first + k);
+          statistics::RandomStream random(options.seed, first + k);
           draws[first + k] = chain.draw(random);
         },
         options.threads);
@@ -45,17 +43,17 @@ std::vector<double> values_of(const std::vector<ChainDraw>& draws, Value value) 
   return values;
 }
 
-std::vector<CurveBand> bands_of(const ViscousCurvesResult& curves,
+std::vector<CurveBand> bands_of(const viscous::ViscousCurvesResult& curves,
                                 const std::vector<ChainDraw>& draws, std::size_t threads) {
   std::vector<CurveBand> bands;
   const std::size_t runs = curves.runs.size();
-  for (const ViscousCurve& curve : curves.curves) {
+  for (const viscous::ViscousCurve& curve : curves.curves) {
     bands.push_back({curve.estimator, std::vector<double>(runs), std::vector<double>(runs)});
   }
   parallel_for(
       runs * bands.size(),
       [&](std::size_t k) {
-        const Estimate e = bootstrap::percentile_interval(
+        const statistics::Estimate e = statistics::percentile_interval(
             curves.curves[k / runs].friction_Nm[k % runs],
             values_of(draws, [&](const ChainDraw& d) { return d.friction_Nm[k]; }));
         bands[k / runs].low_Nm[k % runs] = e.low;
@@ -67,7 +65,8 @@ std::vector<CurveBand> bands_of(const ViscousCurvesResult& curves,
 
 std::vector<ChoiceShare> choices_of(const std::vector<ChainDraw>& draws) {
   std::vector<ChoiceShare> shares;
-  for (const char name : loop_point_names) shares.push_back({std::string(1, name), 0.0});
+  for (const char name : hysteresis::loop_point_names)
+    shares.push_back({std::string(1, name), 0.0});
   for (const ChainDraw& draw : draws) {
     if (draw.choice < 0) return {};
     shares[static_cast<std::size_t>(draw.choice)].share += 1 / static_cast<double>(draws.size());
@@ -79,15 +78,16 @@ std::vector<ChoiceShare> choices_of(const std::vector<ChainDraw>& draws) {
 std::vector<GravityDifference> differences_of(const ChainResults& results,
                                               const std::vector<ChainDraw>& draws) {
   const auto& masses = results.masses.masses;
-  const auto at = std::find_if(masses.begin(), masses.end(), [&](const SurrogateMass& m) {
-    return m.estimator == results.selection.recommended;
-  });
+  const auto at =
+      std::find_if(masses.begin(), masses.end(), [&](const hysteresis::SurrogateMass& m) {
+        return m.estimator == results.selection.recommended;
+      });
   if (at == masses.end()) return {};
   const auto recommended = static_cast<std::size_t>(at - masses.begin());
   std::vector<GravityDifference> all;
   const auto add = [&](const std::string& method, double value, auto gravity_of) {
-    all.push_back({method, bootstrap::percentile_interval(value, values_of(draws, gravity_of)),
-                   bootstrap::percentile_interval(
+    all.push_back({method, statistics::percentile_interval(value, values_of(draws, gravity_of)),
+                   statistics::percentile_interval(
                        value - at->gravity_Nm.value, values_of(draws, [&](const ChainDraw& d) {
                          return gravity_of(d) - d.gravity_Nm[recommended];
                        }))});
@@ -105,7 +105,7 @@ std::vector<GravityDifference> differences_of(const ChainResults& results,
 
 }  // namespace
 
-const Estimate* TwoIntervals::stated() const {
+const statistics::Estimate* TwoIntervals::stated() const {
   if (bootstrap && (bootstrap_is_stated || !closed_form)) return &*bootstrap;
   return closed_form ? &*closed_form : nullptr;
 }
@@ -131,15 +131,16 @@ const CurveBand* IntervalsResult::band(const std::string& estimator) const {
 
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t)>& progress) {
-  if (!resamples_are_allowed(options.resamples)) {
+  if (!joint::resamples_are_allowed(options.resamples)) {
     throw std::invalid_argument(fmt::format("{} resamples are not allowed; it must be {}",
-                                            options.resamples, allowed_resamples_in_words()));
+                                            options.resamples,
+                                            joint::allowed_resamples_in_words()));
   }
   IntervalsResult out;
   out.resamples = options.resamples;
   out.seed = options.seed;
-  std::vector<bootstrap::ChainQuantity> quantities = bootstrap::chain_quantities(results);
-  for (const bootstrap::ChainQuantity& q : quantities) {
+  std::vector<ChainQuantity> quantities = chain_quantities(results);
+  for (const ChainQuantity& q : quantities) {
     out.quantities.push_back({q.name, q.closed_form, std::nullopt, q.bootstrap_is_stated});
   }
   if (options.resamples == 0) return out;
@@ -147,11 +148,12 @@ IntervalsResult resample_chain(const ChainResults& results, const ResamplingOpti
   parallel_for(
       quantities.size(),
       [&](std::size_t k) {
-        const bootstrap::ChainQuantity& q = quantities[k];
+        const ChainQuantity& q = quantities[k];
         std::vector<double> values = values_of(draws, q.of);
         out.quantities[k].bootstrap =
-            q.is_root_mean_square ? bootstrap::root_mean_square_interval(q.value, std::move(values))
-                                  : bootstrap::percentile_interval(q.value, std::move(values));
+            q.is_root_mean_square
+                ? statistics::root_mean_square_interval(q.value, std::move(values))
+                : statistics::percentile_interval(q.value, std::move(values));
       },
       options.threads);
   out.bands = bands_of(results.viscous, draws, options.threads);
@@ -160,8 +162,9 @@ IntervalsResult resample_chain(const ChainResults& results, const ResamplingOpti
   return out;
 }
 
-void state_intervals(const IntervalsResult& intervals, FrictionParametersResult& friction) {
-  const auto state = [&](const char* name, Estimate& estimate) {
+void state_intervals(const IntervalsResult& intervals,
+                     selection::FrictionParametersResult& friction) {
+  const auto state = [&](const char* name, statistics::Estimate& estimate) {
     const TwoIntervals* both = intervals.find(name);
     if (both == nullptr || !both->bootstrap || !both->bootstrap_is_stated) return;
     estimate.low = both->bootstrap->low;
@@ -181,4 +184,4 @@ void state_intervals(const IntervalsResult& intervals, FrictionParametersResult&
   }
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::intervals

@@ -30,21 +30,21 @@
 #include "method/selection/selection.h"
 #include "method/viscous/viscous_curves.h"
 
-namespace tribolog {
+namespace tribolog::method::intervals {
 
 /// What the chain has found; all must outlive the call.
 struct ChainResults {
-  const CogSweepResult& rough;
-  const CogSweepResult& precise;
-  const std::optional<Estimate>& q_peak_rad;
+  const gravity::CogSweepResult& rough;
+  const gravity::CogSweepResult& precise;
+  const std::optional<statistics::Estimate>& q_peak_rad;
   const std::string& q_peak_source;
-  const HysteresisResult& hysteresis;
-  const SurrogateMassesResult& masses;
-  const ViscousCurvesResult& viscous;
-  const QualityErrorsResult& quality;
-  const SelectionResult& selection;
-  const FrictionParametersResult& friction;
-  const OtherWays& other_ways;
+  const hysteresis::HysteresisResult& hysteresis;
+  const hysteresis::SurrogateMassesResult& masses;
+  const viscous::ViscousCurvesResult& viscous;
+  const selection::QualityErrorsResult& quality;
+  const selection::SelectionResult& selection;
+  const selection::FrictionParametersResult& friction;
+  const selection::OtherWays& other_ways;
   double gear_ratio{};
 };
 
@@ -52,11 +52,11 @@ struct ChainResults {
 struct TwoIntervals {
   std::string
       name;  ///< Stable, with its unit: "q_peak_rad", "mass_kg.midline", "waiboer.stribeck_power".
-  std::optional<Estimate> closed_form;  ///< Absent where there is none.
-  std::optional<Estimate> bootstrap;    ///< Absent without resamples.
-  bool bootstrap_is_stated{};           ///< Which of the two the report goes by.
+  std::optional<statistics::Estimate> closed_form;  ///< Absent where there is none.
+  std::optional<statistics::Estimate> bootstrap;    ///< Absent without resamples.
+  bool bootstrap_is_stated{};                       ///< Which of the two the report goes by.
 
-  [[nodiscard]] const Estimate* stated() const;
+  [[nodiscard]] const statistics::Estimate* stated() const;
   /// Width by resampling over width by the closed form; 0 where one is missing or empty.
   [[nodiscard]] double ratio() const;
 };
@@ -79,8 +79,8 @@ struct ChoiceShare {
 /// resampled together.
 struct GravityDifference {
   std::string method;  ///< Estimator of a mass, or one of OtherWays.
-  Estimate gravity_Nm;
-  Estimate difference_Nm;
+  statistics::Estimate gravity_Nm;
+  statistics::Estimate difference_Nm;
 };
 
 struct IntervalsResult {
@@ -110,6 +110,7 @@ IntervalsResult resample_chain(const ChainResults& results, const ResamplingOpti
 
 /// Values stay; intervals and the words of how they were made change. Without resamples nothing
 /// does.
-void state_intervals(const IntervalsResult& intervals, FrictionParametersResult& friction);
+void state_intervals(const IntervalsResult& intervals,
+                     selection::FrictionParametersResult& friction);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::intervals

@@ -8,13 +8,16 @@
 #include "statistics/block_draw.h"
 #include "statistics/distributions.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 namespace {
 
 /// 0 for "A" to 5 for "F", -1 for others.
 int point_index(char name) {
-  const auto* const at = std::find(loop_point_names.begin(), loop_point_names.end(), name);
-  return at == loop_point_names.end() ? -1 : static_cast<int>(at - loop_point_names.begin());
+  const auto* const at =
+      std::find(hysteresis::loop_point_names.begin(), hysteresis::loop_point_names.end(), name);
+  return at == hysteresis::loop_point_names.end()
+             ? -1
+             : static_cast<int>(at - hysteresis::loop_point_names.begin());
 }
 
 /// Torque shift of an estimator that reads the loop; nothing for others.
@@ -39,18 +42,19 @@ ChainResampler::ChainResampler(const ChainResults& results)
       loop_(results.hysteresis, results.rough.ripple),
       parameters_(results.viscous, results.friction) {}
 
-void ChainResampler::draw_masses(RandomStream& random, double rough_gravity_shift_Nm,
+void ChainResampler::draw_masses(statistics::RandomStream& random, double rough_gravity_shift_Nm,
                                  const LoopShift& loop, ChainDraw& draw) const {
   const double q_peak = results_.q_peak_rad ? results_.q_peak_rad->value : 0.0;
-  for (const SurrogateMass& mass : results_.masses.masses) {
+  for (const hysteresis::SurrogateMass& mass : results_.masses.masses) {
     if (mass.estimator == "sweep") {
       draw.gravity_Nm.push_back(mass.gravity_Nm.value + rough_gravity_shift_Nm);
       continue;
     }
     const std::optional<double> shift = loop_shift(mass.estimator, loop);
     if (!shift) {
-      draw.gravity_Nm.push_back(mass.gravity_Nm.value +
-                                mass.gravity_Nm.half_width() / normal_975 * random.normal());
+      draw.gravity_Nm.push_back(mass.gravity_Nm.value + mass.gravity_Nm.half_width() /
+                                                            statistics::normal_975 *
+                                                            random.normal());
       continue;
     }
     double cosine = mass.torque_Nm.value / mass.gravity_Nm.value;
@@ -62,8 +66,8 @@ void ChainResampler::draw_masses(RandomStream& random, double rough_gravity_shif
 }
 
 void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDraw& draw) const {
-  const QualityErrorsResult& quality = results_.quality;
-  const std::vector<ConstantSpeedRun>& runs = results_.viscous.runs;
+  const selection::QualityErrorsResult& quality = results_.quality;
+  const std::vector<viscous::ConstantSpeedRun>& runs = results_.viscous.runs;
   if (quality.errors.empty()) return;
   const bool by_directions = quality.reference == "direction_difference";
   double smallest = std::numeric_limits<double>::infinity();
@@ -92,7 +96,7 @@ void ChainResampler::draw_quality(const std::vector<double>& run_shifts, ChainDr
   }
 }
 
-ChainDraw ChainResampler::draw(RandomStream& random) const {
+ChainDraw ChainResampler::draw(statistics::RandomStream& random) const {
   ChainDraw draw;
   const SweepShift rough = resample_sweep(random, results_.rough);
   const SweepShift precise =
@@ -108,15 +112,16 @@ ChainDraw ChainResampler::draw(RandomStream& random) const {
   const LoopShift loop = loop_.draw(random);
   draw.lugre = loop.lugre;
   draw_masses(random, rough.gravity_Nm, loop, draw);
-  for (const GravityByOtherWay& way : results_.other_ways.gravity) {
-    const std::vector<double> counts = centred_counts(random, way.block_shifts.size());
+  for (const selection::GravityByOtherWay& way : results_.other_ways.gravity) {
+    const std::vector<double> counts = statistics::centred_counts(random, way.block_shifts.size());
     double shift = 0;
     for (std::size_t b = 0; b < counts.size(); ++b) shift += counts[b] * way.block_shifts[b];
-    draw.other_Nm.push_back(way.gravity_Nm.value + few_blocks_scale(random, way.freedom) * shift);
+    draw.other_Nm.push_back(way.gravity_Nm.value +
+                            statistics::few_blocks_scale(random, way.freedom) * shift);
   }
 
   const std::vector<double> run_shifts = resample_runs(random, results_.viscous);
-  const std::vector<ConstantSpeedRun>& runs = results_.viscous.runs;
+  const std::vector<viscous::ConstantSpeedRun>& runs = results_.viscous.runs;
   const auto& masses = results_.masses.masses;
   draw.friction_Nm.reserve(results_.viscous.curves.size() * runs.size());
   for (std::size_t c = 0; c < results_.viscous.curves.size(); ++c) {
@@ -137,4 +142,4 @@ ChainDraw ChainResampler::draw(RandomStream& random) const {
   return draw;
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -9,7 +9,7 @@
 #include "method/intervals/parameter_resample.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
 /// What one resample gives. Vectors are in the order of the results that they belong to.
 struct ChainDraw {
@@ -29,11 +29,11 @@ class ChainResampler {
  public:
   /// @param results must outlive the resampler.
   explicit ChainResampler(const ChainResults& results);
-  [[nodiscard]] ChainDraw draw(RandomStream& random) const;
+  [[nodiscard]] ChainDraw draw(statistics::RandomStream& random) const;
 
  private:
-  void draw_masses(RandomStream& random, double rough_gravity_shift_Nm, const LoopShift& loop,
-                   ChainDraw& draw) const;
+  void draw_masses(statistics::RandomStream& random, double rough_gravity_shift_Nm,
+                   const LoopShift& loop, ChainDraw& draw) const;
   void draw_quality(const std::vector<double>& run_shifts, ChainDraw& draw) const;
 
   const ChainResults& results_;
@@ -41,4 +41,4 @@ class ChainResampler {
   ParameterResampler parameters_;
 };
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -7,14 +7,15 @@
 
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 namespace {
 
 using Of = std::function<double(const ChainDraw&)>;
 
 class Quantities {
  public:
-  void add(std::string name, const Estimate& closed_form, bool bootstrap_is_stated, Of of) {
+  void add(std::string name, const statistics::Estimate& closed_form, bool bootstrap_is_stated,
+           Of of) {
     all_.push_back({std::move(name), closed_form.value, closed_form, bootstrap_is_stated, false,
                     std::move(of)});
   }
@@ -48,7 +49,7 @@ void add_sweeps(const ChainResults& r, Quantities& out) {
 
 void add_masses(const ChainResults& r, Quantities& out) {
   for (std::size_t k = 0; k < r.masses.masses.size(); ++k) {
-    const SurrogateMass& mass = r.masses.masses[k];
+    const hysteresis::SurrogateMass& mass = r.masses.masses[k];
     const double kg_per_Nm = mass.mass_kg.value / mass.gravity_Nm.value;
     out.add("gravity_Nm." + mass.estimator, mass.gravity_Nm, false,
             [k](const ChainDraw& d) { return d.gravity_Nm[k]; });
@@ -60,10 +61,10 @@ void add_masses(const ChainResults& r, Quantities& out) {
 void add_loop_fit(const ChainResults& r, Quantities& out) {
   const auto& fit = r.hysteresis.lugre;
   if (!fit || !fit->converged || !fit->linearised) return;
-  const std::vector<LinearisedReading>& readings = fit->linearised->readings;
+  const std::vector<statistics::LinearisedReading>& readings = fit->linearised->readings;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     // Ramps may have contradicted since what the fit read from the loops.
-    const std::optional<Estimate> shown = fit->shown(readings[k].name);
+    const std::optional<statistics::Estimate> shown = fit->shown(readings[k].name);
     if (!shown) continue;
     const double value = readings[k].value;
     const bool logarithmic = readings[k].logarithmic;
@@ -76,8 +77,8 @@ void add_loop_fit(const ChainResults& r, Quantities& out) {
 
 void add_curve(const ChainResults& r, Quantities& out) {
   if (r.friction.waiboer) {
-    const WaiboerFit& w = *r.friction.waiboer;
-    const std::pair<const char*, const Estimate*> named[] = {
+    const viscous::WaiboerFit& w = *r.friction.waiboer;
+    const std::pair<const char*, const statistics::Estimate*> named[] = {
         {"waiboer.asperity_torque_Nm", &w.asperity_torque_Nm},
         {"waiboer.stribeck_speed_rad_s", &w.stribeck_speed_rad_s},
         {"waiboer.stribeck_power", &w.stribeck_power},
@@ -103,8 +104,9 @@ void add_choice(const ChainResults& r, Quantities& out) {
                       r.quality.errors[k].rms_percent, true,
                       [k](const ChainDraw& d) { return d.rms_percent[k]; });
   }
-  if (r.selection.q_c_corrected_rad && r.hysteresis.points.size() == loop_point_names.size()) {
-    const std::vector<LoopPoint>& points = r.hysteresis.points;
+  if (r.selection.q_c_corrected_rad &&
+      r.hysteresis.points.size() == hysteresis::loop_point_names.size()) {
+    const std::vector<hysteresis::LoopPoint>& points = r.hysteresis.points;
     out.add_resampled("q_c_corrected_rad", *r.selection.q_c_corrected_rad, false,
                       [&points](const ChainDraw& d) {
                         return d.choice < 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -126,4 +128,4 @@ std::vector<ChainQuantity> chain_quantities(const ChainResults& results) {
   return out.take();
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -16,12 +16,12 @@
 
 #include "method/intervals/chain_draw.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
 struct ChainQuantity {
   std::string name;
   double value{};
-  std::optional<Estimate> closed_form;
+  std::optional<statistics::Estimate> closed_form;
   bool bootstrap_is_stated{};
   bool is_root_mean_square{};  ///< See root_mean_square_interval().
   std::function<double(const ChainDraw&)> of;
@@ -29,4 +29,4 @@ struct ChainQuantity {
 
 std::vector<ChainQuantity> chain_quantities(const ChainResults& results);
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -7,7 +7,7 @@
 
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::method::intervals {
 namespace {
 
 struct Method {
@@ -45,9 +45,9 @@ std::vector<CrossCheck> collect(const ChainResults& r) {
   for (const Method& method : methods()) {
     CrossCheck check;
     check.method = method.name;
-    if (const SurrogateMass* mass = r.masses.find(method.name)) {
+    if (const hysteresis::SurrogateMass* mass = r.masses.find(method.name)) {
       check.gravity_Nm = mass->gravity_Nm;
-    } else if (const GravityByOtherWay* way = r.other_ways.find(method.name)) {
+    } else if (const selection::GravityByOtherWay* way = r.other_ways.find(method.name)) {
       check.gravity_Nm = way->gravity_Nm;
     } else {
       continue;
@@ -97,17 +97,17 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
   });
   if (recommended == checks.end()) return out;
   recommended->is_recommended = true;
-  const Estimate ours = recommended->gravity_Nm;
+  const statistics::Estimate ours = recommended->gravity_Nm;
   // Shares of a gravity that cannot be told from none say nothing.
   if (!(ours.low > 0)) return out;
   const double kg_per_Nm =
-      surrogate_mass_kg(1.0, r.gear_ratio, r.masses.distance_m, r.masses.gravity_m_s2, 1.0);
+      joint::surrogate_mass_kg(1.0, r.gear_ratio, r.masses.distance_m, r.masses.gravity_m_s2, 1.0);
   for (CrossCheck& check : checks) {
-    check.mass_kg = scaled(check.gravity_Nm, kg_per_Nm);
+    check.mass_kg = statistics::scaled(check.gravity_Nm, kg_per_Nm);
     const GravityDifference* resampled = find(intervals.differences, check.method);
     double half_width = std::hypot(check.gravity_Nm.half_width(), ours.half_width());
     if (resampled != nullptr) {
-      check.resampled_kg = scaled(resampled->gravity_Nm, kg_per_Nm);
+      check.resampled_kg = statistics::scaled(resampled->gravity_Nm, kg_per_Nm);
       half_width = resampled->difference_Nm.half_width();
     }
     if (check.is_recommended) half_width = 0;
@@ -126,4 +126,4 @@ CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& inte
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::intervals

@@ -10,13 +10,13 @@
 
 #include "method/intervals/bootstrap.h"
 
-namespace tribolog {
+namespace tribolog::method::intervals {
 
 struct CrossCheck {
-  std::string method;   ///< "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...
-  Estimate gravity_Nm;  ///< Motor side; closed form.
-  Estimate mass_kg;     ///< The same, as a surrogate mass.
-  std::optional<Estimate> resampled_kg;  ///< With the interval of the bootstrap.
+  std::string method;  ///< "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...
+  statistics::Estimate gravity_Nm;                   ///< Motor side; closed form.
+  statistics::Estimate mass_kg;                      ///< The same, as a surrogate mass.
+  std::optional<statistics::Estimate> resampled_kg;  ///< With the interval of the bootstrap.
   bool is_recommended{};
   double difference_percent{};  ///< Of the recommended mass.
   double difference_half_width_percent{};
@@ -28,7 +28,7 @@ struct CrossCheck {
 struct CrossChecksResult {
   /// The recommended one among them; empty without one, or where it cannot be told from zero.
   std::vector<CrossCheck> checks;
-  std::optional<ClassicalRegression> classical;
+  std::optional<selection::ClassicalRegression> classical;
   std::vector<std::string> findings;  ///< In words, with likely causes.
   /// Whether one of those disagrees that should agree: not the classical regression, whose model
   /// the method knows to be wrong.
@@ -44,4 +44,4 @@ inline constexpr double least_difference = 1e-3;
 /// @param intervals without resamples: differences are judged as if estimates were independent.
 CrossChecksResult cross_check(const ChainResults& results, const IntervalsResult& intervals);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::intervals

@@ -10,7 +10,7 @@
 #include "statistics/distributions.h"
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 namespace {
 
 /// The cycle of each row, that of its first sample; what is left over at the end belongs to the
@@ -33,7 +33,7 @@ std::vector<double> from(const std::vector<double>& counts, std::size_t first, s
 }
 
 /// How alike what two means leave at the same positions is; 0 where they are not the same.
-double residual_correlation(const PositionMean& a, const PositionMean& b) {
+double residual_correlation(const hysteresis::PositionMean& a, const hysteresis::PositionMean& b) {
   if (a.residuals_Nm.size() != b.residuals_Nm.size()) return 0;
   const auto n = static_cast<Eigen::Index>(a.residuals_Nm.size());
   const Eigen::Map<const Eigen::VectorXd> x(a.residuals_Nm.data(), n);
@@ -43,14 +43,15 @@ double residual_correlation(const PositionMean& a, const PositionMean& b) {
 }
 
 /// Where the fit has a gravity torque that can be resampled.
-const PositionMean* positions_of_fit(const HysteresisResult& hysteresis) {
+const hysteresis::PositionMean* positions_of_fit(const hysteresis::HysteresisResult& hysteresis) {
   const auto& fit = hysteresis.lugre;
   return fit && fit->positions ? &*fit->positions : nullptr;
 }
 
 }  // namespace
 
-LoopResampler::LoopResampler(const HysteresisResult& hysteresis, const Ripple& ripple)
+LoopResampler::LoopResampler(const hysteresis::HysteresisResult& hysteresis,
+                             const gravity::Ripple& ripple)
     : hysteresis_(hysteresis), ripple_(ripple) {
   if (!hysteresis.found) return;
   cycles_ = hysteresis.cycle_means_Nm.size() + 1;
@@ -63,13 +64,13 @@ LoopResampler::LoopResampler(const HysteresisResult& hysteresis, const Ripple& r
 void LoopResampler::prepare_fit() {
   const auto& lugre = hysteresis_.lugre;
   if (!lugre || !lugre->converged || !lugre->linearised) return;
-  const LinearisedFit& fit = *lugre->linearised;
-  const LoopTrace& trace = hysteresis_.traces.front();
+  const statistics::LinearisedFit& fit = *lugre->linearised;
+  const hysteresis::LoopTrace& trace = hysteresis_.traces.front();
   // A loop that a torque drove has strokes, not cycles: its fit keeps its own blocks.
   const std::size_t rows = (trace.t_s.size() + fit.samples_in_row - 1) / fit.samples_in_row;
   fit_by_cycles_ = hysteresis_.oscillations.size() == 1 && !lugre->loops.front().traced &&
                    fit.residuals.size() == static_cast<Eigen::Index>(rows);
-  const BlockRegression around = block_regression(
+  const statistics::BlockRegression around = statistics::block_regression(
       fit.jacobian, -fit.residuals,
       fit_by_cycles_ ? cycle_of_row(trace.t_s, fit.samples_in_row,
                                     hysteresis_.oscillations.front().frequency_Hz, cycles_)
@@ -78,7 +79,7 @@ void LoopResampler::prepare_fit() {
   reading_shifts_.resize(readings, around.block_shifts.cols());
   further_shifts_.resize(readings, fit.further_shifts.cols());
   for (Eigen::Index k = 0; k < readings; ++k) {
-    const LinearisedReading& reading = fit.readings[static_cast<std::size_t>(k)];
+    const statistics::LinearisedReading& reading = fit.readings[static_cast<std::size_t>(k)];
     reading_shifts_.row(k) = reading.gradient.transpose() * around.block_shifts;
     if (fit.further_shifts.cols() > 0) {
       further_shifts_.row(k) = reading.gradient.transpose() * fit.further_shifts;
@@ -86,8 +87,9 @@ void LoopResampler::prepare_fit() {
     reading_freedom_.push_back(around.freedom_along(reading.gradient));
   }
   const auto index_of = [&](const char* name) {
-    const auto at = std::find_if(fit.readings.begin(), fit.readings.end(),
-                                 [&](const LinearisedReading& r) { return r.name == name; });
+    const auto at =
+        std::find_if(fit.readings.begin(), fit.readings.end(),
+                     [&](const statistics::LinearisedReading& r) { return r.name == name; });
     return static_cast<std::size_t>(at - fit.readings.begin());
   };
   const std::size_t level = index_of("static_Nm");
@@ -101,20 +103,20 @@ void LoopResampler::prepare_fit() {
   }
 }
 
-double LoopResampler::draw_ripple(RandomStream& random) const {
+double LoopResampler::draw_ripple(statistics::RandomStream& random) const {
   double torque = ripple_.rest_Nm > 0 ? ripple_.rest_Nm * random.normal() : 0.0;
-  for (const RippleLine& line : ripple_.lines) {
+  for (const gravity::RippleLine& line : ripple_.lines) {
     torque += line.amplitude_Nm * std::cos(2 * std::numbers::pi * random.uniform());
   }
   return torque;
 }
 
-LoopShift LoopResampler::draw(RandomStream& random) const {
+LoopShift LoopResampler::draw(statistics::RandomStream& random) const {
   LoopShift shift;
   if (!hysteresis_.found) return shift;
-  const std::vector<double> counts = centred_counts(random, cycles_);
+  const std::vector<double> counts = statistics::centred_counts(random, cycles_);
   const double freedom = std::max(1.0, static_cast<double>(cycles_) - 2);
-  const double scale = few_blocks_scale(random, freedom);
+  const double scale = statistics::few_blocks_scale(random, freedom);
   const double ripple = draw_ripple(random);
   draw_gravity(random, counts, scale, ripple, shift);
   draw_points(random, counts, scale, ripple, shift);
@@ -123,23 +125,24 @@ LoopShift LoopResampler::draw(RandomStream& random) const {
   return shift;
 }
 
-void LoopResampler::draw_gravity(RandomStream& random, const std::vector<double>& counts,
-                                 double scale, double ripple_Nm, LoopShift& shift) const {
+void LoopResampler::draw_gravity(statistics::RandomStream& random,
+                                 const std::vector<double>& counts, double scale, double ripple_Nm,
+                                 LoopShift& shift) const {
   const std::vector<double>& means = hysteresis_.cycle_means_Nm;
   const double half_width = hysteresis_.midline_Nm ? hysteresis_.midline_Nm->half_width() : 0.0;
-  const PositionMean* fit = positions_of_fit(hysteresis_);
+  const hysteresis::PositionMean* fit = positions_of_fit(hysteresis_);
   const double common = random.normal();
   const double own = random.normal();
   double few_positions = 1;
   if (hysteresis_.positions_hold_ripple()) {
     const double f = present(hysteresis_.positions).freedom;
-    few_positions = few_blocks_scale(random, f);
-    shift.midline_Nm = half_width / student_t_975(f) * common * few_positions;
+    few_positions = statistics::few_blocks_scale(random, f);
+    shift.midline_Nm = half_width / statistics::student_t_975(f) * common * few_positions;
   } else if (means.size() >= 3 && hysteresis_.oscillations.size() == 1) {
     shift.midline_Nm =
-        scale * resampled_mean_shift(means, from(counts, 1, means.size())) + ripple_Nm;
+        scale * statistics::resampled_mean_shift(means, from(counts, 1, means.size())) + ripple_Nm;
   } else {
-    shift.midline_Nm = half_width / normal_975 * common + ripple_Nm;
+    shift.midline_Nm = half_width / statistics::normal_975 * common + ripple_Nm;
   }
   if (fit == nullptr) return;
   const double fit_half_width = fit->gravity_Nm.half_width();
@@ -147,39 +150,42 @@ void LoopResampler::draw_gravity(RandomStream& random, const std::vector<double>
     const double r = position_correlation_;
     const bool same = hysteresis_.positions_hold_ripple() &&
                       present(hysteresis_.positions).freedom == fit->freedom;
-    const double few = same ? few_positions : few_blocks_scale(random, fit->freedom);
-    shift.fit_gravity_Nm = fit_half_width / student_t_975(fit->freedom) * few *
+    const double few = same ? few_positions : statistics::few_blocks_scale(random, fit->freedom);
+    shift.fit_gravity_Nm = fit_half_width / statistics::student_t_975(fit->freedom) * few *
                            (r * common + std::sqrt(std::max(0.0, 1 - r * r)) * own);
   } else if (gravity_shifts_.size() > 0) {
     const Eigen::Map<const Eigen::VectorXd> drawn(counts.data(), gravity_shifts_.size());
     shift.fit_gravity_Nm =
         scale * gravity_shifts_.dot(drawn) + ripple_Nm / hysteresis_.midline_mean_cos;
   } else {
-    shift.fit_gravity_Nm = fit_half_width / normal_975 * common + ripple_Nm;
+    shift.fit_gravity_Nm = fit_half_width / statistics::normal_975 * common + ripple_Nm;
   }
 }
 
-void LoopResampler::draw_points(RandomStream& random, const std::vector<double>& counts,
+void LoopResampler::draw_points(statistics::RandomStream& random, const std::vector<double>& counts,
                                 double scale, double ripple_Nm, LoopShift& shift) const {
   const std::size_t turns = turns_.front().size();
   for (std::size_t k = 0; k < hysteresis_.points.size(); ++k) {
-    const LoopPoint& p = hysteresis_.points[k];
+    const hysteresis::LoopPoint& p = hysteresis_.points[k];
     // The scatter of one reading: that of the steady turns, or of the noise where there are none.
     const bool by_turns = p.name != 'A' && turns >= 3;
-    const double t = by_turns ? student_t_975(static_cast<double>(turns) - 1) : normal_975;
+    const double t = by_turns ? statistics::student_t_975(static_cast<double>(turns) - 1)
+                              : statistics::normal_975;
     const double sd = (p.torque_high_Nm - p.torque_low_Nm) / 2 / t;
     shift.points_Nm[k] = (by_turns ? scale : 1.0) * sd * random.normal() + ripple_Nm;
     shift.steady_points_Nm[k] =
-        turns >= 3 ? scale * resampled_mean_shift(turns_[k], from(counts, 1, turns)) + ripple_Nm
+        turns >= 3 ? scale * statistics::resampled_mean_shift(turns_[k], from(counts, 1, turns)) +
+                         ripple_Nm
                    : shift.points_Nm[k];
   }
 }
 
-void LoopResampler::draw_fit(RandomStream& random, const std::vector<double>& counts, double scale,
-                             LoopShift& shift) const {
+void LoopResampler::draw_fit(statistics::RandomStream& random, const std::vector<double>& counts,
+                             double scale, LoopShift& shift) const {
   if (reading_freedom_.empty()) return;
   const auto blocks = static_cast<std::size_t>(reading_shifts_.cols());
-  const std::vector<double> drawn = fit_by_cycles_ ? counts : centred_counts(random, blocks);
+  const std::vector<double> drawn =
+      fit_by_cycles_ ? counts : statistics::centred_counts(random, blocks);
   const Eigen::VectorXd shifts =
       reading_shifts_ *
       Eigen::Map<const Eigen::VectorXd>(drawn.data(), static_cast<Eigen::Index>(blocks));
@@ -187,19 +193,20 @@ void LoopResampler::draw_fit(RandomStream& random, const std::vector<double>& co
   for (double& n : normal) n = random.normal();
   const Eigen::VectorXd further = further_shifts_ * normal;
   for (std::size_t k = 0; k < reading_freedom_.size(); ++k) {
-    const double few = fit_by_cycles_ ? scale : few_blocks_scale(random, reading_freedom_[k]);
+    const double few =
+        fit_by_cycles_ ? scale : statistics::few_blocks_scale(random, reading_freedom_[k]);
     const auto i = static_cast<Eigen::Index>(k);
     shift.lugre.push_back(few * shifts(i) + further(i));
   }
 }
 
-void LoopResampler::draw_angles(RandomStream& random, LoopShift& shift) const {
+void LoopResampler::draw_angles(statistics::RandomStream& random, LoopShift& shift) const {
   // The way from a turn of the motion to a point is a multiple of the bristles' reach Ts / s0.
   double reach = 0;
   if (reach_) reach = shift.lugre[reach_->first] - shift.lugre[reach_->second];
   // Whether the encoder rounds or cuts is not known: a whole step to either side.
   const double step = hysteresis_.oscillations.front().encoder_step_rad;
-  const std::vector<LoopPoint>& points = hysteresis_.points;
+  const std::vector<hysteresis::LoopPoint>& points = hysteresis_.points;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool dropping = points[k].name == 'B' || points[k].name == 'F';
     const double turn = points[dropping ? 2 : 3].q_rad;  // C or D
@@ -209,4 +216,4 @@ void LoopResampler::draw_angles(RandomStream& random, LoopShift& shift) const {
   }
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -15,7 +15,7 @@
 #include "method/hysteresis/hysteresis_loop.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
 /// What one draw of cycles, and of the ripple at the loop's position, does to the results.
 struct LoopShift {
@@ -32,22 +32,22 @@ struct LoopShift {
 class LoopResampler {
  public:
   /// @param hysteresis must outlive the resampler.
-  LoopResampler(const HysteresisResult& hysteresis, const Ripple& ripple);
-  [[nodiscard]] LoopShift draw(RandomStream& random) const;
+  LoopResampler(const hysteresis::HysteresisResult& hysteresis, const gravity::Ripple& ripple);
+  [[nodiscard]] LoopShift draw(statistics::RandomStream& random) const;
 
  private:
-  [[nodiscard]] double draw_ripple(RandomStream& random) const;
+  [[nodiscard]] double draw_ripple(statistics::RandomStream& random) const;
   void prepare_fit();
-  void draw_gravity(RandomStream& random, const std::vector<double>& counts, double scale,
-                    double ripple_Nm, LoopShift& shift) const;
-  void draw_points(RandomStream& random, const std::vector<double>& counts, double scale,
-                   double ripple_Nm, LoopShift& shift) const;
-  void draw_fit(RandomStream& random, const std::vector<double>& counts, double scale,
+  void draw_gravity(statistics::RandomStream& random, const std::vector<double>& counts,
+                    double scale, double ripple_Nm, LoopShift& shift) const;
+  void draw_points(statistics::RandomStream& random, const std::vector<double>& counts,
+                   double scale, double ripple_Nm, LoopShift& shift) const;
+  void draw_fit(statistics::RandomStream& random, const std::vector<double>& counts, double scale,
                 LoopShift& shift) const;
-  void draw_angles(RandomStream& random, LoopShift& shift) const;
+  void draw_angles(statistics::RandomStream& random, LoopShift& shift) const;
 
-  const HysteresisResult& hysteresis_;
-  Ripple ripple_;
+  const hysteresis::HysteresisResult& hysteresis_;
+  gravity::Ripple ripple_;
   std::size_t cycles_{};                      // the start-up cycle first
   std::array<std::vector<double>, 6> turns_;  // readings by point, in the order of the cycles
   bool fit_by_cycles_{false};                 // else by the fit's own blocks
@@ -60,4 +60,4 @@ class LoopResampler {
   std::optional<std::pair<std::size_t, std::size_t>> reach_;
 };
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -10,12 +10,12 @@
 #include "statistics/block_draw.h"
 #include "statistics/block_regression.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::VectorXd logarithms(const WaiboerFit& fit) {
+Eigen::VectorXd logarithms(const viscous::WaiboerFit& fit) {
   Eigen::VectorXd p(5);
   p << std::log(fit.asperity_torque_Nm.value), std::log(fit.stribeck_speed_rad_s.value),
       std::log(fit.stribeck_power.value), std::log(fit.viscous_coefficient.value),
@@ -23,7 +23,7 @@ Eigen::VectorXd logarithms(const WaiboerFit& fit) {
   return p;
 }
 
-Eigen::VectorXd measured_of(const std::vector<CurvePoint>& points) {
+Eigen::VectorXd measured_of(const std::vector<viscous::CurvePoint>& points) {
   Eigen::VectorXd y(static_cast<Eigen::Index>(points.size()));
   for (Eigen::Index i = 0; i < y.size(); ++i)
     y(i) = points[static_cast<std::size_t>(i)].friction_Nm;
@@ -31,7 +31,7 @@ Eigen::VectorXd measured_of(const std::vector<CurvePoint>& points) {
 }
 
 /// Gauss-Newton from the solution of the data as they are.
-Eigen::VectorXd refit(std::vector<CurvePoint> points, const Eigen::VectorXd& y,
+Eigen::VectorXd refit(std::vector<viscous::CurvePoint> points, const Eigen::VectorXd& y,
                       const Eigen::VectorXd& start) {
   constexpr int steps = 4;
   constexpr double longest = 0.5;  // of a logarithm
@@ -41,7 +41,7 @@ Eigen::VectorXd refit(std::vector<CurvePoint> points, const Eigen::VectorXd& y,
   Eigen::VectorXd r;
   Eigen::MatrixXd j;
   for (int k = 0; k < steps; ++k) {
-    waiboer_residuals(points, p, r, &j);
+    viscous::waiboer_residuals(points, p, r, &j);
     Eigen::VectorXd step = j.householderQr().solve(-r);
     const double size = step.cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return Eigen::VectorXd::Constant(p.size(), nan);
@@ -54,9 +54,9 @@ Eigen::VectorXd refit(std::vector<CurvePoint> points, const Eigen::VectorXd& y,
 
 }  // namespace
 
-ParameterResampler::ParameterResampler(const ViscousCurvesResult& curves,
-                                       const FrictionParametersResult& fits) {
-  const ViscousCurve* curve = curves.find(fits.curve);
+ParameterResampler::ParameterResampler(const viscous::ViscousCurvesResult& curves,
+                                       const selection::FrictionParametersResult& fits) {
+  const viscous::ViscousCurve* curve = curves.find(fits.curve);
   if (curve == nullptr) return;
   std::vector<std::size_t> order(curves.runs.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -68,7 +68,7 @@ ParameterResampler::ParameterResampler(const ViscousCurvesResult& curves,
   angle_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t k = order[static_cast<std::size_t>(i)];
-    const ConstantSpeedRun& run = curves.runs[k];
+    const viscous::ConstantSpeedRun& run = curves.runs[k];
     const double sign = run.speed_rad_s < 0 ? -1.0 : 1.0;
     points_.push_back({std::abs(run.speed_rad_s), sign * curve->friction_Nm[k]});
     gravity_(i) = -sign * run.mean_cos;
@@ -79,11 +79,11 @@ ParameterResampler::ParameterResampler(const ViscousCurvesResult& curves,
     waiboer_ = logarithms(*fits.waiboer);
     Eigen::VectorXd r;
     Eigen::MatrixXd j;
-    waiboer_residuals(points_, waiboer_, r, &j);
+    viscous::waiboer_residuals(points_, waiboer_, r, &j);
     waiboer_residuals_ = prepare(j, measured + r, measured, 0);
   }
   if (fits.coulomb_viscous) {
-    const CoulombViscousFit& line = *fits.coulomb_viscous;
+    const selection::CoulombViscousFit& line = *fits.coulomb_viscous;
     while (line_first_ < n &&
            points_[static_cast<std::size_t>(line_first_)].speed_rad_s < line.slowest_rad_s) {
       ++line_first_;
@@ -130,15 +130,16 @@ ParameterResampler::Residuals ParameterResampler::prepare(const Eigen::MatrixXd&
   // Few runs decide some parameters: the scatter is known as badly as it is for the worst of them.
   std::vector<std::size_t> own_block(static_cast<std::size_t>(n));
   std::iota(own_block.begin(), own_block.end(), 0U);
-  out.freedom = block_regression(used, left, own_block).freedom.head(columns.cols()).minCoeff();
+  out.freedom =
+      statistics::block_regression(used, left, own_block).freedom.head(columns.cols()).minCoeff();
   return out;
 }
 
-ParameterDraw ParameterResampler::draw(RandomStream& random, double gravity_shift_Nm,
+ParameterDraw ParameterResampler::draw(statistics::RandomStream& random, double gravity_shift_Nm,
                                        double q_peak_shift_rad, double gravity_Nm) const {
   ParameterDraw out;
   const auto redrawn = [&](const Residuals& residuals, Eigen::Index first) {
-    const double scale = few_blocks_scale(random, residuals.freedom);
+    const double scale = statistics::few_blocks_scale(random, residuals.freedom);
     Eigen::VectorXd y = residuals.fitted;
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double sign = random.uniform() < 0.5 ? -1.0 : 1.0;
@@ -159,4 +160,4 @@ ParameterDraw ParameterResampler::draw(RandomStream& random, double gravity_shif
   return out;
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

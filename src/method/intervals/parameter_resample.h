@@ -15,7 +15,7 @@
 #include "method/viscous/waiboer_fit.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
 /// SI, motor side; empty where the parameters were not fitted.
 struct ParameterDraw {
@@ -25,10 +25,11 @@ struct ParameterDraw {
 
 class ParameterResampler {
  public:
-  ParameterResampler(const ViscousCurvesResult& curves, const FrictionParametersResult& fits);
+  ParameterResampler(const viscous::ViscousCurvesResult& curves,
+                     const selection::FrictionParametersResult& fits);
   /// @param gravity_shift_Nm, q_peak_shift_rad drawn in this resample.
   /// @param gravity_Nm of the curve.
-  [[nodiscard]] ParameterDraw draw(RandomStream& random, double gravity_shift_Nm,
+  [[nodiscard]] ParameterDraw draw(statistics::RandomStream& random, double gravity_shift_Nm,
                                    double q_peak_shift_rad, double gravity_Nm) const;
 
  private:
@@ -40,7 +41,7 @@ class ParameterResampler {
   [[nodiscard]] Residuals prepare(const Eigen::MatrixXd& columns, const Eigen::VectorXd& fitted,
                                   const Eigen::VectorXd& measured, Eigen::Index first) const;
 
-  std::vector<CurvePoint> points_;   // sorted by speed
+  std::vector<viscous::CurvePoint> points_;  // sorted by speed
   Eigen::VectorXd gravity_, angle_;  // change of the friction per gravity, and per gravity and rad
   Eigen::VectorXd waiboer_;          // logarithms at the solution
   Residuals waiboer_residuals_;
@@ -49,4 +50,4 @@ class ParameterResampler {
   Eigen::Index line_first_{};
 };
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -7,14 +7,14 @@
 #include "statistics/block_draw.h"
 #include "statistics/distributions.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
-SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep) {
+SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweepResult& sweep) {
   SweepShift shift;
   if (!sweep.found) return shift;
   const auto& blocks = sweep.resampling.block_shifts;
-  const std::vector<double> counts = centred_counts(random, blocks.size());
-  const double scale = few_blocks_scale(random, sweep.resampling.freedom);
+  const std::vector<double> counts = statistics::centred_counts(random, blocks.size());
+  const double scale = statistics::few_blocks_scale(random, sweep.resampling.freedom);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     shift.q_peak_rad += scale * counts[b] * blocks[b][0];
     shift.gravity_Nm += scale * counts[b] * blocks[b][1];
@@ -23,8 +23,9 @@ SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep) {
   return shift;
 }
 
-SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& precise,
-                                  const Ripple& ripple, double gravity_shift_Nm) {
+SweepShift resample_precise_sweep(statistics::RandomStream& random,
+                                  const gravity::CogSweepResult& precise,
+                                  const gravity::Ripple& ripple, double gravity_shift_Nm) {
   SweepShift shift = resample_sweep(random, precise);
   const auto& resampling = precise.resampling;
   shift.q_peak_rad += resampling.amplitude_lever * gravity_shift_Nm;
@@ -36,20 +37,23 @@ SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& pr
   return shift;
 }
 
-std::vector<double> resample_runs(RandomStream& random, const ViscousCurvesResult& curves) {
+std::vector<double> resample_runs(statistics::RandomStream& random,
+                                  const viscous::ViscousCurvesResult& curves) {
   std::vector<double> shifts;
   shifts.reserve(curves.runs.size());
-  for (const ConstantSpeedRun& run : curves.runs) {
+  for (const viscous::ConstantSpeedRun& run : curves.runs) {
     const std::vector<double>& blocks = run.block_friction_Nm;
     if (blocks.size() >= 2) {
-      const double scale = few_blocks_scale(random, static_cast<double>(blocks.size()) - 1);
-      shifts.push_back(scale * resampled_mean_shift(blocks, centred_counts(random, blocks.size())));
+      const double scale =
+          statistics::few_blocks_scale(random, static_cast<double>(blocks.size()) - 1);
+      shifts.push_back(scale * statistics::resampled_mean_shift(
+                                   blocks, statistics::centred_counts(random, blocks.size())));
     } else {
-      const double sd = run.torque_half_width_Nm / normal_975;
+      const double sd = run.torque_half_width_Nm / statistics::normal_975;
       shifts.push_back(std::isfinite(sd) ? sd * random.normal() : 0.0);
     }
   }
   return shifts;
 }
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

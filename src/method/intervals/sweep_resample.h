@@ -7,7 +7,7 @@
 #include "method/viscous/viscous_curves.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::method::intervals {
 
 /// What one draw of a sweep's blocks does to its results.
 struct SweepShift {
@@ -17,17 +17,19 @@ struct SweepShift {
 };
 
 /// Zero where the sweep has found nothing.
-SweepShift resample_sweep(RandomStream& random, const CogSweepResult& sweep);
+SweepShift resample_sweep(statistics::RandomStream& random, const gravity::CogSweepResult& sweep);
 
 /// The precise sweep leans on the rough one: with the gravity drawn there, and its ripple at any
 /// phase.
-SweepShift resample_precise_sweep(RandomStream& random, const CogSweepResult& precise,
-                                  const Ripple& ripple, double gravity_shift_Nm);
+SweepShift resample_precise_sweep(statistics::RandomStream& random,
+                                  const gravity::CogSweepResult& precise,
+                                  const gravity::Ripple& ripple, double gravity_shift_Nm);
 
 // Resampling the runs of constant speed: blocks within each plateau.
 
 /// What one draw of blocks does to the mean torque of each run [N·m]; zero where a run has no
 /// blocks and no interval.
-std::vector<double> resample_runs(RandomStream& random, const ViscousCurvesResult& curves);
+std::vector<double> resample_runs(statistics::RandomStream& random,
+                                  const viscous::ViscousCurvesResult& curves);
 
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::method::intervals

@@ -6,7 +6,7 @@
 
 #include "joint/degrees.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 namespace {
 
 bool is_multiple(double value, double step) {
@@ -44,7 +44,8 @@ double print_step_rad(std::vector<double> angles, double gear_ratio) {
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   if (angles.size() < fewest_angles) return 0;
   double coarsest = 0;
-  for (const double unit_rad : {1.0, rad_per_degree, 1 / gear_ratio, rad_per_degree / gear_ratio}) {
+  for (const double unit_rad :
+       {1.0, joint::rad_per_degree, 1 / gear_ratio, joint::rad_per_degree / gear_ratio}) {
     for (int decimals = 1; decimals <= most_decimals; ++decimals) {
       const double step = unit_rad * std::pow(10.0, -decimals);
       if (step <= coarsest) break;
@@ -82,4 +83,4 @@ AngleStep angle_step(const std::vector<double>& q_rad, double gear_ratio) {
   return {common, false};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

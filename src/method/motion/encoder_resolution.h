@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 /// The step in which numbers are quantised, in their unit, or 0 if they look continuous: the
 /// smallest difference of neighbours, if nearly all differences are whole multiples of it.
@@ -25,4 +25,4 @@ AngleStep angle_step(const std::vector<double>& q_rad, double gear_ratio);
 /// A loop needs this many encoder steps across its pre-sliding range to be read.
 inline constexpr double fewest_steps_in_presliding = 50;
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

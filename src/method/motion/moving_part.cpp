@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 namespace {
 
@@ -15,7 +15,7 @@ std::vector<double> cut(const std::vector<double>& v, std::size_t first, std::si
 
 }  // namespace
 
-Recording moving_part(const Recording& recording) {
+joint::Recording moving_part(const joint::Recording& recording) {
   const std::size_t n = recording.size();
   if (n < 3) return recording;
   const auto [low, high] = std::minmax_element(recording.q_rad.begin(), recording.q_rad.end());
@@ -31,7 +31,7 @@ Recording moving_part(const Recording& recording) {
   if (first < handful) first = 0;
   if (n - last < handful) last = n;
   if (first == 0 && last == n) return recording;
-  Recording out = recording;
+  joint::Recording out = recording;
   out.t_s = cut(recording.t_s, first, last);
   out.q_rad = cut(recording.q_rad, first, last);
   out.dq_rad_s = cut(recording.dq_rad_s, first, last);
@@ -72,4 +72,4 @@ std::vector<Stroke> find_strokes(const std::vector<double>& q, double noise_rad)
   return strokes;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

@@ -6,11 +6,11 @@
 
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 /// The recording without the rest before and after its motion, which would spoil a fit of cycles.
 /// What is cut is counted among the skipped rows. A recording without rest comes back as it is.
-Recording moving_part(const Recording& recording);
+joint::Recording moving_part(const joint::Recording& recording);
 
 // The strokes of a recorded angle: its stretches from turn to turn.
 
@@ -26,4 +26,4 @@ struct Stroke {
 /// Strokes of an angle: a turn counts where the angle runs back by more than `noise_rad`.
 std::vector<Stroke> find_strokes(const std::vector<double>& q_rad, double noise_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

@@ -7,14 +7,14 @@
 
 #include <Eigen/Dense>
 
-namespace tribolog {
+namespace tribolog::method::motion {
 namespace {
 
 using std::numbers::pi;
 
 /// Mean period from the upward crossings of the middle, each counted after a swing of a quarter of
 /// the range to both sides, so that noise at the crossing does not count twice. 0: less than one.
-double rough_period(const Recording& r) {
+double rough_period(const joint::Recording& r) {
   const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
   const double middle = (*low + *high) / 2;
   const double quarter = (*high - *low) / 4;
@@ -40,7 +40,7 @@ double rough_period(const Recording& r) {
 constexpr std::size_t most_samples_at_first = 50'000;
 constexpr double fewest_samples_a_period = 60;
 
-std::size_t first_stride(const Recording& r, double period_s) {
+std::size_t first_stride(const joint::Recording& r, double period_s) {
   const double per_period =
       period_s * static_cast<double>(r.size() - 1) / (r.t_s.back() - r.t_s.front());
   const double stride = std::min(static_cast<double>(r.size()) / most_samples_at_first,
@@ -53,7 +53,7 @@ std::size_t first_stride(const Recording& r, double period_s) {
 /// time, so that a long one needs no more room.
 class SeriesFit {
  public:
-  SeriesFit(const Recording& recording, int harmonics, double omega)
+  SeriesFit(const joint::Recording& recording, int harmonics, double omega)
       : r_(recording), harmonics_(harmonics), omega_(omega) {}
 
   /// Up to so many rounds over every `stride`-th sample.
@@ -134,7 +134,7 @@ class SeriesFit {
     }
   }
 
-  const Recording& r_;
+  const joint::Recording& r_;
   int harmonics_;
   std::size_t stride_{1};
   double omega_;
@@ -152,8 +152,8 @@ bool OscillationMotion::follows_the_angle(double encoder_step_rad) const {
   return residual_rad <= std::max(largest_share * amplitude_rad, encoder_step_rad);
 }
 
-HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
-  std::vector<HarmonicMotion::Harmonic> motor = harmonics;
+simulate::HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
+  std::vector<simulate::HarmonicMotion::Harmonic> motor = harmonics;
   for (auto& h : motor) {
     h.cosine *= gear_ratio;
     h.sine *= gear_ratio;
@@ -161,7 +161,8 @@ HarmonicMotion OscillationMotion::motor_motion(double gear_ratio) const {
   return {gear_ratio * centre_rad, frequency_Hz, std::move(motor)};
 }
 
-std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recording, int harmonics) {
+std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,
+                                                        int harmonics) {
   if (recording.size() < 20) return std::nullopt;
   const double period = rough_period(recording);
   if (!(period > 0)) return std::nullopt;
@@ -188,4 +189,4 @@ std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recordi
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

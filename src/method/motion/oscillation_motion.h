@@ -7,7 +7,7 @@
 #include "joint/recording.h"
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 struct OscillationMotion {
   double frequency_Hz{};
@@ -15,19 +15,19 @@ struct OscillationMotion {
   double amplitude_rad{};  ///< Of the first harmonic.
   double start_s{};        ///< Time of the first sample; harmonics count time from here.
   double residual_rad{};   ///< Standard deviation of q less the harmonics.
-  std::vector<HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
+  std::vector<simulate::HarmonicMotion::Harmonic> harmonics;  ///< Joint side.
 
   /// Whether the harmonics are the motion: what they leave is below a fiftieth of the amplitude, or
   /// below a step of the encoder. A joint driven by torque creeps and drifts; its loops are not
   /// periodic.
   [[nodiscard]] bool follows_the_angle(double encoder_step_rad) const;
   /// Motor-side motion as a function of the time since start_s.
-  [[nodiscard]] HarmonicMotion motor_motion(double gear_ratio) const;
+  [[nodiscard]] simulate::HarmonicMotion motor_motion(double gear_ratio) const;
 };
 
 /// Fits `harmonics` harmonics and their frequency to the angle. Absent if the angle does not swing
 /// through at least one cycle.
-std::optional<OscillationMotion> fit_oscillation_motion(const Recording& recording,
+std::optional<OscillationMotion> fit_oscillation_motion(const joint::Recording& recording,
                                                         int harmonics = 3);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

@@ -7,7 +7,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 namespace {
 
@@ -20,7 +20,8 @@ double slope_noise(const std::vector<double>& v, std::size_t window, double rest
     differences.push_back(std::abs(v[i + window] - 2 * v[i] + v[i - window]));
   }
   if (differences.empty()) return 0;
-  return normal_sd_by_median_size * median(std::move(differences)) / std::sqrt(6.0);
+  return statistics::normal_sd_by_median_size * statistics::median(std::move(differences)) /
+         std::sqrt(6.0);
 }
 
 /// The stretch [first, last) without the ends of its ramps: inwards until the speed is that of the
@@ -30,7 +31,7 @@ std::pair<std::size_t, std::size_t> steady_part(const std::vector<double>& v, st
   constexpr double tight = 1e-3;
   const std::size_t quarter = (last - first) / 4;
   const auto at = [&](std::size_t i) { return v.begin() + static_cast<std::ptrdiff_t>(i); };
-  const double speed = median({at(first + quarter), at(last - quarter)});
+  const double speed = statistics::median({at(first + quarter), at(last - quarter)});
   const double tolerance = std::max(tight * std::abs(speed), 4 * noise);
   while (first < last && std::abs(v[first] - speed) > tolerance) ++first;
   while (last > first && std::abs(v[last - 1] - speed) > tolerance) --last;
@@ -46,7 +47,7 @@ double MotionSegments::plateau_share() const {
                            static_cast<double>(moving);
 }
 
-MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& options) {
+MotionSegments find_plateaus(const joint::Recording& recording, const PlateauOptions& options) {
   MotionSegments out;
   const std::size_t n = recording.size();
   if (n < 8) {
@@ -55,10 +56,10 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
     out.samples_at_rest = n;
     return out;
   }
-  const std::size_t h = half_window_of_slope(n);
+  const std::size_t h = statistics::half_window_of_slope(n);
   out.window = 2 * h;
-  out.speed_rad_s = local_slope(recording.t_s, recording.q_rad, h);
-  out.acceleration_rad_s2 = local_slope(recording.t_s, out.speed_rad_s, h);
+  out.speed_rad_s = statistics::local_slope(recording.t_s, recording.q_rad, h);
+  out.acceleration_rad_s2 = statistics::local_slope(recording.t_s, out.speed_rad_s, h);
   const std::vector<double>& v = out.speed_rad_s;
   // A single wild sample must not set the scale.
   std::vector<double> magnitudes(n);
@@ -111,17 +112,17 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
   return out;
 }
 
-std::vector<SpeedSource> speed_sources(const std::vector<Recording>& recordings) {
+std::vector<SpeedSource> speed_sources(const std::vector<joint::Recording>& recordings) {
   std::vector<SpeedSource> sources;
-  for (const Recording& r : recordings) {
+  for (const joint::Recording& r : recordings) {
     if (r.size() < 2) continue;
-    const double interval_s = median_interval(r.t_s);
-    const std::size_t h = half_window_of_slope(r.size());
+    const double interval_s = statistics::median_interval(r.t_s);
+    const std::size_t h = statistics::half_window_of_slope(r.size());
     sources.push_back({r.name, r.role, !r.dq_rad_s.empty(), 2 * h,
                        static_cast<double>(2 * h) * interval_s,
-                       cut_off_of_slope_Hz(h, interval_s)});
+                       statistics::cut_off_of_slope_Hz(h, interval_s)});
   }
   return sources;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

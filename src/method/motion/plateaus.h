@@ -9,7 +9,7 @@
 #include "joint/dataset.h"
 #include "joint/recording.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 struct Plateau {
   std::size_t first{};   ///< Index of the first sample.
@@ -40,7 +40,7 @@ struct PlateauOptions {
   double rest_share{0.02};  ///< Of the fastest speed: slower is rest.
 };
 
-MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& options = {});
+MotionSegments find_plateaus(const joint::Recording& recording, const PlateauOptions& options = {});
 
 // How the speed of each recording is found. Never from a logged speed: that is often filtered,
 // delayed or wrongly scaled, and the angle has it all; the logged one is held against it by the
@@ -48,7 +48,7 @@ MotionSegments find_plateaus(const Recording& recording, const PlateauOptions& o
 
 struct SpeedSource {
   std::string recording;
-  Role role{};
+  joint::Role role{};
   bool is_logged{};      ///< A speed is logged too.
   std::size_t window{};  ///< Samples from which a local slope of the angle is made.
   double window_s{};     ///< Their duration at the median interval.
@@ -56,6 +56,6 @@ struct SpeedSource {
 };
 
 /// One for each recording of two samples or more.
-std::vector<SpeedSource> speed_sources(const std::vector<Recording>& recordings);
+std::vector<SpeedSource> speed_sources(const std::vector<joint::Recording>& recordings);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

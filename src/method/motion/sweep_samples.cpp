@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tribolog {
+namespace tribolog::method::motion {
 namespace {
 
 // Below this share of the fastest speed a varying sweep is close to a reversal, where friction is
@@ -55,12 +55,12 @@ bool SweepSamples::both_directions() const {
   return up && down;
 }
 
-SweepSamples select_sweep_samples(const std::vector<const Recording*>& recordings) {
+SweepSamples select_sweep_samples(const std::vector<const joint::Recording*>& recordings) {
   SweepSamples out;
   std::vector<MotionSegments> motions;
   double on_plateaus = 0;
   double all = 0;
-  for (const Recording* recording : recordings) {
+  for (const joint::Recording* recording : recordings) {
     motions.push_back(find_plateaus(*recording));
     on_plateaus += motions.back().plateau_share() * static_cast<double>(recording->size());
     all += static_cast<double>(recording->size());
@@ -99,9 +99,9 @@ SweepSamples select_sweep_samples(const std::vector<const Recording*>& recording
     ++stroke;
   }
   std::size_t total = 0;
-  for (const Recording* recording : recordings) total += recording->size();
+  for (const joint::Recording* recording : recordings) total += recording->size();
   out.left_out = total - out.size();
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

@@ -8,7 +8,7 @@
 #include "joint/recording.h"
 #include "method/motion/plateaus.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 struct SweepSamples {
   bool constant_speed{};               ///< Plateaus carry the sweep; else all moving samples do.
@@ -25,6 +25,6 @@ struct SweepSamples {
 };
 
 /// @param recordings any number; those without motion contribute nothing.
-SweepSamples select_sweep_samples(const std::vector<const Recording*>& recordings);
+SweepSamples select_sweep_samples(const std::vector<const joint::Recording*>& recordings);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

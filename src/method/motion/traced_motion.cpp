@@ -13,7 +13,7 @@
 #include "statistics/smoothing_spline.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 // Where a recorded angle is known, and how well.
 //
@@ -45,11 +45,11 @@ std::vector<Tread> treads_of(const std::vector<double>& q, double step_rad) {
 }
 
 /// @param step_rad of the angle; 0: continuous, and all samples count alike.
-CurvePoints angle_points(const std::vector<double>& t, const std::vector<double>& q,
-                         double step_rad) {
+statistics::CurvePoints angle_points(const std::vector<double>& t, const std::vector<double>& q,
+                                     double step_rad) {
   if (!(step_rad > 0)) return {t, q, std::vector<double>(t.size(), 1.0)};
   const std::vector<Tread> treads = treads_of(q, step_rad);
-  CurvePoints out;
+  statistics::CurvePoints out;
   const auto add = [&](double time, double angle, double error) {
     if (!out.t.empty() && !(time > out.t.back())) return;
     out.t.push_back(time);
@@ -88,9 +88,10 @@ constexpr double turn_share = 1e-3;
 /// Way to and fro within the noise, which bristles would take for motion, over that of the strokes.
 constexpr double largest_excess_way = 0.1;
 
-class SplineMotion final : public Motion {
+class SplineMotion final : public simulate::Motion {
  public:
-  SplineMotion(std::shared_ptr<const SmoothingSpline> spline, double origin_rad, double gear_ratio)
+  SplineMotion(std::shared_ptr<const statistics::SmoothingSpline> spline, double origin_rad,
+               double gear_ratio)
       : spline_(std::move(spline)), origin_rad_(origin_rad), gear_ratio_(gear_ratio) {}
   [[nodiscard]] double angle(double t_s) const override {
     return gear_ratio_ * (origin_rad_ + spline_->at(t_s).value);
@@ -103,7 +104,7 @@ class SplineMotion final : public Motion {
   }
 
  private:
-  std::shared_ptr<const SmoothingSpline> spline_;
+  std::shared_ptr<const statistics::SmoothingSpline> spline_;
   double origin_rad_;
   double gear_ratio_;
 };
@@ -111,7 +112,7 @@ class SplineMotion final : public Motion {
 /// Standard deviation of the angle's noise.
 double noise_of_angle(const std::vector<double>& q, double step) {
   // Slow motion over steps has third differences that are not those of noise.
-  const double white = white_sd_beside_jumps(third_differences(q));
+  const double white = statistics::white_sd_beside_jumps(statistics::third_differences(q));
   return white < step ? step / std::sqrt(12.0) : white;
 }
 
@@ -130,11 +131,11 @@ std::string TracedMotion::noise_in_words() const {
                       : fmt::format("a scatter of the samples of {:.2g} rad", noise_rad);
 }
 
-std::unique_ptr<Motion> TracedMotion::motor_motion(double gear_ratio) const {
+std::unique_ptr<simulate::Motion> TracedMotion::motor_motion(double gear_ratio) const {
   return std::make_unique<SplineMotion>(spline, origin_rad, gear_ratio);
 }
 
-MotionTrace trace_motion(const Recording& r, const TracedMotion* found) {
+MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
   if (r.size() < fewest_samples) {
     return refused(fmt::format("{} samples of motion; at least {} are needed to follow the angle",
                                r.size(), fewest_samples));
@@ -160,9 +161,11 @@ MotionTrace trace_motion(const Recording& r, const TracedMotion* found) {
     t.push_back(r.t_s[i] - r.t_s.front());
     q.push_back(r.q_rad[i] - out.origin_rad);
   }
-  const CurvePoints points = angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0);
-  out.spline = found != nullptr ? std::make_shared<SmoothingSpline>(points, *found->spline)
-                                : std::make_shared<SmoothingSpline>(points);
+  const statistics::CurvePoints points =
+      angle_points(t, q, out.is_stepped() ? out.encoder_step_rad : 0.0);
+  out.spline = found != nullptr
+                   ? std::make_shared<statistics::SmoothingSpline>(points, *found->spline)
+                   : std::make_shared<statistics::SmoothingSpline>(points);
   std::vector<double> smooth;
   double squares = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -202,4 +205,4 @@ MotionTrace trace_motion(const Recording& r, const TracedMotion* found) {
   return {std::move(out), ""};
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

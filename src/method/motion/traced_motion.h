@@ -15,7 +15,7 @@
 #include "simulate/motion.h"
 #include "statistics/smoothing_spline.h"
 
-namespace tribolog {
+namespace tribolog::method::motion {
 
 struct TracedMotion {
   double noise_rad{};           ///< Standard deviation, joint side.
@@ -32,10 +32,10 @@ struct TracedMotion {
   /// "a step of the encoder of 5.2e-06 rad", or what else tells the noise.
   [[nodiscard]] std::string noise_in_words() const;
   /// Motor-side motion as a function of the time since the first sample.
-  [[nodiscard]] std::unique_ptr<Motion> motor_motion(double gear_ratio) const;
+  [[nodiscard]] std::unique_ptr<simulate::Motion> motor_motion(double gear_ratio) const;
 
   // Of the joint's angle less its first sample, by the time since then.
-  std::shared_ptr<const SmoothingSpline> spline;
+  std::shared_ptr<const statistics::SmoothingSpline> spline;
   double origin_rad{};
 };
 
@@ -47,6 +47,6 @@ struct MotionTrace {
 /// Refuses an angle that is too short, does not turn round twice, is sampled too coarsely for its
 /// strokes, or is too rough to have a speed.
 /// @param found the same motion, traced before: it is smoothed much the same (see SmoothingSpline).
-MotionTrace trace_motion(const Recording& recording, const TracedMotion* found = nullptr);
+MotionTrace trace_motion(const joint::Recording& recording, const TracedMotion* found = nullptr);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::motion

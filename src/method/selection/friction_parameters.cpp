@@ -8,64 +8,69 @@
 #include "method/viscous/waiboer_fit.h"
 #include "statistics/block_regression.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 namespace {
 
 constexpr std::size_t fewest_speeds_for_a_line = 4;
 
 /// |Tf| against |w|, both directions together, sorted by speed.
-std::vector<CurvePoint> magnitudes(const ViscousCurvesResult& curves, const ViscousCurve& curve) {
-  std::vector<CurvePoint> points;
+std::vector<viscous::CurvePoint> magnitudes(const viscous::ViscousCurvesResult& curves,
+                                            const viscous::ViscousCurve& curve) {
+  std::vector<viscous::CurvePoint> points;
   for (std::size_t i = 0; i < curves.runs.size(); ++i) {
     const double sign = curves.runs[i].speed_rad_s < 0 ? -1.0 : 1.0;
     points.push_back({std::abs(curves.runs[i].speed_rad_s), sign * curve.friction_Nm[i]});
   }
   std::sort(points.begin(), points.end(),
-            [](const CurvePoint& a, const CurvePoint& b) { return a.speed_rad_s < b.speed_rad_s; });
+            [](const viscous::CurvePoint& a, const viscous::CurvePoint& b) {
+              return a.speed_rad_s < b.speed_rad_s;
+            });
   return points;
 }
 
 /// A straight line over the points from `first` on.
-CoulombViscousFit fit_line(const std::vector<CurvePoint>& points, std::size_t first) {
+CoulombViscousFit fit_line(const std::vector<viscous::CurvePoint>& points, std::size_t first) {
   const auto n = static_cast<Eigen::Index>(points.size() - first);
   Eigen::MatrixXd x(n, 2);
   Eigen::VectorXd y(n);
   std::vector<std::size_t> blocks(static_cast<std::size_t>(n));
   for (Eigen::Index i = 0; i < n; ++i) {
-    const CurvePoint& p = points[first + static_cast<std::size_t>(i)];
+    const viscous::CurvePoint& p = points[first + static_cast<std::size_t>(i)];
     x.row(i) << 1, p.speed_rad_s;
     y(i) = p.friction_Nm;
     blocks[static_cast<std::size_t>(i)] = static_cast<std::size_t>(i);
   }
-  const BlockRegression fit = block_regression(x, y, blocks);
+  const statistics::BlockRegression fit = statistics::block_regression(x, y, blocks);
   const auto half_width = [&](int k) { return fit.half_width(k); };
-  return {
-      symmetric_estimate(fit.coefficients(0), half_width(0), "straight line, scatter of the runs"),
-      symmetric_estimate(fit.coefficients(1), half_width(1), "straight line, scatter of the runs"),
-      fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
+  return {statistics::symmetric_estimate(fit.coefficients(0), half_width(0),
+                                         "straight line, scatter of the runs"),
+          statistics::symmetric_estimate(fit.coefficients(1), half_width(1),
+                                         "straight line, scatter of the runs"),
+          fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
 }
 
 }  // namespace
 
-FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curves,
+FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesResult& curves,
                                                  const SelectionResult& selection) {
   FrictionParametersResult out;
-  out.stage = {"friction_parameters", StageState::skipped, ""};
-  const ViscousCurve* curve = curves.find(selection.recommended);
+  out.stage = {"friction_parameters", statistics::StageState::skipped, ""};
+  const viscous::ViscousCurve* curve = curves.find(selection.recommended);
   if (curve == nullptr || curves.runs.empty()) {
     out.stage.reason = "there is no viscous curve to fit";
     return out;
   }
   out.curve = curve->estimator;
-  const std::vector<CurvePoint> points = magnitudes(curves, *curve);
+  const std::vector<viscous::CurvePoint> points = magnitudes(curves, *curve);
   // The line leaves out the Stribeck dip: it starts at the speed of least friction.
-  const auto dip = std::min_element(
-      points.begin(), points.end(),
-      [](const CurvePoint& a, const CurvePoint& b) { return a.friction_Nm < b.friction_Nm; });
+  const auto dip = std::min_element(points.begin(), points.end(),
+                                    [](const viscous::CurvePoint& a, const viscous::CurvePoint& b) {
+                                      return a.friction_Nm < b.friction_Nm;
+                                    });
   auto first = static_cast<std::size_t>(dip - points.begin());
   if (first > points.size() / 2) first = 0;  // friction that falls all along has no dip
   if (points.size() - first < fewest_speeds_for_a_line) {
-    out.stage.state = StageState::not_identifiable;
+    out.stage.state = statistics::StageState::not_identifiable;
     out.stage.reason = fmt::format(
         "{} runs beyond the Stribeck dip are too few for a line; at least {} are needed",
         points.size() - first, fewest_speeds_for_a_line);
@@ -79,9 +84,9 @@ FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curv
         "speed and angle change together in a sweep; runs of constant speed would show the "
         "Stribeck effect";
   } else {
-    out.waiboer = fit_waiboer(points, why_not);
+    out.waiboer = viscous::fit_waiboer(points, why_not);
   }
-  out.stage.state = out.waiboer ? StageState::done : StageState::partial;
+  out.stage.state = out.waiboer ? statistics::StageState::done : statistics::StageState::partial;
   if (!out.waiboer) out.stage.reason = "eq. (6) was not fitted: " + why_not;
 
   constexpr int curve_points = 200;
@@ -91,11 +96,11 @@ FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curv
     const double share = static_cast<double>(i) / curve_points;
     const double w = fastest * share * share;
     out.fit_speed_rad_s.push_back(w);
-    out.fit_Nm.push_back(out.waiboer ? waiboer_of(*out.waiboer).magnitude_Nm(w)
+    out.fit_Nm.push_back(out.waiboer ? viscous::waiboer_of(*out.waiboer).magnitude_Nm(w)
                                      : out.coulomb_viscous->coulomb_Nm.value +
                                            out.coulomb_viscous->viscous_Nms_rad.value * w);
   }
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

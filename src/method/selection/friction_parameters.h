@@ -14,27 +14,27 @@
 #include "method/viscous/waiboer_fit.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 
 /// |Tf| = Coulomb + viscous |w| over the speeds beyond the Stribeck dip.
 struct CoulombViscousFit {
-  Estimate coulomb_Nm;       ///< Motor side.
-  Estimate viscous_Nms_rad;  ///< Motor side.
+  statistics::Estimate coulomb_Nm;       ///< Motor side.
+  statistics::Estimate viscous_Nms_rad;  ///< Motor side.
   double residual_Nm{};
   double slowest_rad_s{};  ///< Speeds used, motor side.
   double fastest_rad_s{};
 };
 
 struct FrictionParametersResult {
-  StageReport stage;
+  statistics::StageReport stage;
   std::string curve;  ///< Estimator whose curve was fitted, or "direction_difference".
-  std::optional<WaiboerFit> waiboer;
+  std::optional<viscous::WaiboerFit> waiboer;
   std::optional<CoulombViscousFit> coulomb_viscous;
   std::vector<double> fit_speed_rad_s;  ///< For figures: speeds >= 0 and the fitted torque there.
   std::vector<double> fit_Nm;
 };
 
-FrictionParametersResult fit_friction_parameters(const ViscousCurvesResult& curves,
+FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesResult& curves,
                                                  const SelectionResult& selection);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

@@ -11,7 +11,7 @@
 #include "statistics/distributions.h"
 #include "statistics/white_noise.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 
 // The linear regression over everything that moves.
 
@@ -53,7 +53,7 @@ std::vector<double> slopes(const std::vector<double>& t, const std::vector<doubl
   return out;
 }
 
-void add_rows(const Recording& r, std::size_t number, std::size_t group, double gear_ratio,
+void add_rows(const joint::Recording& r, std::size_t number, std::size_t group, double gear_ratio,
               double middle, Rows& rows) {
   const std::vector<double> t = group_means(r.t_s, group);
   const std::vector<double> q = group_means(r.q_rad, group);
@@ -81,10 +81,10 @@ void add_rows(const Recording& r, std::size_t number, std::size_t group, double 
 /// the terms are linear, and a mean of rows is a row. Speed and acceleration are slopes over
 /// neighbouring groups. Rest takes no part. Absent without both directions, or if the recordings
 /// cannot tell the columns apart.
-std::optional<ClassicalFit> classical_regression(const std::vector<const Recording*>& recordings,
-                                                 double gear_ratio, double middle_rad) {
+std::optional<ClassicalFit> classical_regression(
+    const std::vector<const joint::Recording*>& recordings, double gear_ratio, double middle_rad) {
   std::size_t samples = 0;
-  for (const Recording* r : recordings) samples += r->size();
+  for (const joint::Recording* r : recordings) samples += r->size();
   const std::size_t group = std::max<std::size_t>(1, samples / most_rows);
   Rows rows;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
@@ -97,9 +97,9 @@ std::optional<ClassicalFit> classical_regression(const std::vector<const Recordi
   for (Eigen::Index i = 0; i < count; ++i) x.row(i) = rows.x[static_cast<std::size_t>(i)];
   const auto& sign = x.col(coulomb);
   if (sign.minCoeff() == sign.maxCoeff()) return std::nullopt;
-  const BlockRegression fit =
-      block_regression(x, Eigen::Map<const Eigen::VectorXd>(rows.torque.data(), count),
-                       equal_blocks(rows.recording, blocks_per_recording));
+  const statistics::BlockRegression fit =
+      statistics::block_regression(x, Eigen::Map<const Eigen::VectorXd>(rows.torque.data(), count),
+                                   statistics::equal_blocks(rows.recording, blocks_per_recording));
   if (!(fit.condition < largest_condition)) return std::nullopt;
 
   const Eigen::Vector2d bc(fit.coefficients(cosine), fit.coefficients(sine));
@@ -111,19 +111,21 @@ std::optional<ClassicalFit> classical_regression(const std::vector<const Recordi
   const Eigen::VectorXd angle_shifts = fit.block_shifts.topRows(2).transpose() * across;
   const char* method = "linear least squares over everything that moves, blocks";
   const auto estimate = [&](Column k) {
-    return symmetric_estimate(fit.coefficients(k), fit.half_width(k), method);
+    return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k), method);
   };
   ClassicalFit out;
   out.gravity.method = "classical";
   out.gravity.freedom = freedom;
   out.gravity.block_shifts.assign(shifts.begin(), shifts.end());
-  out.gravity.gravity_Nm = symmetric_estimate(g, student_t_975(freedom) * shifts.norm(), method);
+  out.gravity.gravity_Nm =
+      statistics::symmetric_estimate(g, statistics::student_t_975(freedom) * shifts.norm(), method);
   ClassicalRegression& c = out.regression;
   c.gravity_Nm = out.gravity.gravity_Nm;
-  c.q_peak_rad = symmetric_estimate(middle_rad + std::atan2(bc(1), bc(0)),
-                                    student_t_975(freedom) * angle_shifts.norm(), method);
+  c.q_peak_rad = statistics::symmetric_estimate(
+      middle_rad + std::atan2(bc(1), bc(0)),
+      statistics::student_t_975(freedom) * angle_shifts.norm(), method);
   const Eigen::Matrix2d inverse = (x.transpose() * x).inverse().topLeftCorner<2, 2>();
-  c.textbook_gravity_Nm = symmetric_estimate(
+  c.textbook_gravity_Nm = statistics::symmetric_estimate(
       g, 1.959963984540054 * fit.residual_sd * std::sqrt(along.dot(inverse * along)),
       "linear least squares, errors taken as independent");
   c.coulomb_Nm = estimate(coulomb);
@@ -131,7 +133,7 @@ std::optional<ClassicalFit> classical_regression(const std::vector<const Recordi
   c.inertia_kgm2 = estimate(inertia);
   c.offset_Nm = fit.coefficients(offset);
   c.residual_Nm = fit.residual_sd;
-  c.row_noise_Nm = white_sd_beside_jumps(third_differences(rows.torque));
+  c.row_noise_Nm = statistics::white_sd_beside_jumps(statistics::third_differences(rows.torque));
   return out;
 }
 
@@ -148,11 +150,11 @@ struct Bin {
   double torque[2]{}, angle[2]{}, count[2]{};  // falling, rising
 };
 
-std::vector<Bin> bins_of(const CogSweepResult& rough, double gear_ratio) {
+std::vector<Bin> bins_of(const gravity::CogSweepResult& rough, double gear_ratio) {
   std::vector<Bin> bins(angle_bins);
   const double width = (rough.highest_rad - rough.lowest_rad) / static_cast<double>(angle_bins);
   for (std::size_t r = 0; r < rough.recordings.size(); ++r) {
-    const Recording& recording = *rough.recordings[r];
+    const joint::Recording& recording = *rough.recordings[r];
     for (std::size_t i = 1; i < recording.size(); ++i) {
       if (!rough.used[r][i]) continue;
       const double q = recording.q_rad[i];
@@ -171,7 +173,7 @@ std::vector<Bin> bins_of(const CogSweepResult& rough, double gear_ratio) {
 }
 
 /// From a sweep of both directions; absent otherwise.
-std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResult& rough,
+std::optional<GravityByOtherWay> gravity_of_sweep_directions(const gravity::CogSweepResult& rough,
                                                              double gear_ratio) {
   if (!rough.found || !rough.both_directions || !rough.constant_speed) return std::nullopt;
   std::vector<Eigen::Vector2d> columns;
@@ -194,8 +196,8 @@ std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResul
   Eigen::MatrixXd x(rows, 2);
   for (Eigen::Index i = 0; i < rows; ++i) x.row(i) = columns[static_cast<std::size_t>(i)];
   const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(mean.data(), rows);
-  const BlockRegression fit = block_regression(
-      x, y, equal_blocks(std::vector<std::size_t>(columns.size()), blocks_of_bins));
+  const statistics::BlockRegression fit = statistics::block_regression(
+      x, y, statistics::equal_blocks(std::vector<std::size_t>(columns.size()), blocks_of_bins));
   const double g = fit.coefficients.norm();
   const Eigen::Vector2d along = fit.coefficients / g;
   GravityByOtherWay out;
@@ -203,19 +205,21 @@ std::optional<GravityByOtherWay> gravity_of_sweep_directions(const CogSweepResul
   out.freedom = fit.freedom.minCoeff();
   const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
   out.block_shifts.assign(shifts.begin(), shifts.end());
-  out.gravity_Nm = symmetric_estimate(g, student_t_975(out.freedom) * shifts.norm(),
-                                      "mean of the sweep's directions, blocks of angles");
+  out.gravity_Nm =
+      statistics::symmetric_estimate(g, statistics::student_t_975(out.freedom) * shifts.norm(),
+                                     "mean of the sweep's directions, blocks of angles");
   return out;
 }
 
 /// From pairs of runs of opposite direction; absent with fewer than three pairs.
-std::optional<GravityByOtherWay> gravity_of_run_directions(const ViscousCurvesResult& curves) {
+std::optional<GravityByOtherWay> gravity_of_run_directions(
+    const viscous::ViscousCurvesResult& curves) {
   std::vector<double> cosine;
   std::vector<double> torque;
   for (std::size_t i = 0; i < curves.runs.size(); ++i) {
-    const ConstantSpeedRun& run = curves.runs[i];
+    const viscous::ConstantSpeedRun& run = curves.runs[i];
     if (run.partner < 0 || run.speed_rad_s < 0) continue;
-    const ConstantSpeedRun& other = curves.runs[static_cast<std::size_t>(run.partner)];
+    const viscous::ConstantSpeedRun& other = curves.runs[static_cast<std::size_t>(run.partner)];
     cosine.push_back((run.mean_cos + other.mean_cos) / 2);
     torque.push_back((run.torque_Nm + other.torque_Nm) / 2);
   }
@@ -225,14 +229,14 @@ std::optional<GravityByOtherWay> gravity_of_run_directions(const ViscousCurvesRe
   std::vector<std::size_t> blocks(cosine.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = i;
   const Eigen::MatrixXd x = Eigen::Map<const Eigen::VectorXd>(cosine.data(), rows);
-  const BlockRegression fit =
-      block_regression(x, Eigen::Map<const Eigen::VectorXd>(torque.data(), rows), blocks);
+  const statistics::BlockRegression fit = statistics::block_regression(
+      x, Eigen::Map<const Eigen::VectorXd>(torque.data(), rows), blocks);
   GravityByOtherWay out;
   out.method = "run_directions";
   out.freedom = fit.freedom(0);
   out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
-  out.gravity_Nm = symmetric_estimate(fit.coefficients(0), fit.half_width(0),
-                                      "mean of each pair of runs, scatter of the pairs");
+  out.gravity_Nm = statistics::symmetric_estimate(
+      fit.coefficients(0), fit.half_width(0), "mean of each pair of runs, scatter of the pairs");
   return out;
 }
 
@@ -244,16 +248,18 @@ const GravityByOtherWay* OtherWays::find(const std::string& method) const {
   return it == gravity.end() ? nullptr : &*it;
 }
 
-OtherWays gravity_by_other_ways(const std::vector<const Recording*>& sweeps,
-                                const std::vector<const Recording*>& runs,
-                                const CogSweepResult& rough, const ViscousCurvesResult& curves,
-                                const std::optional<Estimate>& q_peak_rad, double gear_ratio) {
+OtherWays gravity_by_other_ways(const std::vector<const joint::Recording*>& sweeps,
+                                const std::vector<const joint::Recording*>& runs,
+                                const gravity::CogSweepResult& rough,
+                                const viscous::ViscousCurvesResult& curves,
+                                const std::optional<statistics::Estimate>& q_peak_rad,
+                                double gear_ratio) {
   OtherWays out;
   if (auto way = gravity_of_sweep_directions(rough, gear_ratio))
     out.gravity.push_back(std::move(*way));
   if (q_peak_rad) {
     if (auto way = gravity_of_run_directions(curves)) out.gravity.push_back(std::move(*way));
-    std::vector<const Recording*> moving = sweeps;
+    std::vector<const joint::Recording*> moving = sweeps;
     moving.insert(moving.end(), runs.begin(), runs.end());
     if (auto fit = classical_regression(moving, gear_ratio, q_peak_rad->value)) {
       out.gravity.push_back(std::move(fit->gravity));
@@ -263,4 +269,4 @@ OtherWays gravity_by_other_ways(const std::vector<const Recording*>& sweeps,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

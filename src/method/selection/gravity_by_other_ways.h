@@ -19,12 +19,12 @@
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 
 /// A gravity torque with what is needed to resample it.
 struct GravityByOtherWay {
-  std::string method;   ///< "sweep_directions", "run_directions" or "classical".
-  Estimate gravity_Nm;  ///< Motor side.
+  std::string method;               ///< "sweep_directions", "run_directions" or "classical".
+  statistics::Estimate gravity_Nm;  ///< Motor side.
   std::vector<double>
       block_shifts;  ///< What the error of each block does to it; see BlockRegression.
   double freedom{};
@@ -32,12 +32,13 @@ struct GravityByOtherWay {
 
 /// What else the classical regression says; motor side.
 struct ClassicalRegression {
-  Estimate q_peak_rad;
-  Estimate gravity_Nm;           ///< With the interval of blocks.
-  Estimate textbook_gravity_Nm;  ///< With the interval for independent errors of equal size.
-  Estimate coulomb_Nm;
-  Estimate viscous_Nms_rad;
-  Estimate inertia_kgm2;  ///< Reflected to the motor.
+  statistics::Estimate q_peak_rad;
+  statistics::Estimate gravity_Nm;  ///< With the interval of blocks.
+  statistics::Estimate
+      textbook_gravity_Nm;  ///< With the interval for independent errors of equal size.
+  statistics::Estimate coulomb_Nm;
+  statistics::Estimate viscous_Nms_rad;
+  statistics::Estimate inertia_kgm2;  ///< Reflected to the motor.
   double offset_Nm{};
   double residual_Nm{};   ///< Standard deviation of what it leaves; rows as averaged.
   double row_noise_Nm{};  ///< What the white noise of the torque alone would leave.
@@ -51,9 +52,11 @@ struct OtherWays {
 };
 
 /// @param sweeps, runs recordings of those roles; may be empty. Ways without data are left out.
-OtherWays gravity_by_other_ways(const std::vector<const Recording*>& sweeps,
-                                const std::vector<const Recording*>& runs,
-                                const CogSweepResult& rough, const ViscousCurvesResult& curves,
-                                const std::optional<Estimate>& q_peak_rad, double gear_ratio);
+OtherWays gravity_by_other_ways(const std::vector<const joint::Recording*>& sweeps,
+                                const std::vector<const joint::Recording*>& runs,
+                                const gravity::CogSweepResult& rough,
+                                const viscous::ViscousCurvesResult& curves,
+                                const std::optional<statistics::Estimate>& q_peak_rad,
+                                double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace tribolog {
+namespace tribolog::method::selection {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -15,7 +15,7 @@ constexpr double smallest_torque_share = 0.05;
 // With a reference for less than this share of the runs, an error would speak of a few stray ones.
 constexpr double least_share_with_reference = 0.2;
 
-std::string no_reference(const ViscousCurvesResult& curves, std::size_t with_reference) {
+std::string no_reference(const viscous::ViscousCurvesResult& curves, std::size_t with_reference) {
   return fmt::format(
       "no reference: {} of {} runs have a partner of opposite direction at the same speed over "
       "common angles ({}), and no true curve is known; half the difference of the directions "
@@ -46,17 +46,17 @@ const QualityError* QualityErrorsResult::find(const std::string& estimator) cons
   return it == errors.end() ? nullptr : &*it;
 }
 
-QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
-                                            const StaticFriction* analytic) {
+QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& curves,
+                                            const friction::StaticFriction* analytic) {
   QualityErrorsResult out;
-  out.stage = {"quality_errors", StageState::skipped, ""};
+  out.stage = {"quality_errors", statistics::StageState::skipped, ""};
   if (curves.runs.empty() || curves.curves.empty()) {
     out.stage.reason = "there is no viscous curve to judge";
     return out;
   }
   std::size_t with_reference = 0;
   double largest = 0;
-  for (const ConstantSpeedRun& run : curves.runs) {
+  for (const viscous::ConstantSpeedRun& run : curves.runs) {
     const double reference =
         analytic != nullptr ? analytic->torque_Nm(run.speed_rad_s) : run.direction_difference_Nm;
     out.reference_Nm.push_back(reference);
@@ -67,7 +67,7 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
   }
   if (static_cast<double>(with_reference) <
       std::max(1.0, least_share_with_reference * static_cast<double>(curves.runs.size()))) {
-    out.stage.state = StageState::not_identifiable;
+    out.stage.state = statistics::StageState::not_identifiable;
     out.stage.reason = no_reference(curves, with_reference);
     return out;
   }
@@ -86,7 +86,7 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
     reference_squares += percent * percent / static_cast<double>(used);
   }
   out.reference_rms_percent = std::sqrt(reference_squares);
-  for (const ViscousCurve& curve : curves.curves) {
+  for (const viscous::ViscousCurve& curve : curves.curves) {
     QualityError error{curve.estimator, {}, 0.0};
     double squares = 0;
     for (std::size_t i = 0; i < curves.runs.size(); ++i) {
@@ -100,9 +100,9 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
     out.errors.push_back(std::move(error));
   }
   out.evidence = evidence_in_words(out);
-  out.stage.state = StageState::done;
+  out.stage.state = statistics::StageState::done;
   if (out.runs_left_out > 0) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = fmt::format(
         "{} of {} runs take no part: without a partner of opposite direction, or with a driving "
         "torque below {:.0f} % of the largest",
@@ -111,4 +111,4 @@ QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

@@ -14,7 +14,7 @@
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 
 struct QualityError {
   std::string estimator;
@@ -23,7 +23,7 @@ struct QualityError {
 };
 
 struct QualityErrorsResult {
-  StageReport stage;
+  statistics::StageReport stage;
   std::string reference;             ///< "analytic", "direction_difference" or "" (none).
   std::vector<double> reference_Nm;  ///< Per run; NaN where there is none.
   std::vector<QualityError> errors;  ///< Per curve, in that order.
@@ -38,7 +38,7 @@ struct QualityErrorsResult {
 };
 
 /// @param analytic the true curve, known in simulation; where not null it is the reference.
-QualityErrorsResult identify_quality_errors(const ViscousCurvesResult& curves,
-                                            const StaticFriction* analytic);
+QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& curves,
+                                            const friction::StaticFriction* analytic);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

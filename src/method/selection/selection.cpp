@@ -6,22 +6,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace tribolog {
+namespace tribolog::method::selection {
 namespace {
 
 std::vector<std::string> rivals_of(const std::string& chosen, const std::string& recommended,
-                                   const SurrogateMassesResult& masses) {
-  const SurrogateMass* centre = masses.find(recommended);
-  const SurrogateMass* nearest = masses.find(chosen);
+                                   const hysteresis::SurrogateMassesResult& masses) {
+  const hysteresis::SurrogateMass* centre = masses.find(recommended);
+  const hysteresis::SurrogateMass* nearest = masses.find(chosen);
   if (centre == nullptr || nearest == nullptr) return {};
-  const auto distance = [&](const SurrogateMass& mass, double side) {
+  const auto distance = [&](const hysteresis::SurrogateMass& mass, double side) {
     const double half = (mass.mass_kg.high - mass.mass_kg.low) / 2;
     return std::abs(mass.mass_kg.value - centre->mass_kg.value) + side * half;
   };
   std::vector<std::string> rivals;
-  for (const char name : loop_point_names) {
+  for (const char name : hysteresis::loop_point_names) {
     const std::string other(1, name);
-    const SurrogateMass* mass = masses.find(other);
+    const hysteresis::SurrogateMass* mass = masses.find(other);
     if (mass == nullptr || other == chosen) continue;
     if (distance(*mass, -1) < distance(*nearest, +1)) rivals.push_back(other);
   }
@@ -30,16 +30,16 @@ std::vector<std::string> rivals_of(const std::string& chosen, const std::string&
 
 }  // namespace
 
-SelectionResult select_estimator(const SurrogateMassesResult& masses,
+SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses,
                                  const QualityErrorsResult& errors,
-                                 const HysteresisResult& hysteresis,
-                                 const std::optional<Estimate>& q_peak_rad) {
+                                 const hysteresis::HysteresisResult& hysteresis,
+                                 const std::optional<statistics::Estimate>& q_peak_rad) {
   SelectionResult out;
-  out.stage = {"selection", StageState::done, ""};
-  if (q_peak_rad) out.q_c_rad = scaled(*q_peak_rad, -1.0);
+  out.stage = {"selection", statistics::StageState::done, ""};
+  if (q_peak_rad) out.q_c_rad = statistics::scaled(*q_peak_rad, -1.0);
 
   double smallest = INFINITY;
-  for (const char name : loop_point_names) {
+  for (const char name : hysteresis::loop_point_names) {
     const QualityError* error = errors.find(std::string(1, name));
     if (error == nullptr || !(error->rms_percent < smallest)) continue;
     smallest = error->rms_percent;
@@ -61,18 +61,18 @@ SelectionResult select_estimator(const SurrogateMassesResult& masses,
     out.why =
         "Neither a hysteresis loop at the gravity peak nor a sweep was recorded; the gravity "
         "amplitude of the runs at constant speed is the only estimate of the mass.";
-  } else if (masses.find(stated_estimator) != nullptr) {
-    out.recommended = stated_estimator;
+  } else if (masses.find(hysteresis::stated_estimator) != nullptr) {
+    out.recommended = hysteresis::stated_estimator;
     out.why =
         "No recording shows the gravity torque; the mass is the one that the manifest states.";
   }
   if (out.recommended.empty()) {
-    out.stage.state = StageState::skipped;
+    out.stage.state = statistics::StageState::skipped;
     out.stage.reason = "there is no candidate to choose from";
     return out;
   }
   if (out.paper_rule.empty()) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason =
         errors.errors.empty()
             ? "the paper's rule cannot be applied: there is no quality error to compare"
@@ -82,7 +82,7 @@ SelectionResult select_estimator(const SurrogateMassesResult& masses,
   if (q_peak_rad) {
     const auto chosen =
         std::find_if(hysteresis.points.begin(), hysteresis.points.end(),
-                     [&](const LoopPoint& p) { return out.paper_rule[0] == p.name; });
+                     [&](const hysteresis::LoopPoint& p) { return out.paper_rule[0] == p.name; });
     if (chosen != hysteresis.points.end()) {
       out.q_c_corrected_rad = -q_peak_rad->value - (chosen->q_rad - q_peak_rad->value);
     }
@@ -104,4 +104,4 @@ SelectionResult select_estimator(const SurrogateMassesResult& masses,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

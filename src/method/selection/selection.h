@@ -10,10 +10,10 @@
 #include "method/selection/quality_errors.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::selection {
 
 struct SelectionResult {
-  StageReport stage;
+  statistics::StageReport stage;
   std::string paper_rule;  ///< Of A..F the one of smallest rms error; empty: cannot be said.
   /// Those of A..F that the rule could have chosen instead: with the intervals of their masses they
   /// may be as near to the recommended mass.
@@ -23,12 +23,12 @@ struct SelectionResult {
   std::string why;          ///< A few sentences for the report.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
   std::optional<double> q_c_corrected_rad;
-  std::optional<Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.
+  std::optional<statistics::Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.
 };
 
-SelectionResult select_estimator(const SurrogateMassesResult& masses,
+SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses,
                                  const QualityErrorsResult& errors,
-                                 const HysteresisResult& hysteresis,
-                                 const std::optional<Estimate>& q_peak_rad);
+                                 const hysteresis::HysteresisResult& hysteresis,
+                                 const std::optional<statistics::Estimate>& q_peak_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::selection

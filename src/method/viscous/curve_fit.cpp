@@ -9,7 +9,7 @@
 #include "method/viscous/curve_model.h"
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 namespace {
 
@@ -191,7 +191,7 @@ std::optional<CurveFit> fit_curve(const CurveModel& model, const std::vector<Cur
   const Scaled data = scaled(samples, out.speed_scale_rad_s, out.torque_scale_Nm);
   out.shape.resize(model.shape_parameters());
   if (model.shape_parameters() > 0) {
-    const LeastSquaresProblem problem{
+    const statistics::LeastSquaresProblem problem{
         rows, [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
           const Projection at(model, data, clamped(model, p, data.slowest), j != nullptr);
           r = at.residual;
@@ -211,7 +211,7 @@ std::optional<CurveFit> fit_curve(const CurveModel& model, const std::vector<Cur
     }
     double best = std::numeric_limits<double>::infinity();
     for (const auto& [unused, from] : starts) {
-      const LeastSquaresSolution s = solve_least_squares(problem, from);
+      const statistics::LeastSquaresSolution s = statistics::solve_least_squares(problem, from);
       // An exact curve ends in rounding, which the solver does not call converged.
       const bool is_usable = s.parameters.allFinite() && std::isfinite(s.cost);
       if (!is_usable || !(s.cost < best)) continue;
@@ -294,4 +294,4 @@ double root_mean(const std::vector<double>& squares) {
   return std::sqrt(sum / static_cast<double>(squares.size()));
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

@@ -11,7 +11,7 @@
 
 #include "method/viscous/curve_model.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// Speeds and torques are scaled by those of the data inside, so that units do not matter.
 struct CurveFit {
@@ -58,4 +58,4 @@ ErrorDifference difference(const std::vector<double>& one, const std::vector<dou
 
 double root_mean(const std::vector<double>& squares);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

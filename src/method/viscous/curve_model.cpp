@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 int CurveModel::shape_parameters() const {
   switch (law) {
@@ -173,4 +173,4 @@ void model_columns(const CurveModel& model, const CurveSample& sample, const Eig
   if (model.load) columns(next++) = sample.load;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

@@ -23,7 +23,7 @@
 
 #include "method/viscous/viscous_curves.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 enum class CurveLaw { coulomb, coulomb_viscous, power_viscous, stribeck, waiboer };
 enum class Asymmetry { none, coulomb, coulomb_viscous };
@@ -80,4 +80,4 @@ std::size_t group_count(const std::vector<CurveSample>& samples);
 void model_columns(const CurveModel& model, const CurveSample& sample, const Eigen::VectorXd& shape,
                    Eigen::RowVectorXd& columns, std::vector<Eigen::RowVectorXd>* derivatives);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

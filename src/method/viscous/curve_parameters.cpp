@@ -9,7 +9,7 @@
 #include "method/viscous/model_choice.h"
 #include "statistics/block_regression.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 using Unknowns = Eigen::VectorXd;  // scaled linear parameters, then logarithms of the shape
@@ -27,14 +27,14 @@ class Parameters {
           (samples[i].friction_Nm - fit.friction_Nm(samples[i])) / fit.torque_scale_Nm;
       blocks.push_back(samples[i].group);
     }
-    around_ = block_regression(j, residual, blocks);
+    around_ = statistics::block_regression(j, residual, blocks);
     at_.resize(j.cols());
     at_ << fit.linear, fit.shape;
   }
 
   void add(const char* name, const char* words, const char* unit, const Quantity& q) {
     const double h = half_width(q);
-    list_.push_back({name, words, unit, symmetric_estimate(q(at_), h, method_)});
+    list_.push_back({name, words, unit, statistics::symmetric_estimate(q(at_), h, method_)});
   }
 
   /// For what is positive by nature: `log_q` is the logarithm.
@@ -65,7 +65,7 @@ class Parameters {
   }
 
   const CurveFit& fit_;
-  BlockRegression around_;
+  statistics::BlockRegression around_;
   Unknowns at_;
   std::vector<CurveParameter> list_;
   const char* method_ = "fit of the curve, scatter of the speeds";
@@ -144,4 +144,4 @@ std::vector<CurveParameter> curve_parameters(const CurveFit& fit,
   return list.take();
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

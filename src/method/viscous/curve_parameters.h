@@ -11,7 +11,7 @@
 #include "method/viscous/curve_fit.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 struct CurveParameter;
 
@@ -19,4 +19,4 @@ struct CurveParameter;
 std::vector<CurveParameter> curve_parameters(const CurveFit& fit,
                                              const std::vector<CurveSample>& samples);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

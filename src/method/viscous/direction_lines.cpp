@@ -10,7 +10,7 @@
 #include "statistics/block_regression.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 namespace {
 
@@ -67,7 +67,7 @@ void keep_long_ways(std::vector<Point>& points, double widest) {
   points.erase(std::remove_if(points.begin(), points.end(), is_short), points.end());
 }
 
-BlockRegression line_through(const std::vector<Point>& points, std::size_t first) {
+statistics::BlockRegression line_through(const std::vector<Point>& points, std::size_t first) {
   const auto n = static_cast<Eigen::Index>(points.size() - first);
   Eigen::MatrixXd x(n, 2);
   Eigen::VectorXd y(n);
@@ -78,7 +78,7 @@ BlockRegression line_through(const std::vector<Point>& points, std::size_t first
     y(i) = p.friction_Nm;
     blocks.push_back(static_cast<std::size_t>(i));
   }
-  return block_regression(x, y, blocks);
+  return statistics::block_regression(x, y, blocks);
 }
 
 /// First run beyond the Stribeck dip. There is one where the slowest run lies above the line
@@ -90,10 +90,11 @@ std::size_t first_beyond_dip(const std::vector<Point>& points) {
       [](const Point& a, const Point& b) { return a.friction_Nm < b.friction_Nm; });
   const auto dip = static_cast<std::size_t>(least - points.begin());
   if (dip == 0 || dip > points.size() / 2 || points.size() - dip < fewest_runs) return 0;
-  const BlockRegression line = line_through(points, dip);
+  const statistics::BlockRegression line = line_through(points, dip);
   const double there = line.coefficients(0) + line.coefficients(1) * points.front().speed_rad_s;
   const double above = points.front().friction_Nm - there;
-  return above > student_t_975(static_cast<double>(points.size() - dip - 2)) * line.residual_sd
+  return above > statistics::student_t_975(static_cast<double>(points.size() - dip - 2)) *
+                     line.residual_sd
              ? dip
              : 0;
 }
@@ -108,10 +109,10 @@ std::optional<DirectionLine> fit_line(std::vector<Point> points, double widest, 
     points.erase(points.begin(),
                  points.begin() + static_cast<std::ptrdiff_t>(first_beyond_dip(points)));
   }
-  const BlockRegression fit = line_through(points, 0);
+  const statistics::BlockRegression fit = line_through(points, 0);
   const auto estimate = [&](int k) {
-    return symmetric_estimate(fit.coefficients(k), fit.half_width(k),
-                              "straight line of one direction, scatter of the runs");
+    return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k),
+                                          "straight line of one direction, scatter of the runs");
   };
   return DirectionLine{estimate(0),
                        estimate(1),
@@ -136,7 +137,8 @@ DirectionLinesResult fit_direction_lines(const ViscousCurvesResult& curves,
   DirectionLinesResult out;
   std::vector<std::string> wanted;
   if (!recommended.empty()) wanted.push_back(recommended);
-  if (recommended != stated_estimator) wanted.emplace_back(stated_estimator);
+  if (recommended != hysteresis::stated_estimator)
+    wanted.emplace_back(hysteresis::stated_estimator);
   for (const std::string& estimator : wanted) {
     const ViscousCurve* curve = curves.find(estimator);
     if (curve == nullptr) continue;
@@ -160,7 +162,7 @@ constexpr std::size_t fewest_pairs = 3;
 }  // namespace
 
 DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult& curves,
-                                                      const SurrogateMass* mass,
+                                                      const hysteresis::SurrogateMass* mass,
                                                       double sweep_offset_Nm) {
   DirectionAsymmetryResult out;
   if (curves.from_sweep) {
@@ -192,8 +194,9 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   }
   double squares = 0;
   for (const double a : out.asymmetry_Nm) squares += std::pow(a - sum / n, 2);
-  out.mean_Nm = symmetric_estimate(sum / n, student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n),
-                                   "scatter of the pairs");
+  out.mean_Nm = statistics::symmetric_estimate(
+      sum / n, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n),
+      "scatter of the pairs");
   out.gravity_could_explain_Nm = std::abs(mass->gravity_Nm.half_width() * cosines / n);
   out.examined = true;
   const double size = std::abs(out.mean_Nm.value);
@@ -213,4 +216,4 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

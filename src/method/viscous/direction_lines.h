@@ -18,12 +18,12 @@
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// Magnitudes, motor side.
 struct DirectionLine {
-  Estimate coulomb_Nm;
-  Estimate viscous_Nms_rad;
+  statistics::Estimate coulomb_Nm;
+  statistics::Estimate viscous_Nms_rad;
   double residual_Nm{};
   double slowest_rad_s{};  ///< Speeds used.
   double fastest_rad_s{};
@@ -62,14 +62,14 @@ struct DirectionAsymmetryResult {
   std::string sentence;             ///< Never empty.
   std::vector<double> speed_rad_s;  ///< Per pair of runs, motor side, > 0.
   std::vector<double> asymmetry_Nm;
-  Estimate mean_Nm;                   ///< Over the pairs; scatter of the pairs.
+  statistics::Estimate mean_Nm;       ///< Over the pairs; scatter of the pairs.
   double gravity_could_explain_Nm{};  ///< Half width of the gravity torque, at the pairs' angles.
 };
 
 /// @param mass the recommended one, or nullptr.
 /// @param sweep_offset_Nm what was taken out of the pairs where they come from a sweep.
 DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult& curves,
-                                                      const SurrogateMass* mass,
+                                                      const hysteresis::SurrogateMass* mass,
                                                       double sweep_offset_Nm);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

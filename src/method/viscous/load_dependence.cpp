@@ -11,7 +11,7 @@
 #include "method/motion/sweep_samples.h"
 #include "statistics/block_regression.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 constexpr std::size_t cells = 48;
@@ -32,14 +32,15 @@ struct Mean {
 };
 
 /// Half differences of neighbouring strokes at equal angle, in the order of the cells.
-std::vector<Row> paired_rows(const CogSweepResult& sweep, double q_peak, double gear_ratio) {
-  const SweepSamples samples = select_sweep_samples(sweep.recordings);
+std::vector<Row> paired_rows(const gravity::CogSweepResult& sweep, double q_peak,
+                             double gear_ratio) {
+  const motion::SweepSamples samples = motion::select_sweep_samples(sweep.recordings);
   const double width = (sweep.highest_rad - sweep.lowest_rad) / static_cast<double>(cells);
   const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
   std::map<std::pair<std::size_t, std::size_t>, Mean> means;  // (cell, stroke)
   std::map<std::size_t, double> direction;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Recording& r = *sweep.recordings[samples.recording[i]];
+    const joint::Recording& r = *sweep.recordings[samples.recording[i]];
     const double q = r.q_rad[samples.index[i]];
     const auto cell = std::min(cells - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
     Mean& m = means[{cell, samples.stroke[i]}];
@@ -161,8 +162,8 @@ void add_points(const std::vector<Row>& rows, const Eigen::VectorXd& residuals,
 
 }  // namespace
 
-LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
-                                              const std::optional<Estimate>& q_peak_rad,
+LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& sweep,
+                                              const std::optional<statistics::Estimate>& q_peak_rad,
                                               double gear_ratio) {
   LoadDependenceResult out;
   if (!sweep.found || !q_peak_rad || !sweep.both_directions) {
@@ -207,10 +208,11 @@ LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
         i > 0 && rows[i].cell / cells_in_a_block != rows[i - 1].cell / cells_in_a_block;
     blocks.push_back(i == 0 ? 0 : blocks.back() + (is_new ? 1 : 0));
   }
-  const BlockRegression fit = block_regression(columns_of(rows, with), y, blocks);
+  const statistics::BlockRegression fit =
+      statistics::block_regression(columns_of(rows, with), y, blocks);
   const auto estimate = [&](Eigen::Index k) {
-    return symmetric_estimate(fit.coefficients(k), fit.half_width(k),
-                              "paired strokes at equal angle, blocks of the angle");
+    return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k),
+                                          "paired strokes at equal angle, blocks of the angle");
   };
   out.unloaded_Nm = estimate(0);
   out.per_load = estimate(1);
@@ -248,4 +250,4 @@ LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

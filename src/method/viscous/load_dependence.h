@@ -20,7 +20,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// One cell of the angle, mean of all pairs of strokes. Motor side.
 struct LoadPoint {
@@ -32,12 +32,14 @@ struct LoadPoint {
 };
 
 struct LoadDependenceResult {
-  bool examined{false};  ///< The numbers below are valid.
-  bool found{false};     ///< Friction depends on the load.
-  std::string sentence;  ///< What came of it, in words; never empty.
-  Estimate per_load;     ///< N·m of friction for each N·m of gravity torque.
-  Estimate unloaded_Nm;  ///< Friction without load, and at standstill where `viscous` is fitted.
-  std::optional<Estimate> viscous_Nms_rad;  ///< Where the speed changes along the sweep.
+  bool examined{false};           ///< The numbers below are valid.
+  bool found{false};              ///< Friction depends on the load.
+  std::string sentence;           ///< What came of it, in words; never empty.
+  statistics::Estimate per_load;  ///< N·m of friction for each N·m of gravity torque.
+  statistics::Estimate
+      unloaded_Nm;  ///< Friction without load, and at standstill where `viscous` is fitted.
+  std::optional<statistics::Estimate>
+      viscous_Nms_rad;  ///< Where the speed changes along the sweep.
   double lowest_load_Nm{};
   double highest_load_Nm{};
   /// Root mean square error at angles held out: with the load, without it, and of the cubic of the
@@ -49,8 +51,8 @@ struct LoadDependenceResult {
 };
 
 /// @param sweep the rough sweep. @param q_peak_rad the angle of the gravity peak.
-LoadDependenceResult identify_load_dependence(const CogSweepResult& sweep,
-                                              const std::optional<Estimate>& q_peak_rad,
+LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& sweep,
+                                              const std::optional<statistics::Estimate>& q_peak_rad,
                                               double gear_ratio);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

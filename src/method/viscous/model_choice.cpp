@@ -12,7 +12,7 @@
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 constexpr double one_standard_error = 1.0;
@@ -304,4 +304,4 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

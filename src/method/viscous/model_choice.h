@@ -20,7 +20,7 @@
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// One model put to the test. Torques on the motor's side.
 struct CurveModelTrial {
@@ -38,7 +38,7 @@ struct CurveParameter {
   std::string name;   ///< "coulomb_Nm", "viscous_exponent": with its unit, for results.
   std::string words;  ///< "Coulomb torque T_c"
   std::string unit;   ///< "N·m"; empty: none.
-  Estimate estimate;
+  statistics::Estimate estimate;
 };
 
 struct CurveModelChoice {
@@ -66,4 +66,4 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
 /// effect take no part: speed and angle change together in a sweep.
 CurveModelChoice choose_curve_model(const std::vector<CurveSample>& samples, bool sweep);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

@@ -6,7 +6,7 @@
 #include "method/motion/sweep_samples.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 constexpr std::size_t angle_bins = 24;
@@ -43,22 +43,22 @@ struct Bin {
       squares += std::pow(torque_sum[k] / count[k] - mean, 2);
     }
     const double half_width =
-        n >= 2 ? student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n) : INFINITY;
+        n >= 2 ? statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n) : INFINITY;
     return {mean, half_width};
   }
 };
 
 }  // namespace
 
-std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, double gear_ratio,
-                                                  double q_peak_rad) {
-  const SweepSamples samples = select_sweep_samples(sweep.recordings);
+std::vector<ConstantSpeedRun> pair_sweep_by_angle(const gravity::CogSweepResult& sweep,
+                                                  double gear_ratio, double q_peak_rad) {
+  const motion::SweepSamples samples = motion::select_sweep_samples(sweep.recordings);
   std::vector<Bin> up(angle_bins);
   std::vector<Bin> down(angle_bins);
   const double width = (sweep.highest_rad - sweep.lowest_rad) / static_cast<double>(angle_bins);
   const double inertia = sweep.inertia_kgm2 ? sweep.inertia_kgm2->value * gear_ratio : 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Recording& r = *sweep.recordings[samples.recording[i]];
+    const joint::Recording& r = *sweep.recordings[samples.recording[i]];
     const double q = r.q_rad[samples.index[i]];
     const auto bin =
         std::min(angle_bins - 1, static_cast<std::size_t>((q - sweep.lowest_rad) / width));
@@ -105,4 +105,4 @@ std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, d
   return runs;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

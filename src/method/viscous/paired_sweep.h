@@ -7,11 +7,11 @@
 #include "method/gravity/cog_sweep.h"
 #include "method/viscous/viscous_curves.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// Two runs (falling, rising) for each angle bin that both directions cross, partners of each
 /// other. Inertia and offset identified by the sweep are taken out of the torque.
-std::vector<ConstantSpeedRun> pair_sweep_by_angle(const CogSweepResult& sweep, double gear_ratio,
-                                                  double q_peak_rad);
+std::vector<ConstantSpeedRun> pair_sweep_by_angle(const gravity::CogSweepResult& sweep,
+                                                  double gear_ratio, double q_peak_rad);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

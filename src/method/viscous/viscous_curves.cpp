@@ -12,14 +12,14 @@
 #include "method/viscous/paired_sweep.h"
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A run with the samples it came from, needed to pair directions over common angles.
 struct RunSource {
-  const Recording* recording;
+  const joint::Recording* recording;
   std::size_t first, last;
 };
 
@@ -49,13 +49,15 @@ BlockMean block_mean(std::size_t first, std::size_t last, Signal signal) {
   double squares = 0;
   for (double m : means) squares += (m - mean) * (m - mean);
   const auto b = static_cast<double>(blocks);
-  return {mean, student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b), std::move(means)};
+  return {mean, statistics::student_t_975(b - 1) * std::sqrt(squares / (b - 1) / b),
+          std::move(means)};
 }
 
 /// T less the gravity of the sweep's shape, so that what scatters is friction and noise alone.
 /// Ripple of the sweep, at the same motor angles, is taken out of the run where that leaves less.
-ConstantSpeedRun make_run(const Recording& r, const Plateau& plateau, double gear_ratio,
-                          double q_peak, double gravity, const Ripple& ripple) {
+ConstantSpeedRun make_run(const joint::Recording& r, const motion::Plateau& plateau,
+                          double gear_ratio, double q_peak, double gravity,
+                          const gravity::Ripple& ripple) {
   ConstantSpeedRun run;
   run.recording = r.name;
   run.speed_rad_s = gear_ratio * plateau.speed_rad_s;
@@ -227,10 +229,11 @@ std::string DirectionAngles::in_words() const {
     return has_rising ? "the joint angle rises in all of them"
                       : "the joint angle falls in all of them";
   }
-  return fmt::format("rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
-                     degrees_per_rad * rising_low_rad, degrees_per_rad * rising_high_rad,
-                     degrees_per_rad * falling_low_rad, degrees_per_rad * falling_high_rad,
-                     share_angles() ? "" : ": the directions share no angle");
+  return fmt::format(
+      "rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
+      joint::degrees_per_rad * rising_low_rad, joint::degrees_per_rad * rising_high_rad,
+      joint::degrees_per_rad * falling_low_rad, joint::degrees_per_rad * falling_high_rad,
+      share_angles() ? "" : ": the directions share no angle");
 }
 
 const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
@@ -239,23 +242,23 @@ const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) cons
   return it == curves.end() ? nullptr : &*it;
 }
 
-ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& recordings,
-                                            const CogSweepResult& rough,
-                                            const SurrogateMassesResult& masses,
-                                            const std::optional<Estimate>& q_peak_rad,
+ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recording*>& recordings,
+                                            const gravity::CogSweepResult& rough,
+                                            const hysteresis::SurrogateMassesResult& masses,
+                                            const std::optional<statistics::Estimate>& q_peak_rad,
                                             double gear_ratio,
-                                            const std::optional<StatedGravity>& stated) {
+                                            const std::optional<joint::StatedGravity>& stated) {
   ViscousCurvesResult out;
-  out.stage = {"viscous_curves", StageState::skipped, ""};
+  out.stage = {"viscous_curves", statistics::StageState::skipped, ""};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
-  const SurrogateMass* of_runs = masses.find("runs");
+  const hysteresis::SurrogateMass* of_runs = masses.find("runs");
   const double gravity = rough.found          ? rough.gravity_Nm.value
                          : of_runs != nullptr ? of_runs->gravity_Nm.value
                                               : 0.0;
   std::vector<RunSource> sources;
-  for (const Recording* r : recordings) {
-    const MotionSegments motion = find_plateaus(*r);
-    for (const Plateau& plateau : motion.plateaus) {
+  for (const joint::Recording* r : recordings) {
+    const motion::MotionSegments motion = motion::find_plateaus(*r);
+    for (const motion::Plateau& plateau : motion.plateaus) {
       sources.push_back({r, plateau.first, plateau.last});
       out.runs.push_back(make_run(*r, plateau, gear_ratio, q_peak, gravity, rough.ripple));
       out.samples_used += plateau.size();
@@ -273,9 +276,9 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
   }
   sort_by_speed(out.runs);
   out.angles = direction_angles(out.runs);
-  for (const SurrogateMass& mass : masses.masses) {
+  for (const hysteresis::SurrogateMass& mass : masses.masses) {
     ViscousCurve curve{mass.estimator, {}};
-    const bool is_stated = stated && mass.estimator == stated_estimator;
+    const bool is_stated = stated && mass.estimator == hysteresis::stated_estimator;
     const double away = is_stated ? stated->q_peak_rad() - q_peak : 0.0;
     for (const ConstantSpeedRun& run : out.runs) {
       const double cosine = std::cos(away) * run.mean_cos + std::sin(away) * run.mean_sin;
@@ -289,23 +292,23 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>&
                            ? "no constant_speed run was recorded; runs at ten or more speeds in "
                              "both directions over the same angles would give the viscous curve"
                            : "no plateau of constant speed was found in the constant_speed runs";
-    if (!recordings.empty()) out.stage.state = StageState::not_identifiable;
+    if (!recordings.empty()) out.stage.state = statistics::StageState::not_identifiable;
   } else if (out.curves.empty()) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = "the runs' torque still contains gravity: no surrogate mass is known";
   } else if (out.from_sweep) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason =
         "no constant_speed run was recorded; friction comes from the sweep's two directions at "
         "equal angle, so that speed and angle change together along the curve";
   } else if (out.recordings_without_plateau > 0) {
-    out.stage.state = StageState::partial;
+    out.stage.state = statistics::StageState::partial;
     out.stage.reason = fmt::format("{} of {} runs hold no plateau of constant speed",
                                    out.recordings_without_plateau, recordings.size());
   } else {
-    out.stage.state = StageState::done;
+    out.stage.state = statistics::StageState::done;
   }
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

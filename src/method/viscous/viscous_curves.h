@@ -14,7 +14,7 @@
 #include "method/hysteresis/surrogate_masses.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 /// One plateau, or one angle bin of a paired sweep in one direction.
 struct ConstantSpeedRun {
@@ -63,7 +63,7 @@ struct ViscousCurve {
 };
 
 struct ViscousCurvesResult {
-  StageReport stage;
+  statistics::StageReport stage;
   std::vector<ConstantSpeedRun> runs;  ///< Sorted by speed.
   std::vector<ViscousCurve> curves;    ///< One per surrogate mass, in that order.
   DirectionAngles angles;
@@ -76,11 +76,11 @@ struct ViscousCurvesResult {
 };
 
 /// @param stated gravity known beforehand: the curve "stated", at its own angle of the peak.
-ViscousCurvesResult identify_viscous_curves(const std::vector<const Recording*>& runs,
-                                            const CogSweepResult& rough,
-                                            const SurrogateMassesResult& masses,
-                                            const std::optional<Estimate>& q_peak_rad,
+ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recording*>& runs,
+                                            const gravity::CogSweepResult& rough,
+                                            const hysteresis::SurrogateMassesResult& masses,
+                                            const std::optional<statistics::Estimate>& q_peak_rad,
                                             double gear_ratio,
-                                            const std::optional<StatedGravity>& stated = {});
+                                            const std::optional<joint::StatedGravity>& stated = {});
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

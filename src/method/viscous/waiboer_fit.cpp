@@ -11,7 +11,7 @@
 #include "statistics/block_regression.h"
 #include "statistics/levenberg_marquardt.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 namespace {
 
 constexpr std::size_t fewest_points = 8;
@@ -59,18 +59,19 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
                           fewest_points);
     return std::nullopt;
   }
-  const LeastSquaresProblem problem{
+  const statistics::LeastSquaresProblem problem{
       static_cast<Eigen::Index>(points.size()),
       [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd* j) {
         waiboer_residuals(points, p, r, j);
       }};
-  LeastSquaresSolution best;
+  statistics::LeastSquaresSolution best;
   best.cost = std::numeric_limits<double>::infinity();
   const double slowest = std::max(points.front().speed_rad_s, 1e-6);
   for (const double share : {0.15, 0.3, 0.5, 0.7}) {
     const double ws = slowest * std::pow(points.back().speed_rad_s / slowest, share);
     for (const double power : {0.5, 1.0, 2.0}) {
-      const LeastSquaresSolution s = solve_least_squares(problem, first_guess(points, ws, power));
+      const statistics::LeastSquaresSolution s =
+          statistics::solve_least_squares(problem, first_guess(points, ws, power));
       if (s.converged && s.cost < best.cost) best = s;
     }
   }
@@ -90,12 +91,12 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
     if (is_new) first_rad_s = points[i].speed_rad_s;
     blocks[i] = blocks[i - 1] + (is_new ? 1 : 0);
   }
-  const BlockRegression around = block_regression(j, -r, blocks);
+  const statistics::BlockRegression around = statistics::block_regression(j, -r, blocks);
   const auto positive = [&](int k) {
     const double h = around.half_width(k);
     const double value = best.parameters(k);
-    return Estimate{std::exp(value), std::exp(value - h), std::exp(value + h),
-                    "curve fit, scatter of the runs"};
+    return statistics::Estimate{std::exp(value), std::exp(value - h), std::exp(value + h),
+                                "curve fit, scatter of the runs"};
   };
   WaiboerFit fit;
   fit.converged = true;
@@ -103,13 +104,14 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   fit.stribeck_speed_rad_s = positive(1);
   fit.stribeck_power = positive(2);
   fit.viscous_coefficient = positive(3);
-  const Estimate exponent = positive(4);
+  const statistics::Estimate exponent = positive(4);
   fit.viscous_power = {1 - exponent.value, 1 - exponent.high, 1 - exponent.low, exponent.method};
   fit.residual_Nm =
       std::sqrt(r.squaredNorm() / std::max(1.0, static_cast<double>(r.size()) - parameters));
   // An infinite interval means that the curve does not show the parameter at all.
-  for (const Estimate* e : {&fit.asperity_torque_Nm, &fit.stribeck_speed_rad_s, &fit.stribeck_power,
-                            &fit.viscous_coefficient, &fit.viscous_power}) {
+  for (const statistics::Estimate* e :
+       {&fit.asperity_torque_Nm, &fit.stribeck_speed_rad_s, &fit.stribeck_power,
+        &fit.viscous_coefficient, &fit.viscous_power}) {
     if (!std::isfinite(e->low) || !std::isfinite(e->high)) {
       why_not = "the speeds recorded do not show all five parameters";
       return std::nullopt;
@@ -122,10 +124,10 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   return fit;
 }
 
-WaiboerFriction waiboer_of(const WaiboerFit& fit) {
-  return WaiboerFriction({fit.asperity_torque_Nm.value, fit.stribeck_speed_rad_s.value,
-                          fit.stribeck_power.value, fit.viscous_coefficient.value,
-                          fit.viscous_power.value, 1e6});
+friction::WaiboerFriction waiboer_of(const WaiboerFit& fit) {
+  return friction::WaiboerFriction({fit.asperity_torque_Nm.value, fit.stribeck_speed_rad_s.value,
+                                    fit.stribeck_power.value, fit.viscous_coefficient.value,
+                                    fit.viscous_power.value, 1e6});
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

@@ -10,15 +10,15 @@
 #include "friction/waiboer.h"
 #include "statistics/estimate.h"
 
-namespace tribolog {
+namespace tribolog::method::viscous {
 
 struct WaiboerFit {
   bool converged{false};
-  Estimate asperity_torque_Nm;
-  Estimate stribeck_speed_rad_s;
-  Estimate stribeck_power;
-  Estimate viscous_coefficient;
-  Estimate viscous_power;
+  statistics::Estimate asperity_torque_Nm;
+  statistics::Estimate stribeck_speed_rad_s;
+  statistics::Estimate stribeck_power;
+  statistics::Estimate viscous_coefficient;
+  statistics::Estimate viscous_power;
   double residual_Nm{};
 };
 
@@ -38,6 +38,6 @@ void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::Vecto
 std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std::string& why_not);
 
 /// The curve that a fit describes.
-WaiboerFriction waiboer_of(const WaiboerFit& fit);
+friction::WaiboerFriction waiboer_of(const WaiboerFit& fit);
 
-}  // namespace tribolog
+}  // namespace tribolog::method::viscous

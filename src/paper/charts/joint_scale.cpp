@@ -1,6 +1,6 @@
 #include "paper/charts/joint_scale.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::charts {
 namespace {
 
 constexpr double break_away_Nm = 0.884;
@@ -11,23 +11,23 @@ constexpr double threshold_rad_s = 1e-3;
 
 }  // namespace
 
-StribeckFriction stribeck_at_joint_scale() {
-  StribeckFriction::Parameters p;
+friction::StribeckFriction stribeck_at_joint_scale() {
+  friction::StribeckFriction::Parameters p;
   p.curve.coulomb_Nm = coulomb_Nm;
   p.curve.static_Nm = break_away_Nm;
   p.curve.stribeck_speed_rad_s = stribeck_speed_rad_s;
   p.viscous_Nms_rad = viscous_Nms_rad;
-  return StribeckFriction(p);
+  return friction::StribeckFriction(p);
 }
 
-ThresholdSpeedFriction linear_zone_at_joint_scale() {
-  ThresholdSpeedFriction::Parameters p;
+friction::ThresholdSpeedFriction linear_zone_at_joint_scale() {
+  friction::ThresholdSpeedFriction::Parameters p;
   p.coulomb_Nm = coulomb_Nm;
   p.static_Nm = break_away_Nm;
   p.stribeck_decay_s_rad = 1 / stribeck_speed_rad_s;
   p.viscous_Nms_rad = viscous_Nms_rad;
   p.threshold_rad_s = threshold_rad_s;
-  return ThresholdSpeedFriction(p);
+  return friction::ThresholdSpeedFriction(p);
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::charts

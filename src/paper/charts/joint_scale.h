@@ -9,13 +9,13 @@
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::charts {
 
 /// Eq. (1).
-StribeckFriction stribeck_at_joint_scale();
+friction::StribeckFriction stribeck_at_joint_scale();
 
 /// Eq. (2) with the same torques and slope; its Stribeck effect decays over the Stribeck velocity
 /// of the former, and its threshold is the largest that the paper names.
-ThresholdSpeedFriction linear_zone_at_joint_scale();
+friction::ThresholdSpeedFriction linear_zone_at_joint_scale();
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::charts

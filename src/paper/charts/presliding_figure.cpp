@@ -12,57 +12,61 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::charts {
 namespace {
 
-using figures::AxisScale;
-using figures::listed;
-using figures::prefixed;
-using figures::significant;
-using figures::with_unit;
+using wording::AxisScale;
+using wording::listed;
+using wording::prefixed;
+using wording::significant;
+using wording::with_unit;
 
 constexpr int head_px = 120;
 constexpr int panel_px = 560;
 
-std::string length_text(double length_m) { return with_unit(length_m, prefixed("m", length_m), 3); }
+std::string length_text(double length_m) {
+  return wording::with_unit(length_m, wording::prefixed("m", length_m), 3);
+}
 
-std::string force_text(const PreslidingLoop& loop) {
+std::string force_text(const simulate::PreslidingLoop& loop) {
   return fmt::format("{} N at {} Hz", loop.amplitude_N, loop.frequency_Hz);
 }
 
-render::Panel panel_of(const PreslidingLoop& loop, double largest_N) {
+render::figure::Panel panel_of(const simulate::PreslidingLoop& loop, double largest_N) {
   constexpr double margin = 1.15;
-  const AxisScale lengths = prefixed("m", loop.width_m / 2);
-  render::Panel panel;
+  const wording::AxisScale lengths = wording::prefixed("m", loop.width_m / 2);
+  render::figure::Panel panel;
   panel.title =
       fmt::format("{}: {} wide, up to {} mm/s", force_text(loop), length_text(loop.width_m),
-                  significant(loop.largest_speed_m_s * 1e3, 3));
-  panel.x.title = figures::axis_title("displacement x", lengths);
+                  wording::significant(loop.largest_speed_m_s * 1e3, 3));
+  panel.x.title = wording::axis_title("displacement x", lengths);
   panel.y.title = "force [N]";
   panel.y.minimum = -margin * largest_N;
   panel.y.maximum = margin * largest_N;
   const std::vector<double> x = figures::shown(loop.cycle.angle_rad, lengths);
   panel.series.push_back(figures::line("applied force", x, loop.cycle.applied_Nm,
-                                       render::palette::grey, 1.5, render::LineStyle::dash));
-  render::Series friction =
-      figures::line("friction T_{f}", x, loop.cycle.friction_Nm, render::palette::blue, 3.5);
+                                       render::figure::palette::grey, 1.5,
+                                       render::figure::LineStyle::dash));
+  render::figure::Series friction = figures::line("friction T_{f}", x, loop.cycle.friction_Nm,
+                                                  render::figure::palette::blue, 3.5);
   friction.direction_arrows_at = {0.1, 0.35, 0.6, 0.85};
   panel.series.push_back(std::move(friction));
   return panel;
 }
 
 template <typename Text>
-std::string for_each_loop(const std::vector<PreslidingLoop>& loops, const Text& text) {
+std::string for_each_loop(const std::vector<simulate::PreslidingLoop>& loops, const Text& text) {
   std::vector<std::string> words;
-  for (const PreslidingLoop& loop : loops) words.push_back(text(loop));
-  return listed(words);
+  for (const simulate::PreslidingLoop& loop : loops) words.push_back(text(loop));
+  return wording::listed(words);
 }
 
 /// Whether the loops are what the paper calls them.
-std::string regime_words(const std::vector<PreslidingLoop>& loops) {
-  const auto holding = std::count_if(loops.begin(), loops.end(), [](const PreslidingLoop& loop) {
-    return loop.largest_speed_m_s <= loop.stribeck_speed_m_s;
-  });
+std::string regime_words(const std::vector<simulate::PreslidingLoop>& loops) {
+  const auto holding =
+      std::count_if(loops.begin(), loops.end(), [](const simulate::PreslidingLoop& loop) {
+        return loop.largest_speed_m_s <= loop.stribeck_speed_m_s;
+      });
   const auto all = static_cast<std::ptrdiff_t>(loops.size());
   if (holding == all) return "the loops are pure pre-sliding";
   if (holding == 0) return "none of the loops is pure pre-sliding";
@@ -70,15 +74,15 @@ std::string regime_words(const std::vector<PreslidingLoop>& loops) {
                      holding == 1 ? "is" : "are");
 }
 
-std::string caption(const std::vector<PreslidingLoop>& loops) {
-  const std::string widths = for_each_loop(loops, [](const PreslidingLoop& loop) {
+std::string caption(const std::vector<simulate::PreslidingLoop>& loops) {
+  const std::string widths = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
     return fmt::format("{} ({})", length_text(loop.width_m), force_text(loop));
   });
-  const std::string speeds = for_each_loop(loops, [](const PreslidingLoop& loop) {
-    return significant(loop.largest_speed_m_s / loop.stribeck_speed_m_s, 2);
+  const std::string speeds = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
+    return wording::significant(loop.largest_speed_m_s / loop.stribeck_speed_m_s, 2);
   });
-  const std::string limits = for_each_loop(loops, [](const PreslidingLoop& loop) {
-    return fmt::format("{} N at {} Hz", significant(loop.largest_presliding_N, 3),
+  const std::string limits = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
+    return fmt::format("{} N at {} Hz", wording::significant(loop.largest_presliding_N, 3),
                        loop.frequency_Hz);
   });
   return fmt::format(
@@ -88,16 +92,16 @@ std::string caption(const std::vector<PreslidingLoop>& loops) {
       widths, speeds, regime_words(loops), limits);
 }
 
-std::string how_to_read(const std::vector<PreslidingLoop>& loops) {
-  const std::string slow = for_each_loop(loops, [](const PreslidingLoop& loop) {
+std::string how_to_read(const std::vector<simulate::PreslidingLoop>& loops) {
+  const std::string slow = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
     return std::isfinite(loop.slow_width_m) ? length_text(loop.slow_width_m) : "no bound";
   });
-  const std::string peaks = for_each_loop(loops, [](const PreslidingLoop& loop) {
-    return with_unit(loop.largest_friction_N, {1.0, "N"}, 4);
+  const std::string peaks = for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
+    return wording::with_unit(loop.largest_friction_N, {1.0, "N"}, 4);
   });
   double gap = 0;
   double shift = 0;
-  for (const PreslidingLoop& loop : loops) {
+  for (const simulate::PreslidingLoop& loop : loops) {
     gap = std::max(gap, loop.gap);
     shift = std::max(shift, loop.tolerance_shift);
   }
@@ -110,25 +114,26 @@ std::string how_to_read(const std::vector<PreslidingLoop>& loops) {
       "widths of {}. The loops close to {} millionths of their size, and halving the solver's "
       "tolerance moves them by at most {} millionths; a loop that gapes has not reached the motion "
       "that repeats.",
-      peaks, slow, significant(gap * 1e6, 1), significant(shift * 1e6, 1));
+      peaks, slow, wording::significant(gap * 1e6, 1), wording::significant(shift * 1e6, 1));
 }
 
-std::string alt(const std::vector<PreslidingLoop>& loops) {
+std::string alt(const std::vector<simulate::PreslidingLoop>& loops) {
   return fmt::format(
       "Closed loops of friction force against displacement, run through clockwise, one panel "
       "each: {}.",
-      for_each_loop(loops, [](const PreslidingLoop& loop) {
+      for_each_loop(loops, [](const simulate::PreslidingLoop& loop) {
         return fmt::format("{} ({} wide, friction up to {})", force_text(loop),
                            length_text(loop.width_m),
-                           with_unit(loop.largest_friction_N, {1.0, "N"}, 4));
+                           wording::with_unit(loop.largest_friction_N, {1.0, "N"}, 4));
       }));
 }
 
 }  // namespace
 
-ReportFigure presliding_hysteresis_figure(const std::vector<PreslidingLoop>& loops) {
+figures::ReportFigure presliding_hysteresis_figure(
+    const std::vector<simulate::PreslidingLoop>& loops) {
   if (loops.empty()) throw std::invalid_argument("there is no loop to draw");
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 5;
   out.id = "fig-05-presliding-hysteresis";
   out.title = "Hysteresis of friction under an oscillating force";
@@ -139,14 +144,14 @@ ReportFigure presliding_hysteresis_figure(const std::vector<PreslidingLoop>& loo
   out.figure.title = out.title;
   out.figure.height_px = head_px + panel_px * static_cast<int>(loops.size());
   double largest = 0;
-  for (const PreslidingLoop& loop : loops) {
+  for (const simulate::PreslidingLoop& loop : loops) {
     largest = std::max({largest, loop.amplitude_N, loop.largest_friction_N});
   }
-  for (const PreslidingLoop& loop : loops) {
+  for (const simulate::PreslidingLoop& loop : loops) {
     out.figure.panels.push_back(panel_of(loop, largest));
     out.figure.panels.back().show_legend = &loop == &loops.front();
   }
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::charts

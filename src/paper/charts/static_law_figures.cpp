@@ -13,7 +13,7 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::charts {
 
 // What the charts of eq. (1) and (2) share: friction over signed speed, with its levels marked.
 
@@ -32,30 +32,31 @@ struct StaticLevels {
   std::string slope_symbol;  ///< Likewise.
 };
 
-using figures::AxisScale;
-using figures::prefixed;
+using wording::AxisScale;
+using wording::prefixed;
 
 constexpr double curve_px = 4.0;
 constexpr double part_px = 3.0;
 
-void add_line(render::Panel& panel, render::ReferenceLine::Direction direction, double at,
-              const std::string& text) {
+void add_line(render::figure::Panel& panel, render::figure::ReferenceLine::Direction direction,
+              double at, const std::string& text) {
   panel.reference_lines.push_back({direction, at, text});
 }
 
 /// A parameter as it was set: "0.884 N·m", "5 rad/s", "2.4 mN·m·s/rad". Torques keep their unit, so
 /// that levels compare at a glance; others take a prefix.
 std::string parameter_text(double value, const std::string& si_unit) {
-  const AxisScale scale = si_unit == "N·m" ? AxisScale{1.0, si_unit} : prefixed(si_unit, value);
+  const wording::AxisScale scale =
+      si_unit == "N·m" ? wording::AxisScale{1.0, si_unit} : wording::prefixed(si_unit, value);
   return fmt::format("{:.4g} {}", scale(value), scale.unit);
 }
 
 /// An empty panel with its axes: speed as far as `largest_rad_s` on both sides.
-render::Panel static_law_panel(double largest_rad_s, double largest_Nm) {
-  const AxisScale speeds = prefixed("rad/s", largest_rad_s);
+render::figure::Panel static_law_panel(double largest_rad_s, double largest_Nm) {
+  const wording::AxisScale speeds = wording::prefixed("rad/s", largest_rad_s);
   constexpr double margin = 1.25;  // room for the legend
-  render::Panel panel;
-  panel.x.title = figures::axis_title("motor speed ω", speeds);
+  render::figure::Panel panel;
+  panel.x.title = wording::axis_title("motor speed ω", speeds);
   panel.x.minimum = speeds(-largest_rad_s);
   panel.x.maximum = speeds(largest_rad_s);
   panel.y.title = "friction T_{f} [N·m]";
@@ -66,8 +67,8 @@ render::Panel static_law_panel(double largest_rad_s, double largest_Nm) {
 
 /// The law between two speeds, as many points as a smooth line needs.
 /// @param speeds the axis of the panel.
-render::Series law_series(const StaticLaw& law, double from_rad_s, double to_rad_s,
-                          const AxisScale& speeds) {
+render::figure::Series law_series(const StaticLaw& law, double from_rad_s, double to_rad_s,
+                                  const wording::AxisScale& speeds) {
   constexpr int pieces = 600;
   std::vector<double> x;
   std::vector<double> y;
@@ -77,14 +78,14 @@ render::Series law_series(const StaticLaw& law, double from_rad_s, double to_rad
     x.push_back(speeds(speed));
     y.push_back(law(speed));
   }
-  return figures::line("", std::move(x), std::move(y), render::palette::blue, curve_px);
+  return figures::line("", std::move(x), std::move(y), render::figure::palette::blue, curve_px);
 }
 
 /// Adds lines at the static and Coulomb torques and at the fall of the Stribeck effect, on both
 /// sides of rest, and the viscous part on top of the Coulomb torque as a dashed line.
-void add_levels(render::Panel& panel, const StaticLevels& levels, double largest_rad_s) {
-  using Direction = render::ReferenceLine::Direction;
-  const AxisScale speeds = prefixed("rad/s", largest_rad_s);
+void add_levels(render::figure::Panel& panel, const StaticLevels& levels, double largest_rad_s) {
+  using Direction = render::figure::ReferenceLine::Direction;
+  const wording::AxisScale speeds = wording::prefixed("rad/s", largest_rad_s);
   const std::string fall =
       fmt::format("{} = {}", levels.fall_symbol, parameter_text(levels.fall_rad_s, "rad/s"));
   add_line(panel, Direction::horizontal, levels.static_Nm,
@@ -99,7 +100,7 @@ void add_levels(render::Panel& panel, const StaticLevels& levels, double largest
     const double end_Nm = levels.coulomb_Nm + levels.viscous_Nms_rad * largest_rad_s;
     panel.series.push_back(figures::line(
         label, {0.0, side * speeds(largest_rad_s)}, {side * levels.coulomb_Nm, side * end_Nm},
-        render::palette::vermilion, part_px, render::LineStyle::dash));
+        render::figure::palette::vermilion, part_px, render::figure::LineStyle::dash));
   };
   viscous(-1, "");
   viscous(+1, fmt::format("T_{{c}} + {0} |ω|, slope {0} = {1}", levels.slope_symbol,
@@ -119,8 +120,8 @@ constexpr double shown_stribeck_speeds = 8;
 /// Next to rest, as a share of the Stribeck velocity: the law's limit from one side.
 constexpr double beside_rest = 1e-9;
 
-StaticLevels levels_of(const StribeckFriction& friction) {
-  const StribeckCurve::Parameters& curve = friction.curve().parameters();
+StaticLevels levels_of(const friction::StribeckFriction& friction) {
+  const friction::StribeckCurve::Parameters& curve = friction.curve().parameters();
   return {curve.static_Nm,
           curve.coulomb_Nm,
           friction.parameters().viscous_Nms_rad,
@@ -129,18 +130,20 @@ StaticLevels levels_of(const StribeckFriction& friction) {
           "T_{ω}"};
 }
 
-render::Panel panel_of(const StribeckFriction& friction, const StaticLevels& levels) {
+render::figure::Panel panel_of(const friction::StribeckFriction& friction,
+                               const StaticLevels& levels) {
   const double largest = shown_stribeck_speeds * levels.fall_rad_s;
   const double rest = beside_rest * levels.fall_rad_s;
-  const figures::AxisScale speeds = figures::prefixed("rad/s", largest);
+  const wording::AxisScale speeds = wording::prefixed("rad/s", largest);
   const StaticLaw law = [&](double speed) { return friction.torque_Nm(speed); };
-  render::Panel panel = static_law_panel(largest, std::max(levels.static_Nm, law(largest)));
+  render::figure::Panel panel = static_law_panel(largest, std::max(levels.static_Nm, law(largest)));
   add_levels(panel, levels, largest);
-  render::Series at_rest = figures::line("at rest: equal to the applied torque, up to ±T_{brk}",
-                                         {0.0, 0.0}, {-levels.static_Nm, levels.static_Nm},
-                                         render::palette::black, 3.0, render::LineStyle::dot);
-  at_rest.marker = render::Marker::circle;
-  render::Series forward = law_series(law, rest, largest, speeds);
+  render::figure::Series at_rest =
+      figures::line("at rest: equal to the applied torque, up to ±T_{brk}", {0.0, 0.0},
+                    {-levels.static_Nm, levels.static_Nm}, render::figure::palette::black, 3.0,
+                    render::figure::LineStyle::dot);
+  at_rest.marker = render::figure::Marker::circle;
+  render::figure::Series forward = law_series(law, rest, largest, speeds);
   forward.label = "in motion, eq. (1)";
   panel.series.push_back(law_series(law, -largest, -rest, speeds));
   panel.series.push_back(std::move(forward));
@@ -150,10 +153,10 @@ render::Panel panel_of(const StribeckFriction& friction, const StaticLevels& lev
 
 }  // namespace
 
-ReportFigure static_friction_figure(const StribeckFriction& friction) {
+figures::ReportFigure static_friction_figure(const friction::StribeckFriction& friction) {
   const StaticLevels levels = levels_of(friction);
   const std::string speed = parameter_text(levels.fall_rad_s, "rad/s");
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 1;
   out.id = "fig-01-static-discontinuous";
   out.title = "Static friction, discontinuous at rest";
@@ -179,31 +182,31 @@ ReportFigure static_friction_figure(const StribeckFriction& friction) {
 
 namespace {
 
-using figures::AxisScale;
-using figures::prefixed;
-using figures::with_unit;
+using wording::AxisScale;
+using wording::prefixed;
+using wording::with_unit;
 
 constexpr double shown_falls = 8;
 constexpr double shown_thresholds = 4;
 
-constexpr render::Colour zone{230, 159, 0, 60};
+constexpr render::figure::Colour zone{230, 159, 0, 60};
 
-StaticLevels levels_of(const ThresholdSpeedFriction::Parameters& p) {
+StaticLevels levels_of(const friction::ThresholdSpeedFriction::Parameters& p) {
   return {p.static_Nm, p.coulomb_Nm, p.viscous_Nms_rad, 1 / p.stribeck_decay_s_rad, "1/c_{ω}", "f"};
 }
 
 std::string slope_text(double slope_Nms_rad) {
-  return with_unit(slope_Nms_rad, prefixed("N·m·s/rad", slope_Nms_rad), 3);
+  return wording::with_unit(slope_Nms_rad, wording::prefixed("N·m·s/rad", slope_Nms_rad), 3);
 }
 
-render::Panel whole(const StaticLaw& law, const StaticLevels& levels, double threshold) {
+render::figure::Panel whole(const StaticLaw& law, const StaticLevels& levels, double threshold) {
   const double largest = shown_falls * levels.fall_rad_s;
-  const AxisScale speeds = prefixed("rad/s", largest);
-  render::Panel panel = static_law_panel(largest, std::max(levels.static_Nm, law(largest)));
+  const wording::AxisScale speeds = wording::prefixed("rad/s", largest);
+  render::figure::Panel panel = static_law_panel(largest, std::max(levels.static_Nm, law(largest)));
   add_levels(panel, levels, largest);
   // The linear zone is narrower than a pixel: its ends are points of the line.
-  render::Series line = law_series(law, -largest, -threshold, speeds);
-  const render::Series forward = law_series(law, threshold, largest, speeds);
+  render::figure::Series line = law_series(law, -largest, -threshold, speeds);
+  const render::figure::Series forward = law_series(law, threshold, largest, speeds);
   line.x.insert(line.x.end(), forward.x.begin(), forward.x.end());
   line.y.insert(line.y.end(), forward.y.begin(), forward.y.end());
   line.label = "eq. (2)";
@@ -211,16 +214,16 @@ render::Panel whole(const StaticLaw& law, const StaticLevels& levels, double thr
   return panel;
 }
 
-render::Panel close_up(const StaticLaw& law, double threshold) {
-  using Direction = render::ReferenceLine::Direction;
+render::figure::Panel close_up(const StaticLaw& law, double threshold) {
+  using Direction = render::figure::ReferenceLine::Direction;
   const double largest = shown_thresholds * threshold;
   const double at_threshold = law(threshold);
-  const AxisScale speeds = prefixed("rad/s", largest);
-  render::Panel panel = static_law_panel(largest, at_threshold);
+  const wording::AxisScale speeds = wording::prefixed("rad/s", largest);
+  render::figure::Panel panel = static_law_panel(largest, at_threshold);
   panel.title = "The linear zone";
   const double low = present(panel.y.minimum);
   const double high = present(panel.y.maximum);
-  render::Band band;
+  render::figure::Band band;
   band.label = fmt::format("linear zone, slope T_{{f}}(ω_{{th}})/ω_{{th}} = {}",
                            slope_text(at_threshold / threshold));
   band.x = {speeds(-threshold), speeds(threshold)};
@@ -238,15 +241,15 @@ render::Panel close_up(const StaticLaw& law, double threshold) {
 
 }  // namespace
 
-ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction) {
-  const ThresholdSpeedFriction::Parameters& p = friction.parameters();
+figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction& friction) {
+  const friction::ThresholdSpeedFriction::Parameters& p = friction.parameters();
   require_positive(p.stribeck_decay_s_rad, "decay of the Stribeck effect", "s/rad");
   const StaticLevels levels = levels_of(p);
   const StaticLaw law = [&](double speed) { return friction.torque_Nm(speed); };
   const double slope = law(p.threshold_rad_s) / p.threshold_rad_s;
   constexpr double minute_s = 60;
   const double crept = p.threshold_rad_s / 2 * minute_s;
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 2;
   out.id = "fig-02-static-continuous";
   out.title = "Static friction with a linear zone around rest";
@@ -264,9 +267,9 @@ ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction) {
       "break-away torque, at which a real joint stands still, turns the shaft at half of ω_th, {} "
       "in a "
       "minute.",
-      figures::significant(shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s),
+      wording::significant(shown_falls * levels.fall_rad_s / (shown_thresholds * p.threshold_rad_s),
                            2),
-      with_unit(crept, prefixed("rad", crept), 2));
+      wording::with_unit(crept, wording::prefixed("rad", crept), 2));
   out.alt = fmt::format(
       "Two charts of friction torque against motor speed. Above it changes sides at rest, falls "
       "from {} to {} and rises with speed. Below, near rest, it is a straight line through zero "
@@ -280,4 +283,4 @@ ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction) {
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::charts

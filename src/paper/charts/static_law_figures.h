@@ -6,16 +6,16 @@
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::charts {
 
 /// Friction over speed on both sides of rest, the range at rest, and the levels.
-ReportFigure static_friction_figure(const StribeckFriction& friction);
+figures::ReportFigure static_friction_figure(const friction::StribeckFriction& friction);
 
 // Figure 2: static friction made continuous by a linear zone around rest, eq. (2).
 
 /// The whole curve above, the close-up of the linear zone below.
 /// @throw std::invalid_argument for a law without Stribeck effect (decay 0): its decay is the scale
 /// of the chart.
-ReportFigure linear_zone_figure(const ThresholdSpeedFriction& friction);
+figures::ReportFigure linear_zone_figure(const friction::ThresholdSpeedFriction& friction);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::charts

@@ -11,7 +11,7 @@
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr const char* rounding = "rounding";
 std::vector<double> grid() { return speeds_of_both_signs(1e-4, 300); }
 
 /// Deflections up to the largest that the model allows.
-double some_deflection(const LuGreFriction& friction, std::size_t i) {
+double some_deflection(const friction::LuGreFriction& friction, std::size_t i) {
   constexpr std::size_t kinds = 9;
   const double share = 2 * static_cast<double>(i % kinds) / (kinds - 1) - 1;
   return share * friction.steady_deflection_rad(0);
@@ -30,9 +30,9 @@ double some_deflection(const LuGreFriction& friction, std::size_t i) {
 }  // namespace
 
 Checks check_equation_3(const PapersJoint& joint) {
-  const LuGreFriction& friction = bristles_of(joint.scenario);
-  const LuGreFriction::Parameters& p = friction.parameters();
-  const SignalGraph graph = lugre_graph(friction);
+  const friction::LuGreFriction& friction = bristles_of(joint.scenario);
+  const friction::LuGreFriction::Parameters& p = friction.parameters();
+  const drawings::SignalGraph graph = drawings::lugre_graph(friction);
   double from_equation = 0;
   double from_diagram = 0;
   std::size_t i = 0;
@@ -43,11 +43,12 @@ Checks check_equation_3(const PapersJoint& joint) {
     const double printed =
         p.bristle_stiffness_Nm_rad * z + p.bristle_damping_Nms_rad * rate + p.viscous_Nms_rad * w;
     from_equation = std::max(from_equation, std::abs(ours - printed));
-    const double drawn = evaluate(graph, {{"speed", w}}, {{"deflection", z}}).at("friction");
+    const double drawn =
+        drawings::evaluate(graph, {{"speed", w}}, {{"deflection", z}}).at("friction");
     from_diagram = std::max(from_diagram, std::abs(ours - drawn));
   }
-  const LuGreFriction table_1 =
-      *dynamic_cast<const LuGreFriction*>(dynamic_friction_model("lugre").matched({}).get());
+  const friction::LuGreFriction table_1 = *dynamic_cast<const friction::LuGreFriction*>(
+      friction::dynamic_friction_model("lugre").matched({}).get());
   const double steady = 0.01;
   return {
       vanishing("Equation against program, at 1000 states: largest difference", from_equation,
@@ -59,8 +60,8 @@ Checks check_equation_3(const PapersJoint& joint) {
 }
 
 Checks check_equation_4(const PapersJoint& joint) {
-  const LuGreFriction& friction = bristles_of(joint.scenario);
-  const Recording& log = joint.recording(Role::oscillation);
+  const friction::LuGreFriction& friction = bristles_of(joint.scenario);
+  const joint::Recording& log = joint.recording(joint::Role::oscillation);
   const std::vector<double> solved = solved_deflection_rad(joint);
   double largest = 0;
   double apart = 0;
@@ -96,8 +97,8 @@ Checks check_equation_4(const PapersJoint& joint) {
 }
 
 Checks check_equation_5(const PapersJoint& joint) {
-  const LuGreFriction& friction = bristles_of(joint.scenario);
-  const LuGreFriction::Parameters& p = friction.parameters();
+  const friction::LuGreFriction& friction = bristles_of(joint.scenario);
+  const friction::LuGreFriction::Parameters& p = friction.parameters();
   const auto level = [&](double w) {
     return p.bristle_stiffness_Nm_rad * friction.steady_deflection_rad(w);
   };
@@ -120,23 +121,23 @@ Checks check_equation_5(const PapersJoint& joint) {
 
 Checks check_equation_12(const PapersJoint& joint) {
   double apart = 0;
-  for (const printed::TorqueRow& row : printed::table_2) {
-    apart = std::max(apart, std::abs(printed::mass_of_torque_kg(row.torque_Nm) - row.mass_kg));
+  for (const drawings::TorqueRow& row : drawings::table_2) {
+    apart = std::max(apart, std::abs(drawings::mass_of_torque_kg(row.torque_Nm) - row.mass_kg));
   }
-  const GravityLoad& load = joint.scenario.load;
-  const double truth = load.mass_kg() * load.distance_m() / printed::distance_m;
-  const SurrogateMass* midline = joint.calibration.masses.find("midline");
-  Checks out{
-      vanishing("All six rows of table 2, mass from torque: largest difference from print", apart,
-                printed::rounding_kg(), "kg", "rounding of printed torque and mass"),
-      reconstructed_value("Surrogate mass of the joint's gravity torque", 79.1679, 4,
-                          surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
-                                            printed::distance_m, load.gravity_m_s2(), 1.0),
-                          5e-5, "kg", "digits of the method's number"),
-      law_value("The same torque at every angle: its m r by that of the arm", 1.0,
-                present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
-                    printed::distance_m / (load.mass_kg() * load.distance_m()),
-                1e-12, "", "rounding")};
+  const joint::GravityLoad& load = joint.scenario.load;
+  const double truth = load.mass_kg() * load.distance_m() / drawings::distance_m;
+  const method::hysteresis::SurrogateMass* midline = joint.calibration.masses.find("midline");
+  Checks out{vanishing("All six rows of table 2, mass from torque: largest difference from print",
+                       apart, drawings::rounding_kg(), "kg", "rounding of printed torque and mass"),
+             reconstructed_value(
+                 "Surrogate mass of the joint's gravity torque", 79.1679, 4,
+                 joint::surrogate_mass_kg(joint.true_gravity_Nm(), joint.scenario.gear_ratio,
+                                          drawings::distance_m, load.gravity_m_s2(), 1.0),
+                 5e-5, "kg", "digits of the method's number"),
+             law_value("The same torque at every angle: its m r by that of the arm", 1.0,
+                       present(scenes::stated_numbers(joint.robot).surrogate_mass_kg).value *
+                           drawings::distance_m / (load.mass_kg() * load.distance_m()),
+                       1e-12, "", "rounding")};
   if (midline != nullptr) {
     out.push_back(law_value("Mid-line of the loop, an estimate that friction does not enter", truth,
                             midline->mass_kg.value, 1e-4 * truth, "kg",
@@ -146,11 +147,11 @@ Checks check_equation_12(const PapersJoint& joint) {
 }
 
 Checks check_equation_14(const PapersJoint& joint) {
-  const OscillationExperiment& e = present(joint.scenario.oscillation);
+  const simulate::OscillationExperiment& e = present(joint.scenario.oscillation);
   const double t_B = solved_time_of_B_s(joint);
   const double q_3 = e.amplitude_rad * std::sin(2 * std::numbers::pi * e.frequency_Hz * t_B);
   const double q_c = -joint.scenario.load.q_peak_rad();
-  const SelectionResult& selection = joint.calibration.selection;
+  const method::selection::SelectionResult& selection = joint.calibration.selection;
   const double found = selection.q_c_corrected_rad.value_or(std::nan(""));
   return {law_value("q_c,f = q_c − q₃ with q₃ where CVODE's z(t) is zero while the arm drops",
                     q_c - q_3, found, 1e-7, "rad", "q_peak is identified to 10⁻⁷ rad"),
@@ -161,4 +162,4 @@ Checks check_equation_14(const PapersJoint& joint) {
                    found < q_c ? "less" : "not less")};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -13,7 +13,7 @@
 #include "statistics/random_stream.h"
 #include "wording/axis_scale.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 namespace {
 
@@ -21,10 +21,10 @@ constexpr double rounding_Nm = 1e-12;
 
 /// Largest distance of a drawn law's points from the law. Series with markers are not of the law.
 template <class Law>
-double off_the_law(const render::Panel& panel, const std::string& label_of_law, const Law& law,
-                   double speed_factor) {
+double off_the_law(const render::figure::Panel& panel, const std::string& label_of_law,
+                   const Law& law, double speed_factor) {
   double largest = -1;
-  for (const render::Series& series : panel.series) {
+  for (const render::figure::Series& series : panel.series) {
     const bool is_law = series.label.find(label_of_law) != std::string::npos;
     if (!is_law) continue;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -38,12 +38,12 @@ double off_the_law(const render::Panel& panel, const std::string& label_of_law, 
 
 }  // namespace
 
-Checks check_static_chart(const PapersJoint& joint, const ReportFigure& drawn) {
-  const StribeckFriction& law = joint.discontinuous;
-  const render::Panel& panel = drawn.figure.panels.at(0);
+Checks check_static_chart(const PapersJoint& joint, const figures::ReportFigure& drawn) {
+  const friction::StribeckFriction& law = joint.discontinuous;
+  const render::figure::Panel& panel = drawn.figure.panels.at(0);
   double at_rest_Nm = 0;
-  for (const render::Series& series : panel.series) {
-    if (series.marker == render::Marker::none) continue;
+  for (const render::figure::Series& series : panel.series) {
+    if (series.marker == render::figure::Marker::none) continue;
     const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
     at_rest_Nm = std::max(at_rest_Nm, *high - *low);
   }
@@ -53,13 +53,13 @@ Checks check_static_chart(const PapersJoint& joint, const ReportFigure& drawn) {
                     2 * law.curve().parameters().static_Nm, at_rest_Nm, 0, "N·m", "")};
 }
 
-Checks check_linear_zone_chart(const PapersJoint& joint, const ReportFigure& drawn) {
-  const ThresholdSpeedFriction& law = joint.continuous;
+Checks check_linear_zone_chart(const PapersJoint& joint, const figures::ReportFigure& drawn) {
+  const friction::ThresholdSpeedFriction& law = joint.continuous;
   const double threshold = law.parameters().threshold_rad_s;
-  const std::vector<render::Panel>& panels = drawn.figure.panels;
-  const double milli = figures::prefixed("rad/s", threshold).factor;
-  const bool is_in_range = threshold >= printed::smallest_threshold_rad_s &&
-                           threshold <= printed::largest_threshold_rad_s;
+  const std::vector<render::figure::Panel>& panels = drawn.figure.panels;
+  const double milli = wording::prefixed("rad/s", threshold).factor;
+  const bool is_in_range = threshold >= drawings::smallest_threshold_rad_s &&
+                           threshold <= drawings::largest_threshold_rad_s;
   return {
       vanishing("Points of the drawn line against eq. (2): largest difference",
                 off_the_law(panels.at(0), "eq. (2)", law, 1.0), rounding_Nm, "N·m", "rounding"),
@@ -76,9 +76,9 @@ Checks check_presliding_chart(const PapersJoint& joint) {
   constexpr double closed = 1e-6;
   constexpr double rounding = 1e-9;
   Checks out;
-  for (std::size_t i = 0; i < printed::figure_5.size(); ++i) {
-    const printed::Swing& swing = printed::figure_5.at(i);
-    const PreslidingLoop& loop = joint.loops.at(i);
+  for (std::size_t i = 0; i < drawings::figure_5.size(); ++i) {
+    const drawings::Swing& swing = drawings::figure_5.at(i);
+    const simulate::PreslidingLoop& loop = joint.loops.at(i);
     const std::vector<double>& force = loop.cycle.applied_Nm;
     const std::string name = i == 0 ? "1st loop" : i == 1 ? "2nd loop" : "3rd loop";
     out.push_back(printed_value(name + ": amplitude of the force", swing.amplitude_N, 3,
@@ -104,19 +104,19 @@ constexpr int states = 1000;
 constexpr double log_rounding_Nm = 1e-9;  ///< Angles are logged to 1e-16 rad.
 constexpr const char* rounding_of_log = "rounding of the log";
 
-double between(RandomStream& random, double low, double high) {
+double between(statistics::RandomStream& random, double low, double high) {
   return low + (high - low) * random.uniform();
 }
 
 }  // namespace
 
-Checks check_bristle_sketch(const ReportFigure& drawn) {
-  const render::Diagram& diagram = present(drawn.figure.diagram);
+Checks check_bristle_sketch(const figures::ReportFigure& drawn) {
+  const render::figure::Diagram& diagram = present(drawn.figure.diagram);
   double sum = 0;
   int bristles = 0;
   double enlarged = 0;
-  for (const render::Stroke& stroke : diagram.strokes) {
-    if (!(stroke.colour == bristle_colour)) continue;
+  for (const render::figure::Stroke& stroke : diagram.strokes) {
+    if (!(stroke.colour == drawings::bristle_colour)) continue;
     const double deflection = stroke.points.front().x - stroke.points.back().x;
     if (enlarged > 0) {  // the enlarged one is drawn last
       sum += enlarged;
@@ -124,26 +124,27 @@ Checks check_bristle_sketch(const ReportFigure& drawn) {
     }
     enlarged = deflection;
   }
-  const render::Dimension& z = diagram.dimensions.at(0);
+  const render::figure::Dimension& z = diagram.dimensions.at(0);
   const double dimension = z.to.x - z.from.x;
   return {law_value("Mean deflection of the " + std::to_string(bristles) +
                         " bristles as drawn, against the z of the enlarged one",
-                    dimension / enlargement_of_mean_bristle, sum / bristles, 0.01, "mm",
+                    dimension / drawings::enlargement_of_mean_bristle, sum / bristles, 0.01, "mm",
                     "the drawing's resolution"),
           law_value("The dimension z spans the enlarged bristle's deflection", enlarged, dimension,
                     1e-9, "mm", "rounding")};
 }
 
 Checks check_lugre_diagram(const PapersJoint& joint) {
-  const LuGreFriction& friction = bristles_of(joint.scenario);
-  const SignalGraph graph = lugre_graph(friction);
-  RandomStream random(4, 0);
+  const friction::LuGreFriction& friction = bristles_of(joint.scenario);
+  const drawings::SignalGraph graph = drawings::lugre_graph(friction);
+  statistics::RandomStream random(4, 0);
   double rate_apart = 0;
   double torque_apart = 0;
   for (int i = 0; i < states; ++i) {
     const double speed = between(random, -20, 20);
     const double z = between(random, -1, 1) * friction.steady_deflection_rad(0);
-    const SignalValues values = evaluate(graph, {{"speed", speed}}, {{"deflection", z}});
+    const drawings::SignalValues values =
+        drawings::evaluate(graph, {{"speed", speed}}, {{"deflection", z}});
     const double rate = friction.deflection_rate_rad_s(z, speed);
     rate_apart = std::max(rate_apart, std::abs(values.at("rate") - rate));
     torque_apart = std::max(torque_apart,
@@ -158,15 +159,15 @@ Checks check_lugre_diagram(const PapersJoint& joint) {
 Checks check_drive_diagram(const PapersJoint& joint) {
   const double n = joint.scenario.gear_ratio;
   const double J = joint.scenario.motor_inertia_kgm2;
-  RandomStream random(6, 0);
+  statistics::RandomStream random(6, 0);
   double apart = 0;
   for (int i = 0; i < states; ++i) {
     const double torque = between(random, -5, 5);
     const double friction = between(random, -1, 1);
     const double acceleration = between(random, -100, 100);
     const double drawn =
-        evaluate(
-            drive_graph({n, J, [friction](double) { return friction; }}),
+        drawings::evaluate(
+            drawings::drive_graph({n, J, [friction](double) { return friction; }}),
             {{"motor torque", torque}, {"motor speed", 0}, {"motor acceleration", acceleration}})
             .at("arm torque");
     apart = std::max(apart, std::abs(drawn - n * (torque - J * acceleration - friction)));
@@ -176,26 +177,26 @@ Checks check_drive_diagram(const PapersJoint& joint) {
 }
 
 Checks check_joint_diagram(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
-  const Recording& log = joint.recording(Role::oscillation);
+  const simulate::Scenario& s = joint.scenario;
+  const joint::Recording& log = joint.recording(joint::Role::oscillation);
   double apart = 0;
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double t = log.t_s[i];
-    JointElements elements;
+    drawings::JointElements elements;
     elements.drive = {s.gear_ratio, s.motor_inertia_kgm2,
                       [&](double speed) { return s.sliding->torque_Nm(speed); }};
     elements.dynamic_friction_Nm = [&](double speed) {
       return bristles_of(s).torque_Nm(log.z_rad[i], log.dz_rad_s[i], speed);
     };
-    elements.friction = FrictionChoice::dynamic;
+    elements.friction = drawings::FrictionChoice::dynamic;
     elements.arm_inertia_kgm2 = s.arm_inertia_kgm2;
     elements.load = s.load;
     const double n = s.gear_ratio;
     const double drawn =
-        evaluate(joint_graph(elements),
-                 {{"arm angle", log.q_rad[i]},
-                  {"arm speed", joint.oscillation_speed_rad_s(t) / n},
-                  {"arm acceleration", joint.oscillation_acceleration_rad_s2(t) / n}})
+        drawings::evaluate(drawings::joint_graph(elements),
+                           {{"arm angle", log.q_rad[i]},
+                            {"arm speed", joint.oscillation_speed_rad_s(t) / n},
+                            {"arm acceleration", joint.oscillation_acceleration_rad_s2(t) / n}})
             .at("measured torque");
     apart = std::max(apart, std::abs(drawn - log.torque_Nm[i]));
   }
@@ -204,21 +205,21 @@ Checks check_joint_diagram(const PapersJoint& joint) {
 }
 
 Checks check_gear_diagram(const PapersJoint& joint) {
-  RandomStream random(8, 0);
+  statistics::RandomStream random(8, 0);
   double lost = 0;
   for (int i = 0; i < states; ++i) {
     const double torque = between(random, -5, 5);
     const double turn = between(random, -5, 5);
-    const SignalValues values =
-        evaluate(gear_graph(joint.scenario.gear_ratio, joint.scenario.motor_inertia_kgm2),
-                 {{"shaft torque", torque}, {"motor angle", turn}, {"motor acceleration", 0}});
+    const drawings::SignalValues values = drawings::evaluate(
+        drawings::gear_graph(joint.scenario.gear_ratio, joint.scenario.motor_inertia_kgm2),
+        {{"shaft torque", torque}, {"motor angle", turn}, {"motor acceleration", 0}});
     lost =
         std::max(lost, std::abs(values.at("arm torque") * values.at("arm angle") - torque * turn));
   }
   return {
-      printed_value("Gear ratio n₃", printed::gear_ratio, 0, joint.scenario.gear_ratio, 0, "", ""),
+      printed_value("Gear ratio n₃", drawings::gear_ratio, 0, joint.scenario.gear_ratio, 0, "", ""),
       vanishing("An ideal gear loses no work, at 1000 states: largest loss", lost, 1e-12, "J",
                 "rounding")};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 /// Where the expected value comes from.
 enum class Origin {
@@ -70,4 +70,4 @@ inline Check in_words(std::string what, Origin origin, std::string expected, std
   return {std::move(what), origin, 0, 0, 0, "", "", -1, std::move(expected), std::move(ours)};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -6,7 +6,7 @@
 #include "paper/checks/figure_checks.h"
 #include "paper/drawings/printed_paper.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 namespace {
 
 constexpr double rounding_Nm = 1e-12;
@@ -15,8 +15,9 @@ std::string nearest_to_the_truth(const PapersJoint& joint) {
   const double truth = joint.true_mass_kg();
   std::string nearest;
   double least = INFINITY;
-  for (const char name : loop_point_names) {
-    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
+  for (const char name : method::hysteresis::loop_point_names) {
+    const method::hysteresis::SurrogateMass* mass =
+        joint.calibration.masses.find(std::string(1, name));
     if (mass == nullptr || std::abs(mass->mass_kg.value - truth) >= least) continue;
     least = std::abs(mass->mass_kg.value - truth);
     nearest = name;
@@ -27,14 +28,15 @@ std::string nearest_to_the_truth(const PapersJoint& joint) {
 }  // namespace
 
 Checks check_candidate_curves(const PapersJoint& joint) {
-  const ViscousCurvesResult& viscous = joint.calibration.viscous;
+  const method::viscous::ViscousCurvesResult& viscous = joint.calibration.viscous;
   const auto& speeds = present(joint.scenario.constant_speed).motor_speeds_rad_s;
   double apart = 0;
-  for (const char name : loop_point_names) {
-    const ViscousCurve* curve = viscous.find(std::string(1, name));
-    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
-    const ViscousCurve* first = viscous.find("A");
-    const SurrogateMass* first_mass = joint.calibration.masses.find("A");
+  for (const char name : method::hysteresis::loop_point_names) {
+    const method::viscous::ViscousCurve* curve = viscous.find(std::string(1, name));
+    const method::hysteresis::SurrogateMass* mass =
+        joint.calibration.masses.find(std::string(1, name));
+    const method::viscous::ViscousCurve* first = viscous.find("A");
+    const method::hysteresis::SurrogateMass* first_mass = joint.calibration.masses.find("A");
     if (curve == nullptr || mass == nullptr || first == nullptr || first_mass == nullptr) {
       return {vanishing(std::string("Candidate ") + name + " has no curve", NAN, 0, "", "")};
     }
@@ -53,11 +55,11 @@ Checks check_candidate_curves(const PapersJoint& joint) {
 }
 
 Checks check_reference_curve(const PapersJoint& joint) {
-  const ViscousCurvesResult& viscous = joint.calibration.viscous;
+  const method::viscous::ViscousCurvesResult& viscous = joint.calibration.viscous;
   double apart = 0;
   double two_ways = 0;
   for (std::size_t i = 0; i < viscous.runs.size(); ++i) {
-    const ConstantSpeedRun& run = viscous.runs[i];
+    const method::viscous::ConstantSpeedRun& run = viscous.runs[i];
     const double analytic = joint.scenario.sliding->torque_Nm(run.speed_rad_s);
     apart = std::max(apart, std::abs(joint.calibration.quality.reference_Nm.at(i) - analytic));
     two_ways = std::max(two_ways, std::abs(run.direction_difference_Nm - analytic));
@@ -70,18 +72,19 @@ Checks check_reference_curve(const PapersJoint& joint) {
 }
 
 Checks check_quality_errors(const PapersJoint& joint) {
-  const QualityErrorsResult& quality = joint.calibration.quality;
+  const method::selection::QualityErrorsResult& quality = joint.calibration.quality;
   Checks out{in_words("Point with the smallest error", Origin::printed, "B",
                       joint.calibration.selection.paper_rule)};
   // A curve's shift in % of the torque is known: gravity's error through the mean cosine.
   const double truth = joint.true_gravity_Nm();
-  for (const char name : loop_point_names) {
-    const QualityError* error = quality.find(std::string(1, name));
-    const SurrogateMass* mass = joint.calibration.masses.find(std::string(1, name));
+  for (const char name : method::hysteresis::loop_point_names) {
+    const method::selection::QualityError* error = quality.find(std::string(1, name));
+    const method::hysteresis::SurrogateMass* mass =
+        joint.calibration.masses.find(std::string(1, name));
     if (error == nullptr || mass == nullptr) continue;
     double squares = 0;
     std::size_t counted = 0;
-    for (const ConstantSpeedRun& run : joint.calibration.viscous.runs) {
+    for (const method::viscous::ConstantSpeedRun& run : joint.calibration.viscous.runs) {
       const double expected = 100 * (truth - mass->gravity_Nm.value) * run.mean_cos / run.torque_Nm;
       squares += expected * expected;
       ++counted;
@@ -94,11 +97,11 @@ Checks check_quality_errors(const PapersJoint& joint) {
 }
 
 Checks check_selected_curve(const PapersJoint& joint) {
-  const printed::TorqueRow& row = printed::table_2[1];
-  const SurrogateMass* chosen =
+  const drawings::TorqueRow& row = drawings::table_2[1];
+  const method::hysteresis::SurrogateMass* chosen =
       joint.calibration.masses.find(joint.calibration.selection.paper_rule);
-  const SurrogateMass* midline = joint.calibration.masses.find("midline");
-  const ViscousCurve* best = joint.calibration.viscous.find("midline");
+  const method::hysteresis::SurrogateMass* midline = joint.calibration.masses.find("midline");
+  const method::viscous::ViscousCurve* best = joint.calibration.viscous.find("midline");
   double apart = NAN;
   if (best != nullptr) {
     apart = 0;
@@ -119,8 +122,8 @@ Checks check_selected_curve(const PapersJoint& joint) {
 }
 
 Checks check_torque_choice(const PapersJoint& joint) {
-  const printed::TorqueRow& row = printed::table_2[1];
-  const LoopPoint& chosen = joint.point('B');
+  const drawings::TorqueRow& row = drawings::table_2[1];
+  const method::hysteresis::LoopPoint& chosen = joint.point('B');
   return {
       printed_value("Selected torque", row.torque_Nm, 3, chosen.torque_Nm,
                     reconstruction_share * row.torque_Nm, "N·m", reconstruction),
@@ -129,4 +132,4 @@ Checks check_torque_choice(const PapersJoint& joint) {
                nearest_to_the_truth(joint))};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -8,7 +8,7 @@
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/printed_paper.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 namespace {
 
 /// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
@@ -18,7 +18,7 @@ constexpr double log_rounding_Nm = 1e-9;
 template <class Deviation>
 double largest_over_runs(const PapersJoint& joint, Deviation deviation) {
   double largest = 0;
-  for (const ConstantSpeedRun& run : joint.calibration.viscous.runs) {
+  for (const method::viscous::ConstantSpeedRun& run : joint.calibration.viscous.runs) {
     largest = std::max(largest, std::abs(deviation(run)));
   }
   return largest;
@@ -31,9 +31,9 @@ std::string runs_in_words(const PapersJoint& joint) {
 }  // namespace
 
 Checks check_equation_8(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
+  const simulate::Scenario& s = joint.scenario;
   const double n = s.gear_ratio;
-  const Recording& log = joint.recording(Role::oscillation);
+  const joint::Recording& log = joint.recording(joint::Role::oscillation);
   double apart = 0;
   double drawn_apart = 0;
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -43,16 +43,16 @@ Checks check_equation_8(const PapersJoint& joint) {
     const double arm = s.arm_inertia_kgm2 * acceleration / n + s.load.torque_Nm(log.q_rad[i]);
     const double left = n * (log.torque_Nm[i] - s.motor_inertia_kgm2 * acceleration - friction);
     apart = std::max(apart, std::abs(left - arm));
-    const SignalGraph graph =
-        drive_graph({n, s.motor_inertia_kgm2, [friction](double) { return friction; }});
-    const double drawn = evaluate(graph, {{"motor torque", log.torque_Nm[i]},
-                                          {"motor speed", speed},
-                                          {"motor acceleration", acceleration}})
+    const drawings::SignalGraph graph =
+        drawings::drive_graph({n, s.motor_inertia_kgm2, [friction](double) { return friction; }});
+    const double drawn = drawings::evaluate(graph, {{"motor torque", log.torque_Nm[i]},
+                                                    {"motor speed", speed},
+                                                    {"motor acceleration", acceleration}})
                              .at("arm torque");
     drawn_apart = std::max(drawn_apart, std::abs(drawn - arm));
   }
   return {
-      printed_value("Gear ratio n₃ of the scenario", printed::gear_ratio, 0, n, 0, "", ""),
+      printed_value("Gear ratio n₃ of the scenario", drawings::gear_ratio, 0, n, 0, "", ""),
       vanishing("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest",
                 apart, n * log_rounding_Nm, "N·m", "rounding of the log"),
       vanishing("The same through the block diagram of figure 6", drawn_apart, n * log_rounding_Nm,
@@ -60,12 +60,12 @@ Checks check_equation_8(const PapersJoint& joint) {
 }
 
 Checks check_equation_9(const PapersJoint& joint) {
-  const GravityLoad& load = joint.scenario.load;
-  const JointUnderTest& arm = joint.robot.under_test;
-  const double q_c = printed::precise_angle_deg * rad_per_degree;
+  const joint::GravityLoad& load = joint.scenario.load;
+  const robot::JointUnderTest& arm = joint.robot.under_test;
+  const double q_c = drawings::precise_angle_deg * joint::rad_per_degree;
   double apart = 0;
-  const AngleRange range = present(joint.robot.range);
-  for (double q = range.lowest_rad; q <= range.highest_rad; q += rad_per_degree / 4) {
+  const robot::AngleRange range = present(joint.robot.range);
+  for (double q = range.lowest_rad; q <= range.highest_rad; q += joint::rad_per_degree / 4) {
     const double printed =
         load.mass_kg() * load.gravity_m_s2() * load.distance_m() * std::cos(q_c + q);
     apart =
@@ -79,11 +79,11 @@ Checks check_equation_9(const PapersJoint& joint) {
 }
 
 Checks check_equation_10(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
+  const simulate::Scenario& s = joint.scenario;
   return {
       vanishing("n (T − T_f) less m g r cos(q + q_c), over " + runs_in_words(joint) + ": largest",
                 largest_over_runs(joint,
-                                  [&](const ConstantSpeedRun& run) {
+                                  [&](const method::viscous::ConstantSpeedRun& run) {
                                     const double friction = s.sliding->torque_Nm(run.speed_rad_s);
                                     return s.gear_ratio * (run.torque_Nm - friction) -
                                            s.load.amplitude_Nm() * run.mean_cos;
@@ -92,11 +92,11 @@ Checks check_equation_10(const PapersJoint& joint) {
 }
 
 Checks check_equation_11(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
+  const simulate::Scenario& s = joint.scenario;
   return {vanishing("T − m g r cos(q + q_c) / n less the analytic T_f, over " +
                         runs_in_words(joint) + ": largest",
                     largest_over_runs(joint,
-                                      [&](const ConstantSpeedRun& run) {
+                                      [&](const method::viscous::ConstantSpeedRun& run) {
                                         const double gravity = joint.true_gravity_Nm();
                                         return run.torque_Nm - gravity * run.mean_cos -
                                                s.sliding->torque_Nm(run.speed_rad_s);
@@ -105,8 +105,8 @@ Checks check_equation_11(const PapersJoint& joint) {
 }
 
 Checks check_equation_13(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
-  const CogSweepResult& rough = joint.calibration.rough;
+  const simulate::Scenario& s = joint.scenario;
+  const method::gravity::CogSweepResult& rough = joint.calibration.rough;
   const double speed = s.gear_ratio * present(s.rough_sweep).speed_rad_s;
   const double expected = s.sliding->torque_Nm(speed) + joint.true_gravity_Nm();
   return {law_value("Largest torque of the rough sweep: T_f + m g r / n", expected,
@@ -116,4 +116,4 @@ Checks check_equation_13(const PapersJoint& joint) {
                     "what the program promises")};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -8,7 +8,7 @@
 #include "paper/checks/check.h"
 #include "paper/checks/papers_joint.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 /// Both directions, evenly over the logarithm of the size, without rest.
 inline std::vector<double> speeds_of_both_signs(double slowest_rad_s, double fastest_rad_s,
@@ -51,4 +51,4 @@ Checks check_equation_12(const PapersJoint& joint);
 Checks check_equation_13(const PapersJoint& joint);
 Checks check_equation_14(const PapersJoint& joint);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -7,14 +7,14 @@
 #include "paper/checks/check.h"
 #include "paper/checks/papers_joint.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 /// Figures 1, 2 and 5: the points that are drawn.
-Checks check_static_chart(const PapersJoint& joint, const ReportFigure& drawn);
-Checks check_linear_zone_chart(const PapersJoint& joint, const ReportFigure& drawn);
+Checks check_static_chart(const PapersJoint& joint, const figures::ReportFigure& drawn);
+Checks check_linear_zone_chart(const PapersJoint& joint, const figures::ReportFigure& drawn);
 Checks check_presliding_chart(const PapersJoint& joint);
 /// Figure 3: from the lines that are drawn.
-Checks check_bristle_sketch(const ReportFigure& drawn);
+Checks check_bristle_sketch(const figures::ReportFigure& drawn);
 /// Figures 6 to 8: the diagrams' graphs against the simulation.
 Checks check_drive_diagram(const PapersJoint& joint);
 Checks check_lugre_diagram(const PapersJoint& joint);
@@ -39,4 +39,4 @@ Checks check_quality_errors(const PapersJoint& joint);
 Checks check_selected_curve(const PapersJoint& joint);
 Checks check_torque_choice(const PapersJoint& joint);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

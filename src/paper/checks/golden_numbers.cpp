@@ -13,7 +13,7 @@
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 // The loop's six torques in closed form, for the joint without inertia and Stribeck effect.
 //
@@ -23,9 +23,9 @@ namespace tribolog::paper {
 namespace {
 
 /// Torques at the motor [N·m] of A, B, C, D, E, F in the first turn, from z = 0 at q_peak.
-std::array<double, 6> plain_loop_torques_Nm(const Scenario& scenario) {
-  const LuGreFriction::Parameters& p = bristles_of(scenario).parameters();
-  const OscillationExperiment& e = present(scenario.oscillation);
+std::array<double, 6> plain_loop_torques_Nm(const simulate::Scenario& scenario) {
+  const friction::LuGreFriction::Parameters& p = bristles_of(scenario).parameters();
+  const simulate::OscillationExperiment& e = present(scenario.oscillation);
   const double g = p.static_Nm / p.bristle_stiffness_Nm_rad;
   const double swing = scenario.gear_ratio * e.amplitude_rad;
   const double top_speed = 2 * std::numbers::pi * e.frequency_Hz * swing;
@@ -61,18 +61,18 @@ std::array<double, 6> plain_loop_torques_Nm(const Scenario& scenario) {
 constexpr double half_last_place_Nm = 5e-6;  ///< Of torques given to five decimals.
 
 void add_table_2(Checks& out) {
-  for (const printed::TorqueRow& row : printed::table_2) {
+  for (const drawings::TorqueRow& row : drawings::table_2) {
     out.push_back(printed_value(std::string("Table 2, mass from the printed T at ") + row.point,
-                                row.mass_kg, 3, printed::mass_of_torque_kg(row.torque_Nm),
-                                printed::rounding_kg(), "kg",
+                                row.mass_kg, 3, drawings::mass_of_torque_kg(row.torque_Nm),
+                                drawings::rounding_kg(), "kg",
                                 "0.0005 n/(g r) + 0.0005: rounding of torque and mass"));
   }
 }
 
 void add_ratios(const PapersJoint& joint, Checks& out) {
-  const Scenario& s = joint.scenario;
-  const LuGreFriction::Parameters& p = bristles_of(s).parameters();
-  const OscillationExperiment& e = present(s.oscillation);
+  const simulate::Scenario& s = joint.scenario;
+  const friction::LuGreFriction::Parameters& p = bristles_of(s).parameters();
+  const simulate::OscillationExperiment& e = present(s.oscillation);
   const double swing = s.gear_ratio * e.amplitude_rad;
   const double swing_speed = swing * 2 * std::numbers::pi * e.frequency_Hz;
   const char* digits = "digits of the scenario's parameters";
@@ -97,7 +97,7 @@ constexpr double whole[] = {3.93168, 3.85868, 4.76230, 2.99954, 3.69472, 4.06883
 
 /// How fast torque changes where a point is read [N·m/s].
 double torque_rate(const PapersJoint& joint, char name) {
-  const LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
+  const method::hysteresis::LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
   const double t = joint.point(name).t_s;
   const double dt = trace.t_s.at(1) - trace.t_s.at(0);
   const auto i = static_cast<std::size_t>(t / dt);
@@ -120,7 +120,7 @@ void add_torques(const PapersJoint& joint, Checks& out) {
   constexpr double fine_s = 1e-5;
   constexpr double between_samples_s = 5e-6;
   const auto plain_ours = [&](char name) {
-    for (const LoopPoint& p : joint.plain_points) {
+    for (const method::hysteresis::LoopPoint& p : joint.plain_points) {
       if (p.name == name) return p.torque_Nm;
     }
     return std::nan("");
@@ -147,7 +147,7 @@ template <class Torques>
 double largest_from_table_2(const Torques& torques) {
   double largest = 0;
   for (std::size_t i = 0; i < std::size(names); ++i) {
-    largest = std::max(largest, 100 * std::abs(torques[i] / printed::table_2.at(i).torque_Nm - 1));
+    largest = std::max(largest, 100 * std::abs(torques[i] / drawings::table_2.at(i).torque_Nm - 1));
   }
   return largest;
 }
@@ -174,7 +174,7 @@ void add_deviations(const PapersJoint& joint, Checks& out) {
 void add_pairs(const PapersJoint& joint, Checks& out) {
   const double truth = joint.true_mass_kg();
   const auto mass = [&](const std::string& estimator) {
-    const SurrogateMass* found = joint.calibration.masses.find(estimator);
+    const method::hysteresis::SurrogateMass* found = joint.calibration.masses.find(estimator);
     return found != nullptr ? found->mass_kg.value : NAN;
   };
   for (const char* name : {"AB", "CD", "EF"}) {
@@ -189,16 +189,16 @@ void add_pairs(const PapersJoint& joint, Checks& out) {
 }
 
 void add_angles(const PapersJoint& joint, Checks& out) {
-  out.push_back(printed_value("q_peak", -printed::precise_angle_deg, 5,
-                              present(joint.calibration.q_peak_rad).value * degrees_per_rad, 1e-5,
-                              "°", "the last printed place"));
+  out.push_back(printed_value("q_peak", -drawings::precise_angle_deg, 5,
+                              present(joint.calibration.q_peak_rad).value * joint::degrees_per_rad,
+                              1e-5, "°", "the last printed place"));
   out.push_back(reconstructed_value("q_c = −q_peak", 0.388019, 6,
                                     present(joint.calibration.selection.q_c_rad).value, 1e-6, "rad",
                                     "the last digit"));
 }
 
 void add_friction_curve(const PapersJoint& joint, Checks& out) {
-  const WaiboerFriction& law = sliding_of(joint.scenario);
+  const friction::WaiboerFriction& law = sliding_of(joint.scenario);
   double dip_Nm = INFINITY;
   double dip_rad_s = 0;
   for (double w = 1; w <= 100; w += 0.01) {
@@ -248,8 +248,8 @@ class Given {
   Checks out;
 };
 
-void add_joint(const Scenario& s, Given& given) {
-  const LuGreFriction::Parameters& p = bristles_of(s).parameters();
+void add_joint(const simulate::Scenario& s, Given& given) {
+  const friction::LuGreFriction::Parameters& p = bristles_of(s).parameters();
   given.add("Scenario: σ₀", 465.42, 2, p.bristle_stiffness_Nm_rad, "N·m/rad");
   given.add("Scenario: σ₁", 0.77080, 5, p.bristle_damping_Nms_rad, "N·m·s/rad");
   given.add("Scenario: σ₂", 0.001, 3, p.viscous_Nms_rad, "N·m·s/rad");
@@ -258,27 +258,28 @@ void add_joint(const Scenario& s, Given& given) {
   given.add("Scenario: J of motor and gear", 1e-4, 4, s.motor_inertia_kgm2, "kg·m²");
   given.add("Scenario: m", 98.96, 2, s.load.mass_kg(), "kg");
   given.add("Scenario: r", 0.4, 1, s.load.distance_m(), "m");
-  const OscillationExperiment& e = present(s.oscillation);
+  const simulate::OscillationExperiment& e = present(s.oscillation);
   given.add("Scenario: swing of the motor, n a", 0.01, 2, s.gear_ratio * e.amplitude_rad, "rad");
   given.add("Scenario: f", 1, 0, e.frequency_Hz, "Hz");
 }
 
-void add_sliding(const Scenario& s, Given& given) {
-  const WaiboerFriction::Parameters& p = sliding_of(s).parameters();
+void add_sliding(const simulate::Scenario& s, Given& given) {
+  const friction::WaiboerFriction::Parameters& p = sliding_of(s).parameters();
   given.add("Scenario: T_a of eq. (6)", 0.8844, 4, p.asperity_torque_Nm, "N·m");
   given.add("Scenario: ω_s of eq. (6)", 5, 0, p.stribeck_speed_rad_s, "rad/s");
   given.add("Scenario: δ_a", 0.7, 1, p.stribeck_power, "");
   given.add("Scenario: c_v, the viscous part at 1 rad/s", 0.12, 2, p.viscous_coefficient, "N·m");
   given.add("Scenario: δ_v", 0.6, 1, p.viscous_power, "");
-  given.add("Scenario: c of eq. (7)", printed::smoothing_s_rad, 0, p.smoothing_s_rad, "s/rad");
+  given.add("Scenario: c of eq. (7)", drawings::smoothing_s_rad, 0, p.smoothing_s_rad, "s/rad");
 }
 
-void add_experiments(const Scenario& s, Given& given) {
-  const SweepExperiment& sweep = present(s.rough_sweep);
-  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * degrees_per_rad, "°");
-  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * degrees_per_rad, "°");
-  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * degrees_per_rad, "°/s");
-  const ConstantSpeedExperiment& runs = present(s.constant_speed);
+void add_experiments(const simulate::Scenario& s, Given& given) {
+  const simulate::SweepExperiment& sweep = present(s.rough_sweep);
+  given.add("Scenario: rough sweep from", -80, 0, sweep.from_rad * joint::degrees_per_rad, "°");
+  given.add("Scenario: rough sweep to", 60, 0, sweep.to_rad * joint::degrees_per_rad, "°");
+  given.add("Scenario: speed of the rough sweep", 2, 0, sweep.speed_rad_s * joint::degrees_per_rad,
+            "°/s");
+  const simulate::ConstantSpeedExperiment& runs = present(s.constant_speed);
   const auto& speeds = runs.motor_speeds_rad_s;
   const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
   given.add("Scenario: number of constant speeds, in both directions", 20, 0,
@@ -297,4 +298,4 @@ Checks golden_parameters(const PapersJoint& joint) {
   return given.out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

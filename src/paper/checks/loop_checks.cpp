@@ -8,13 +8,13 @@
 #include "paper/drawings/printed_paper.h"
 #include "paper/scenes/test_numbers.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 namespace {}  // namespace
 
 Checks check_sweep_motion(const PapersJoint& joint) {
-  const Scenario& s = joint.scenario;
-  const Recording& log = joint.recording(Role::rough_sweep);
+  const simulate::Scenario& s = joint.scenario;
+  const joint::Recording& log = joint.recording(joint::Role::rough_sweep);
   const std::vector<bool>& used = joint.calibration.rough.used.at(0);
   double slowest = INFINITY;
   double fastest = 0;
@@ -40,27 +40,27 @@ Checks check_sweep_motion(const PapersJoint& joint) {
 }
 
 Checks check_rough_peak(const PapersJoint& joint) {
-  const CogSweepResult& rough = joint.calibration.rough;
-  return {
-      printed_value("Angle of the largest torque", -printed::rough_angle_deg, 0,
-                    rough.argmax_rad * degrees_per_rad, 1, "°", "print gives whole degrees, cut"),
-      printed_value("The same against the precise angle", -printed::precise_angle_deg, 5,
-                    rough.argmax_rad * degrees_per_rad, 0.001, "°",
-                    "half a sample at 2°/s and 1 kHz"),
-      printed_value("By least squares over the whole sweep", -printed::precise_angle_deg, 5,
-                    rough.q_peak_rad.value * degrees_per_rad, 0.006, "°",
-                    "10⁻⁴ rad, what the program promises of a rough sweep")};
+  const method::gravity::CogSweepResult& rough = joint.calibration.rough;
+  return {printed_value("Angle of the largest torque", -drawings::rough_angle_deg, 0,
+                        rough.argmax_rad * joint::degrees_per_rad, 1, "°",
+                        "print gives whole degrees, cut"),
+          printed_value("The same against the precise angle", -drawings::precise_angle_deg, 5,
+                        rough.argmax_rad * joint::degrees_per_rad, 0.001, "°",
+                        "half a sample at 2°/s and 1 kHz"),
+          printed_value("By least squares over the whole sweep", -drawings::precise_angle_deg, 5,
+                        rough.q_peak_rad.value * joint::degrees_per_rad, 0.006, "°",
+                        "10⁻⁴ rad, what the program promises of a rough sweep")};
 }
 
 Checks check_precise_peak(const PapersJoint& joint) {
-  const CogSweepResult& precise = joint.calibration.precise;
-  return {printed_value("Angle of the largest torque", -printed::precise_angle_deg, 5,
-                        precise.argmax_rad * degrees_per_rad, 1e-4, "°",
+  const method::gravity::CogSweepResult& precise = joint.calibration.precise;
+  return {printed_value("Angle of the largest torque", -drawings::precise_angle_deg, 5,
+                        precise.argmax_rad * joint::degrees_per_rad, 1e-4, "°",
                         "a sample at 0.1°/s and 1 kHz"),
-          printed_value("By least squares", -printed::precise_angle_deg, 5,
-                        precise.q_peak_rad.value * degrees_per_rad, 1e-5, "°",
+          printed_value("By least squares", -drawings::precise_angle_deg, 5,
+                        precise.q_peak_rad.value * joint::degrees_per_rad, 1e-5, "°",
                         "the last printed place"),
-          printed_value("q_c = −q_peak", printed::precise_angle_rad, 5, -precise.q_peak_rad.value,
+          printed_value("q_c = −q_peak", drawings::precise_angle_rad, 5, -precise.q_peak_rad.value,
                         1e-5, "rad", "print cuts after five decimals")};
 }
 
@@ -68,7 +68,7 @@ Checks check_precise_peak(const PapersJoint& joint) {
 
 namespace {
 
-const LoopTrace& trace_of(const PapersJoint& joint) {
+const method::hysteresis::LoopTrace& trace_of(const PapersJoint& joint) {
   return joint.calibration.hysteresis.traces.at(0);
 }
 
@@ -97,7 +97,7 @@ Check is_extreme(const PapersJoint& joint, char name, const std::vector<double>&
 
 Checks check_torque_loop(const PapersJoint& joint) {
   Checks out;
-  for (const printed::TorqueRow& row : printed::table_2) {
+  for (const drawings::TorqueRow& row : drawings::table_2) {
     out.push_back(printed_value(std::string("Torque at ") + row.point, row.torque_Nm, 3,
                                 joint.point(row.point).torque_Nm,
                                 reconstruction_share * row.torque_Nm, "N·m", reconstruction));
@@ -105,7 +105,8 @@ Checks check_torque_loop(const PapersJoint& joint) {
   const auto mean_of = [&](char one, char other) {
     const auto& steady = joint.calibration.hysteresis.steady_points;
     double sum = 0;
-    for (const LoopPoint& p : steady) sum += p.name == one || p.name == other ? p.torque_Nm / 2 : 0;
+    for (const method::hysteresis::LoopPoint& p : steady)
+      sum += p.name == one || p.name == other ? p.torque_Nm / 2 : 0;
     return sum;
   };
   const double truth = joint.true_gravity_Nm();
@@ -118,7 +119,7 @@ Checks check_torque_loop(const PapersJoint& joint) {
 }
 
 Checks check_deflection_loop(const PapersJoint& joint) {
-  const LoopTrace& trace = trace_of(joint);
+  const method::hysteresis::LoopTrace& trace = trace_of(joint);
   const double largest = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
   /// On a straight line between samples 1 ms apart.
   const double zero = 2e-5 * largest;
@@ -135,7 +136,7 @@ Checks check_deflection_loop(const PapersJoint& joint) {
 }
 
 Checks check_rate_loop(const PapersJoint& joint) {
-  const LoopTrace& trace = trace_of(joint);
+  const method::hysteresis::LoopTrace& trace = trace_of(joint);
   return {is_extreme(joint, 'F', trace.dz_rad_s, {0.25, 0.75}, false, joint.point('F').dz_rad_s,
                      "smallest dz/dt", "rad/s"),
           is_extreme(joint, 'E', trace.dz_rad_s, {0.75, 1.25}, true, joint.point('E').dz_rad_s,
@@ -155,7 +156,7 @@ constexpr double rounding_m = 1e-12;
 }  // namespace
 
 Checks check_robot(const PapersJoint& joint) {
-  const JointUnderTest& arm = joint.robot.under_test;
+  const robot::JointUnderTest& arm = joint.robot.under_test;
   return {in_words("The robot", Origin::printed, "FANUC AM100iB", arm.arm().name()),
           in_words("The joint under test", Origin::printed, "3", arm.joint().name),
           vanishing("Its axis is level, as eq. (9) needs: vertical part of its direction",
@@ -163,18 +164,18 @@ Checks check_robot(const PapersJoint& joint) {
 }
 
 Checks check_mass_model(const PapersJoint& joint) {
-  const JointUnderTest& arm = joint.robot.under_test;
+  const robot::JointUnderTest& arm = joint.robot.under_test;
   const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
   const Eigen::Vector3d towards = arm.towards_mass(0, present(drawn.q_peak_rad).value);
   const double q_c = std::atan2(towards.z(), towards.dot(arm.level()));
   const scenes::DrivenMass mass = present(drawn.mass);
   return {
       printed_value("q_c, elevation of the mass centre as drawn at q = 0",
-                    printed::precise_angle_rad, 5, q_c, 1e-5, "rad",
+                    drawings::precise_angle_rad, 5, q_c, 1e-5, "rad",
                     "print cuts after five decimals"),
       law_value("The mass centre's distance as drawn: r", joint.scenario.load.distance_m(),
                 mass.distance_m, rounding_m, "m", "rounding"),
-      printed_value("The surrogate's distance as drawn: r (printed as 500 m)", printed::distance_m,
+      printed_value("The surrogate's distance as drawn: r (printed as 500 m)", drawings::distance_m,
                     1, drawn.surrogate_distance_m, rounding_m, "m", "rounding"),
       law_value("Surrogate at its distance against mass at its own: its m r by that of the arm", 1,
                 present(drawn.surrogate_mass_kg).value * drawn.surrogate_distance_m /
@@ -183,22 +184,22 @@ Checks check_mass_model(const PapersJoint& joint) {
 }
 
 Checks check_motion_range(const PapersJoint& joint) {
-  const JointUnderTest& arm = joint.robot.under_test;
+  const robot::JointUnderTest& arm = joint.robot.under_test;
   const scenes::TestNumbers drawn = scenes::stated_numbers(joint.robot);
-  const AngleRange range = present(drawn.range);
-  const double at = -printed::precise_angle_deg * rad_per_degree;
-  const SweepExperiment& sweep = present(joint.scenario.rough_sweep);
+  const robot::AngleRange range = present(drawn.range);
+  const double at = -drawings::precise_angle_deg * joint::rad_per_degree;
+  const simulate::SweepExperiment& sweep = present(joint.scenario.rough_sweep);
   return {law_value("The mass centre is level at −22.23187°: its height over the axis", 0,
                     present(drawn.mass).distance_m *
                         arm.towards_mass(at, present(drawn.q_peak_rad).value).z(),
                     1e-9, "m", "the printed angle's rounding"),
           law_value("The drawn range begins where the rough sweep does",
-                    sweep.from_rad * degrees_per_rad, range.lowest_rad * degrees_per_rad, 1e-9, "°",
-                    "rounding"),
-          law_value("and ends where it ends", sweep.to_rad * degrees_per_rad,
-                    range.highest_rad * degrees_per_rad, 1e-9, "°", "rounding"),
+                    sweep.from_rad * joint::degrees_per_rad,
+                    range.lowest_rad * joint::degrees_per_rad, 1e-9, "°", "rounding"),
+          law_value("and ends where it ends", sweep.to_rad * joint::degrees_per_rad,
+                    range.highest_rad * joint::degrees_per_rad, 1e-9, "°", "rounding"),
           in_words("The gravity peak lies within it", Origin::printed, "within",
                    at > range.lowest_rad && at < range.highest_rad ? "within" : "outside")};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

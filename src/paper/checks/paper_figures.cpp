@@ -9,21 +9,23 @@
 #include "paper/drawings/paper_drawings.h"
 #include "paper/scenes/scene_figures.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
-std::vector<ReportFigure> paper_figures(const PapersJoint& joint) {
-  std::vector<ReportFigure> figures{static_friction_figure(joint.discontinuous),
-                                    linear_zone_figure(joint.continuous),
-                                    presliding_hysteresis_figure(joint.loops)};
-  const auto add = [&](std::vector<ReportFigure> more) {
+std::vector<figures::ReportFigure> paper_figures(const PapersJoint& joint) {
+  std::vector<figures::ReportFigure> figures{charts::static_friction_figure(joint.discontinuous),
+                                             charts::linear_zone_figure(joint.continuous),
+                                             charts::presliding_hysteresis_figure(joint.loops)};
+  const auto add = [&](std::vector<figures::ReportFigure> more) {
     std::move(more.begin(), more.end(), std::back_inserter(figures));
   };
-  add(paper_drawings(joint.scenario.gear_ratio));
-  add(scene_figures(joint.robot));
-  add(figure_set(joint.dataset, joint.calibration));
+  add(drawings::paper_drawings(joint.scenario.gear_ratio));
+  add(scenes::scene_figures(joint.robot));
+  add(figures::figure_set(joint.dataset, joint.calibration));
   std::sort(figures.begin(), figures.end(),
-            [](const ReportFigure& a, const ReportFigure& b) { return a.number < b.number; });
+            [](const figures::ReportFigure& a, const figures::ReportFigure& b) {
+              return a.number < b.number;
+            });
   return figures;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

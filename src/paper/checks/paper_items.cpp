@@ -10,19 +10,19 @@
 #include "paper/checks/papers_joint.h"
 #include "paper/drawings/printed_paper.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 // What the paper concludes in words, held against the simulated joint.
 
 namespace {
 
 Checks check_conclusions(const PapersJoint& joint) {
-  const LoopPoint& chosen = joint.point('B');
-  const LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
+  const method::hysteresis::LoopPoint& chosen = joint.point('B');
+  const method::hysteresis::LoopTrace& trace = joint.calibration.hysteresis.traces.at(0);
   const double largest_z = *std::max_element(trace.z_rad.begin(), trace.z_rad.end());
   const double truth = joint.true_mass_kg();
   const auto share_off = [&](const char* estimator) {
-    const SurrogateMass* mass = joint.calibration.masses.find(estimator);
+    const method::hysteresis::SurrogateMass* mass = joint.calibration.masses.find(estimator);
     return mass != nullptr ? 100 * (mass->mass_kg.value / truth - 1) : NAN;
   };
   return {
@@ -50,12 +50,12 @@ Checks check_table_1();
 Checks check_table_2(const PapersJoint& joint);
 
 Checks check_table_1() {
-  const ContactParameters ours;
+  const friction::ContactParameters ours;
   const double values[] = {ours.stiffness_Nm_rad, ours.damping_Nms_rad, ours.viscous_Nms_rad,
                            ours.static_Nm,        ours.coulomb_Nm,      ours.stribeck_speed_rad_s};
   Checks out;
   std::size_t i = 0;
-  for (const printed::ContactRow& row : printed::table_1) {
+  for (const drawings::ContactRow& row : drawings::table_1) {
     const bool is_misprint = row.printed != row.meant;
     Check check = is_misprint
                       ? law_value(std::string(row.symbol) + ", as the cited source has it",
@@ -72,19 +72,20 @@ Checks check_table_1() {
 Checks check_table_2(const PapersJoint& joint) {
   Checks out;
   constexpr int places = 3;
-  for (const printed::TorqueRow& row : printed::table_2) {
+  for (const drawings::TorqueRow& row : drawings::table_2) {
     out.push_back(printed_value(std::string("T at ") + row.point + ", simulated joint",
                                 row.torque_Nm, places, joint.point(row.point).torque_Nm,
                                 reconstruction_share * row.torque_Nm, "N·m", reconstruction));
   }
-  for (const printed::TorqueRow& row : printed::table_2) {
+  for (const drawings::TorqueRow& row : drawings::table_2) {
     out.push_back(printed_value(std::string("Mass ") + row.point + " from the printed torque",
-                                row.mass_kg, places, printed::mass_of_torque_kg(row.torque_Nm),
-                                printed::rounding_kg(), "kg",
+                                row.mass_kg, places, drawings::mass_of_torque_kg(row.torque_Nm),
+                                drawings::rounding_kg(), "kg",
                                 "rounding of printed torque and mass"));
   }
-  for (const printed::TorqueRow& row : printed::table_2) {
-    const SurrogateMass* ours = joint.calibration.masses.find(std::string(1, row.point));
+  for (const drawings::TorqueRow& row : drawings::table_2) {
+    const method::hysteresis::SurrogateMass* ours =
+        joint.calibration.masses.find(std::string(1, row.point));
     out.push_back(printed_value(std::string("Mass ") + row.point + ", simulated joint", row.mass_kg,
                                 places, ours != nullptr ? ours->mass_kg.value : std::nan(""),
                                 reconstruction_share * row.mass_kg, "kg", reconstruction));
@@ -102,10 +103,11 @@ PaperItem table(int number, std::string title, Checks checks, std::string remark
 
 class Figures {
  public:
-  explicit Figures(const std::vector<ReportFigure>& figures) : figures_(figures) {}
-  const ReportFigure& operator[](int number) const {
-    const auto found = std::find_if(figures_.begin(), figures_.end(),
-                                    [&](const ReportFigure& f) { return f.number == number; });
+  explicit Figures(const std::vector<figures::ReportFigure>& figures) : figures_(figures) {}
+  const figures::ReportFigure& operator[](int number) const {
+    const auto found =
+        std::find_if(figures_.begin(), figures_.end(),
+                     [&](const figures::ReportFigure& f) { return f.number == number; });
     if (found == figures_.end()) {
       throw std::invalid_argument("the paper's figure " + std::to_string(number) + " is missing");
     }
@@ -116,13 +118,13 @@ class Figures {
   }
 
  private:
-  const std::vector<ReportFigure>& figures_;
+  const std::vector<figures::ReportFigure>& figures_;
 };
 
 }  // namespace
 
 std::vector<PaperSection> paper_items(const PapersJoint& joint,
-                                      const std::vector<ReportFigure>& figures) {
+                                      const std::vector<figures::ReportFigure>& figures) {
   const Figures figure(figures);
   return {
       {"1",
@@ -214,4 +216,4 @@ Tally tally_checks(const std::vector<PaperSection>& sections) {
   return sum;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -9,7 +9,7 @@
 #include "paper/checks/check.h"
 #include "paper/checks/papers_joint.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 enum class ItemKind { figure, table, equation, statement };
 
@@ -29,7 +29,7 @@ struct PaperSection {
 
 /// @param figures those that are drawn; figure 3's checks are read off its drawing.
 std::vector<PaperSection> paper_items(const PapersJoint& joint,
-                                      const std::vector<ReportFigure>& figures);
+                                      const std::vector<figures::ReportFigure>& figures);
 
 /// How many there are, and how many hold.
 struct Tally {
@@ -42,4 +42,4 @@ Tally tally_checks(const std::vector<PaperSection>& sections);
 /// Has the item a check, and does each hold?
 bool every_check_holds(const PaperItem& item);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

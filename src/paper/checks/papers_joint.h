@@ -14,11 +14,11 @@
 #include "simulate/presliding_loops.h"
 #include "simulate/scenario.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 // The friction models that the paper's scenario must have. @throw std::invalid_argument if not.
-const LuGreFriction& bristles_of(const Scenario& scenario);
-const WaiboerFriction& sliding_of(const Scenario& scenario);
+const friction::LuGreFriction& bristles_of(const simulate::Scenario& scenario);
+const friction::WaiboerFriction& sliding_of(const simulate::Scenario& scenario);
 
 /// How far the reconstructed joint is from table 2, with inertia and Stribeck effect in (method,
 /// section 4).
@@ -26,17 +26,17 @@ inline constexpr double reconstruction_share = 0.0024;
 inline constexpr const char* reconstruction = "0.24 %: the reconstruction's largest deviation";
 
 struct PapersJoint {
-  Scenario scenario;  ///< The paper's joint without noise.
-  RobotDescription robot;
-  Dataset dataset;          ///< Simulated from the scenario.
-  Calibration calibration;  ///< Identified from the dataset, which it refers to.
+  simulate::Scenario scenario;  ///< The paper's joint without noise.
+  robot::RobotDescription robot;
+  joint::Dataset dataset;                ///< Simulated from the scenario.
+  calibration::Calibration calibration;  ///< Identified from the dataset, which it refers to.
   /// The loop's six points of the same joint without inertia and without Stribeck effect.
-  std::vector<LoopPoint> plain_points;
-  StribeckFriction discontinuous;     ///< Eq. (1) at the joint's size, and
-  ThresholdSpeedFriction continuous;  ///< eq. (2).
-  std::vector<PreslidingLoop> loops;  ///< Figure 5: table 1 as meant.
+  std::vector<method::hysteresis::LoopPoint> plain_points;
+  friction::StribeckFriction discontinuous;     ///< Eq. (1) at the joint's size, and
+  friction::ThresholdSpeedFriction continuous;  ///< eq. (2).
+  std::vector<simulate::PreslidingLoop> loops;  ///< Figure 5: table 1 as meant.
 
-  PapersJoint(const Scenario& scenario, RobotDescription robot);
+  PapersJoint(const simulate::Scenario& scenario, robot::RobotDescription robot);
   PapersJoint(const PapersJoint&) = delete;
   PapersJoint& operator=(const PapersJoint&) = delete;
 
@@ -48,9 +48,9 @@ struct PapersJoint {
   [[nodiscard]] double oscillation_speed_rad_s(double t_s) const;
   [[nodiscard]] double oscillation_acceleration_rad_s2(double t_s) const;
   /// The recording of a role; the first if there are several.
-  [[nodiscard]] const Recording& recording(Role role) const;
+  [[nodiscard]] const joint::Recording& recording(joint::Role role) const;
   /// A point of the start-up stroke, as table 2 has it.
-  [[nodiscard]] const LoopPoint& point(char name) const;
+  [[nodiscard]] const method::hysteresis::LoopPoint& point(char name) const;
 };
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -6,7 +6,7 @@
 
 #include "paper/checks/papers_joint.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 
 /// z [rad] at the samples of the joint's oscillation, from z = 0.
 /// @throw std::runtime_error if the solver gives up.
@@ -15,4 +15,4 @@ std::vector<double> solved_deflection_rad(const PapersJoint& joint);
 /// Time of the first downward zero of z [s]: the instant of point B.
 double solved_time_of_B_s(const PapersJoint& joint);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

@@ -5,7 +5,7 @@
 #include "paper/checks/equation_checks.h"
 #include "paper/drawings/printed_paper.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::checks {
 namespace {
 
 constexpr double slowest_rad_s = 1e-6;
@@ -36,8 +36,8 @@ Check dissipates(const Law& law) {
 }  // namespace
 
 Checks check_equation_1(const PapersJoint& joint) {
-  const StribeckFriction& law = joint.discontinuous;
-  const StribeckCurve::Parameters& p = law.curve().parameters();
+  const friction::StribeckFriction& law = joint.discontinuous;
+  const friction::StribeckCurve::Parameters& p = law.curve().parameters();
   const double viscous = law.parameters().viscous_Nms_rad;
   const double broken = p.static_Nm;
   const auto printed = [&](double w) {
@@ -56,8 +56,8 @@ Checks check_equation_1(const PapersJoint& joint) {
 }
 
 Checks check_equation_2(const PapersJoint& joint) {
-  const ThresholdSpeedFriction& law = joint.continuous;
-  const ThresholdSpeedFriction::Parameters& p = law.parameters();
+  const friction::ThresholdSpeedFriction& law = joint.continuous;
+  const friction::ThresholdSpeedFriction::Parameters& p = law.parameters();
   const double threshold = p.threshold_rad_s;
   const auto sliding = [&](double w) {
     return (p.coulomb_Nm +
@@ -83,8 +83,8 @@ Checks check_equation_2(const PapersJoint& joint) {
 }
 
 Checks check_equation_6(const PapersJoint& joint) {
-  const WaiboerFriction& law = sliding_of(joint.scenario);
-  const WaiboerFriction::Parameters& p = law.parameters();
+  const friction::WaiboerFriction& law = sliding_of(joint.scenario);
+  const friction::WaiboerFriction::Parameters& p = law.parameters();
   const auto meant = [&](double w) {
     return p.asperity_torque_Nm *
                std::exp(-std::pow(w / p.stribeck_speed_rad_s, p.stribeck_power)) +
@@ -103,7 +103,8 @@ Checks check_equation_6(const PapersJoint& joint) {
   if (fit) {
     constexpr double share = 1e-3;
     const char* why = "a thousandth: 40 runs of a log without noise";
-    const auto found = [&](const char* what, double truth, const Estimate& ours, const char* unit) {
+    const auto found = [&](const char* what, double truth, const statistics::Estimate& ours,
+                           const char* unit) {
       out.push_back(law_value(std::string("Found again from the simulated runs: ") + what, truth,
                               ours.value, share * truth, unit, why));
     };
@@ -118,17 +119,17 @@ Checks check_equation_6(const PapersJoint& joint) {
 }
 
 Checks check_equation_7(const PapersJoint& joint) {
-  const WaiboerFriction& law = sliding_of(joint.scenario);
+  const friction::WaiboerFriction& law = sliding_of(joint.scenario);
   const double c = law.parameters().smoothing_s_rad;
   const auto meant = [&](double w) {
     return 2 / std::numbers::pi * std::atan(c * w) * law.magnitude_Nm(std::abs(w));
   };
-  const double turn = printed::direction_change_rad_s;
+  const double turn = drawings::direction_change_rad_s;
   return {
       vanishing("Equation against program, at 1000 speeds: largest difference",
                 largest_over(grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
                 rounding_Nm, "N·m", rounding),
-      printed_value("The scale c of the scenario", printed::smoothing_s_rad, 0, c, 0, "s/rad", ""),
+      printed_value("The scale c of the scenario", drawings::smoothing_s_rad, 0, c, 0, "s/rad", ""),
       law_value("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there",
                 1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",
                 "the inverse tangent comes within 2/(π c ω) of its end"),
@@ -137,4 +138,4 @@ Checks check_equation_7(const PapersJoint& joint) {
       dissipates(law)};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::checks

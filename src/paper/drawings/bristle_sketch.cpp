@@ -4,12 +4,12 @@
 
 #include "paper/drawings/schematic.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
-std::vector<render::DiagramPoint> bent_bristle(render::DiagramPoint root, double length,
-                                               double deflection) {
+std::vector<render::figure::DiagramPoint> bent_bristle(render::figure::DiagramPoint root,
+                                                       double length, double deflection) {
   constexpr int steps = 24;
-  std::vector<render::DiagramPoint> points;
+  std::vector<render::figure::DiagramPoint> points;
   for (int i = 0; i <= steps; ++i) {
     const double s = static_cast<double>(i) / steps;
     points.push_back({root.x + deflection * s * s * (3.0 - s) / 2.0, root.y + length * s});
@@ -17,17 +17,17 @@ std::vector<render::DiagramPoint> bent_bristle(render::DiagramPoint root, double
   return points;
 }
 
-std::vector<render::DiagramPoint> upright_rectangle(double left, double top, double right,
-                                                    double bottom) {
+std::vector<render::figure::DiagramPoint> upright_rectangle(double left, double top, double right,
+                                                            double bottom) {
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
 namespace {
 
-using render::Diagram;
-using render::DiagramPoint;
-using render::LineStyle;
-using render::TextPlace;
+using render::figure::Diagram;
+using render::figure::DiagramPoint;
+using render::figure::LineStyle;
+using render::figure::TextPlace;
 
 constexpr double upper_top = 14;
 constexpr double upper_surface = 28;
@@ -36,12 +36,13 @@ constexpr double lower_bottom = 70;
 constexpr double bristle_length = 18;
 constexpr double mean_deflection = 7;
 constexpr double bristle_px = 4.0;
-constexpr render::Colour rigid = render::palette::vermilion;
-constexpr render::Colour rest = render::palette::grey;
+constexpr render::figure::Colour rigid = render::figure::palette::vermilion;
+constexpr render::figure::Colour rest = render::figure::palette::grey;
 
-void add_line(Diagram& diagram, std::vector<DiagramPoint> points, render::Colour colour,
-              double width_px = 2.5, LineStyle style = LineStyle::solid) {
-  render::Stroke stroke;
+void add_line(render::figure::Diagram& diagram, std::vector<render::figure::DiagramPoint> points,
+              render::figure::Colour colour, double width_px = 2.5,
+              render::figure::LineStyle style = render::figure::LineStyle::solid) {
+  render::figure::Stroke stroke;
   stroke.points = std::move(points);
   stroke.colour = colour;
   stroke.width_px = width_px;
@@ -50,47 +51,49 @@ void add_line(Diagram& diagram, std::vector<DiagramPoint> points, render::Colour
 }
 
 /// A body with a surface; its other three sides are not outlined where it goes on.
-void add_body(Diagram& diagram, double left, double top, double right, double bottom,
-              double surface, render::Colour colour) {
+void add_body(render::figure::Diagram& diagram, double left, double top, double right,
+              double bottom, double surface, render::figure::Colour colour) {
   diagram.areas.push_back({upright_rectangle(left, top, right, bottom), colour});
-  add_line(diagram, {{left, surface}, {right, surface}}, render::palette::black, 3.0);
+  add_line(diagram, {{left, surface}, {right, surface}}, render::figure::palette::black, 3.0);
 }
 
-void add_contact(Diagram& diagram) {
+void add_contact(render::figure::Diagram& diagram) {
   add_body(diagram, 6, upper_top, 98, upper_surface, upper_surface, ground::element);
   add_body(diagram, 6, lower_surface, 98, lower_bottom, lower_surface, ground::outside);
-  render::Block support;
-  support.kind = render::BlockKind::fixed_support;
+  render::figure::Block support;
+  support.kind = render::figure::BlockKind::fixed_support;
   support.centre = {52, lower_bottom + 2};
   support.width = 92;
   support.height = 4;
-  support.faces = render::BlockSide::top;
+  support.faces = render::figure::BlockSide::top;
   diagram.blocks.push_back(support);
   // Bristles differ; z is the mean of what they deflect.
   const double deflections[] = {6.2, 7.6, 6.6, 8.1, 6.5};
   double root = 23;
   for (const double deflection : deflections) {
     const auto bristle = bent_bristle({root, upper_surface}, bristle_length, -deflection);
-    const DiagramPoint touched = bristle[20];
+    const render::figure::DiagramPoint touched = bristle[20];
     add_line(diagram, bristle, bristle_colour, bristle_px);
     const double beside = 0.5;
     add_line(diagram, {{touched.x + beside, touched.y}, {touched.x + beside, lower_surface}}, rigid,
              bristle_px);
     root += 16;
   }
-  diagram.texts.push_back(
-      {"moving body (motor shaft)", {52, (upper_top + upper_surface) / 2}, TextPlace::centre});
-  diagram.texts.push_back(
-      {"body at rest (housing)", {52, (lower_surface + lower_bottom) / 2}, TextPlace::centre});
-  render::Stroke motion;
+  diagram.texts.push_back({"moving body (motor shaft)",
+                           {52, (upper_top + upper_surface) / 2},
+                           render::figure::TextPlace::centre});
+  diagram.texts.push_back({"body at rest (housing)",
+                           {52, (lower_surface + lower_bottom) / 2},
+                           render::figure::TextPlace::centre});
+  render::figure::Stroke motion;
   motion.points = {{40, 8.5}, {64, 8.5}};
   motion.width_px = 4.0;
   motion.arrow_at_end = true;
   diagram.strokes.push_back(motion);
-  diagram.texts.push_back({"speed ω", {52, 8}, TextPlace::above});
+  diagram.texts.push_back({"speed ω", {52, 8}, render::figure::TextPlace::above});
 }
 
-void add_mean_bristle(Diagram& diagram) {
+void add_mean_bristle(render::figure::Diagram& diagram) {
   const double left = 110;
   const double right = 154;
   const double root = 146;
@@ -100,30 +103,33 @@ void add_mean_bristle(Diagram& diagram) {
   add_body(diagram, left, upper_top, right, upper_surface, upper_surface, ground::element);
   diagram.texts.push_back({"the mean bristle",
                            {(left + right) / 2, (upper_top + upper_surface) / 2},
-                           TextPlace::centre});
-  add_line(diagram, {{root, upper_surface}, {root, tip_level + 7}}, rest, 2.0, LineStyle::dash);
-  add_line(diagram, {{tip, tip_level}, {tip, tip_level + 7}}, rest, 2.0, LineStyle::dash);
+                           render::figure::TextPlace::centre});
+  add_line(diagram, {{root, upper_surface}, {root, tip_level + 7}}, rest, 2.0,
+           render::figure::LineStyle::dash);
+  add_line(diagram, {{tip, tip_level}, {tip, tip_level + 7}}, rest, 2.0,
+           render::figure::LineStyle::dash);
   add_line(diagram, bent_bristle({root, upper_surface}, length, tip - root), bristle_colour,
            bristle_px);
-  render::Dimension z;
+  render::figure::Dimension z;
   z.from = {tip, tip_level + 5};
   z.to = {root, tip_level + 5};
   z.text = "z";
-  z.place = TextPlace::below;
+  z.place = render::figure::TextPlace::below;
   diagram.dimensions.push_back(z);
-  render::Stroke force;
+  render::figure::Stroke force;
   force.points = {{tip - 0.5, tip_level}, {tip - 21, tip_level}};
   force.arrow_at_end = true;
   force.width_px = 3.5;
   force.colour = rigid;
   diagram.strokes.push_back(force);
-  diagram.texts.push_back({"σ_{0} z + σ_{1} dz/dt", {tip - 11, tip_level - 1}, TextPlace::above});
+  diagram.texts.push_back(
+      {"σ_{0} z + σ_{1} dz/dt", {tip - 11, tip_level - 1}, render::figure::TextPlace::above});
 }
 
 }  // namespace
 
-ReportFigure bristle_sketch_figure() {
-  ReportFigure out;
+figures::ReportFigure bristle_sketch_figure() {
+  figures::ReportFigure out;
   out.number = 3;
   out.id = "fig-03-bristles";
   out.title = "Surfaces in contact through elastic bristles";
@@ -139,7 +145,7 @@ ReportFigure bristle_sketch_figure() {
       "Sketch. A body moves to the right over a body at rest. Elastic bristles under the moving "
       "body are bent to the left by rigid ones of the other. An enlarged bristle shows the mean "
       "deflection z between its tip and its place at rest.";
-  Diagram& diagram = out.figure.diagram.emplace();
+  render::figure::Diagram& diagram = out.figure.diagram.emplace();
   diagram.height = 77;
   add_contact(diagram);
   add_mean_bristle(diagram);
@@ -149,4 +155,4 @@ ReportFigure bristle_sketch_figure() {
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

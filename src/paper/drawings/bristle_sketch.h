@@ -6,21 +6,21 @@
 #include "figures/report_figure.h"
 #include "render/figure/diagram.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 /// An elastic bristle, clamped at `root` and straight down (or up, if length is negative) when at
 /// rest, whose tip is pushed sideways by `deflection`: the bending line of a cantilever.
-std::vector<render::DiagramPoint> bent_bristle(render::DiagramPoint root, double length,
-                                               double deflection);
+std::vector<render::figure::DiagramPoint> bent_bristle(render::figure::DiagramPoint root,
+                                                       double length, double deflection);
 
 /// Corners of an upright rectangle.
-std::vector<render::DiagramPoint> upright_rectangle(double left, double top, double right,
-                                                    double bottom);
+std::vector<render::figure::DiagramPoint> upright_rectangle(double left, double top, double right,
+                                                            double bottom);
 
 /// Of the elastic bristles: five side by side, then the mean one, enlarged.
-inline constexpr render::Colour bristle_colour = render::palette::blue;
+inline constexpr render::figure::Colour bristle_colour = render::figure::palette::blue;
 inline constexpr double enlargement_of_mean_bristle = 2;
 
-ReportFigure bristle_sketch_figure();
+figures::ReportFigure bristle_sketch_figure();
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

@@ -6,11 +6,11 @@
 
 #include "paper/drawings/schematic.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 namespace {
 
-using render::BlockKind;
-using render::BlockSide;
+using render::figure::BlockKind;
+using render::figure::BlockSide;
 
 constexpr double inertia_row = 20;
 constexpr double torque_row = 40;
@@ -20,23 +20,26 @@ constexpr double element_column = 60;
 constexpr double sum_column = 88;
 
 std::map<std::string, NodePlace> places() {
-  return {
-      {"motor acceleration", {{source_column, inertia_row}, 12, 10}},
-      {"motor torque", {{source_column, torque_row}, 12, 10}},
-      {"motor speed", {{source_column, friction_row}, 12, 10}},
-      {"inertia", {{element_column, inertia_row}, 15, 14}},
-      {"friction",
-       {{element_column, friction_row}, 24, 14, BlockSide::right, {"friction", "T_{f}(φ\u0307)"}}},
-      {"balance", {{sum_column, torque_row}, 10, 10}},
-      {"gear", {{114, torque_row}, 15, 15}},
-      {"arm torque", {{147, torque_row}, 18, 10}}};
+  return {{"motor acceleration", {{source_column, inertia_row}, 12, 10}},
+          {"motor torque", {{source_column, torque_row}, 12, 10}},
+          {"motor speed", {{source_column, friction_row}, 12, 10}},
+          {"inertia", {{element_column, inertia_row}, 15, 14}},
+          {"friction",
+           {{element_column, friction_row},
+            24,
+            14,
+            render::figure::BlockSide::right,
+            {"friction", "T_{f}(φ\u0307)"}}},
+          {"balance", {{sum_column, torque_row}, 10, 10}},
+          {"gear", {{114, torque_row}, 15, 15}},
+          {"arm torque", {{147, torque_row}, 18, 10}}};
 }
 
 std::vector<WireRoute> routes() {
-  const Port left{BlockSide::left, 0};
-  const Port right{BlockSide::right, 0};
-  const Port top{BlockSide::top, 0};
-  const Port bottom{BlockSide::bottom, 0};
+  const Port left{render::figure::BlockSide::left, 0};
+  const Port right{render::figure::BlockSide::right, 0};
+  const Port top{render::figure::BlockSide::top, 0};
+  const Port bottom{render::figure::BlockSide::bottom, 0};
   return {
       {"motor acceleration", "inertia", right, left},
       {"motor torque", "balance", right, left},
@@ -48,14 +51,14 @@ std::vector<WireRoute> routes() {
   };
 }
 
-render::Block source_frame() {
-  render::Block frame;
-  frame.kind = BlockKind::frame;
+render::figure::Block source_frame() {
+  render::figure::Block frame;
+  frame.kind = render::figure::BlockKind::frame;
   frame.lines = {"ideal source", "of motion"};
   frame.centre = {18.5, 37};
   frame.width = 29;
   frame.height = 66;
-  frame.colour = render::palette::grey;
+  frame.colour = render::figure::palette::grey;
   frame.fill.alpha = 0;
   return frame;
 }
@@ -82,8 +85,8 @@ SignalGraph drive_graph(const DriveElements& drive) {
   return graph;
 }
 
-ReportFigure drive_diagram_figure(double gear_ratio) {
-  ReportFigure out;
+figures::ReportFigure drive_diagram_figure(double gear_ratio) {
+  figures::ReportFigure out;
   out.number = 6;
   out.id = "fig-06-drive-diagram";
   out.title = "Inputs and outputs of the drive";
@@ -101,24 +104,24 @@ ReportFigure drive_diagram_figure(double gear_ratio) {
       "shaft. J times the acceleration and the friction torque are taken from the torque; the "
       "rest times n = {:g} is the arm's torque.",
       gear_ratio);
-  render::Diagram& diagram = out.figure.diagram.emplace(draw_schematic(
+  render::figure::Diagram& diagram = out.figure.diagram.emplace(draw_schematic(
       drive_graph({gear_ratio, 0.0, [](double) { return 0.0; }}), places(), routes()));
   diagram.height = 74;
   diagram.blocks.insert(diagram.blocks.begin(), source_frame());
   diagram.strokes.push_back({{{129, 4}, {129, 70}},
-                             render::palette::grey,
+                             render::figure::palette::grey,
                              2.0,
-                             render::LineStyle::dash_dot,
+                             render::figure::LineStyle::dash_dot,
                              false,
                              false});
-  diagram.texts.push_back({"motor side", {128, 6}, render::TextPlace::left});
-  diagram.texts.push_back({"arm side", {130, 6}, render::TextPlace::right});
+  diagram.texts.push_back({"motor side", {128, 6}, render::figure::TextPlace::left});
+  diagram.texts.push_back({"arm side", {130, 6}, render::figure::TextPlace::right});
   diagram.texts.push_back(
-      {fmt::format("n = {:g}", gear_ratio), {114, 49}, render::TextPlace::below});
+      {fmt::format("n = {:g}", gear_ratio), {114, 49}, render::figure::TextPlace::below});
   out.figure.height_px = 820;
   out.figure.id = out.id;
   out.figure.title = out.title;
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

@@ -6,7 +6,7 @@
 #include "figures/report_figure.h"
 #include "paper/drawings/signal_graph.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 /// What the drive is made of.
 struct DriveElements {
@@ -24,9 +24,9 @@ SignalGraph drive_graph(const DriveElements& drive);
 SignalGraph gear_graph(double gear_ratio, double inertia_kgm2);
 
 /// Figure 6. Drawn from drive_graph; shows the gear ratio's value.
-ReportFigure drive_diagram_figure(double gear_ratio);
+figures::ReportFigure drive_diagram_figure(double gear_ratio);
 
 /// Figure 8. The gear as a sketch, and drawn from gear_graph.
-ReportFigure gear_diagram_figure(double gear_ratio);
+figures::ReportFigure gear_diagram_figure(double gear_ratio);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

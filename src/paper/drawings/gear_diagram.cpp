@@ -5,12 +5,12 @@
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/schematic.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 namespace {
 
-using render::Arc;
-using render::BlockSide;
-using render::TextPlace;
+using render::figure::Arc;
+using render::figure::BlockSide;
+using render::figure::TextPlace;
 
 constexpr double sketch_row = 26;
 constexpr double inertia_row = 59;
@@ -35,9 +35,9 @@ std::map<std::string, NodePlace> places() {
 }
 
 std::vector<WireRoute> routes() {
-  const Port left{BlockSide::left, 0};
-  const Port right{BlockSide::right, 0};
-  const Port top{BlockSide::top, 0};
+  const Port left{render::figure::BlockSide::left, 0};
+  const Port right{render::figure::BlockSide::right, 0};
+  const Port top{render::figure::BlockSide::top, 0};
   return {
       {"motor acceleration", "inertia", right, left},
       {"inertia", "balance", right, top, {}, {}, "J φ\u0308", {67, inertia_row}},
@@ -49,16 +49,16 @@ std::vector<WireRoute> routes() {
   };
 }
 
-Arc circle(render::DiagramPoint centre, double radius) {
-  Arc arc;
+render::figure::Arc circle(render::figure::DiagramPoint centre, double radius) {
+  render::figure::Arc arc;
   arc.centre = centre;
   arc.radius = radius;
   return arc;
 }
 
-Arc turning(render::DiagramPoint centre, double radius, double from_deg, double to_deg,
-            render::Colour colour) {
-  Arc arc = circle(centre, radius);
+render::figure::Arc turning(render::figure::DiagramPoint centre, double radius, double from_deg,
+                            double to_deg, render::figure::Colour colour) {
+  render::figure::Arc arc = circle(centre, radius);
   arc.from_deg = from_deg;
   arc.to_deg = to_deg;
   arc.colour = colour;
@@ -68,26 +68,28 @@ Arc turning(render::DiagramPoint centre, double radius, double from_deg, double 
 }
 
 /// Pinion and wheel as seen along their axes.
-void add_sketch(render::Diagram& diagram, double gear_ratio) {
-  const render::DiagramPoint pinion{58, sketch_row};
-  const render::DiagramPoint wheel{86, sketch_row};
+void add_sketch(render::figure::Diagram& diagram, double gear_ratio) {
+  const render::figure::DiagramPoint pinion{58, sketch_row};
+  const render::figure::DiagramPoint wheel{86, sketch_row};
   const double pinion_radius = 8;
   const double wheel_radius = 20;
-  Arc small = circle(pinion, pinion_radius);
+  render::figure::Arc small = circle(pinion, pinion_radius);
   small.fill = ground::state;
-  Arc large = circle(wheel, wheel_radius);
+  render::figure::Arc large = circle(wheel, wheel_radius);
   large.fill = ground::element;
   diagram.arcs = {small, large, circle(wheel, 1.0)};
-  diagram.arcs.back().fill = render::palette::black;
-  diagram.arcs.push_back(turning(pinion, 11.5, 130, 240, render::palette::vermilion));
-  diagram.arcs.push_back(turning(wheel, 23.5, 50, -50, render::palette::blue));
-  diagram.texts.push_back({"J", pinion, TextPlace::centre});
+  diagram.arcs.back().fill = render::figure::palette::black;
+  diagram.arcs.push_back(turning(pinion, 11.5, 130, 240, render::figure::palette::vermilion));
+  diagram.arcs.push_back(turning(wheel, 23.5, 50, -50, render::figure::palette::blue));
+  diagram.texts.push_back({"J", pinion, render::figure::TextPlace::centre});
+  diagram.texts.push_back({fmt::format("n = {:g}", gear_ratio),
+                           {wheel.x, wheel.y + 8},
+                           render::figure::TextPlace::centre});
   diagram.texts.push_back(
-      {fmt::format("n = {:g}", gear_ratio), {wheel.x, wheel.y + 8}, TextPlace::centre});
-  diagram.texts.push_back({"motor shaft", {44, sketch_row - 6}, TextPlace::left, true});
-  diagram.texts.push_back({"T − T_{f},  φ", {44, sketch_row}, TextPlace::left});
-  diagram.texts.push_back({"arm", {112, sketch_row - 6}, TextPlace::right, true});
-  diagram.texts.push_back({"T_{ARM},  q", {112, sketch_row}, TextPlace::right});
+      {"motor shaft", {44, sketch_row - 6}, render::figure::TextPlace::left, true});
+  diagram.texts.push_back({"T − T_{f},  φ", {44, sketch_row}, render::figure::TextPlace::left});
+  diagram.texts.push_back({"arm", {112, sketch_row - 6}, render::figure::TextPlace::right, true});
+  diagram.texts.push_back({"T_{ARM},  q", {112, sketch_row}, render::figure::TextPlace::right});
 }
 
 }  // namespace
@@ -113,8 +115,8 @@ SignalGraph gear_graph(double gear_ratio, double inertia_kgm2) {
   return graph;
 }
 
-ReportFigure gear_diagram_figure(double gear_ratio) {
-  ReportFigure out;
+figures::ReportFigure gear_diagram_figure(double gear_ratio) {
+  figures::ReportFigure out;
   out.number = 8;
   out.id = "fig-08-gear-model";
   out.title = "Model of the gear";
@@ -132,7 +134,7 @@ ReportFigure gear_diagram_figure(double gear_ratio) {
       "arm's torque; the motor "
       "angle divided by n is the arm's angle q.",
       gear_ratio);
-  render::Diagram& diagram =
+  render::figure::Diagram& diagram =
       out.figure.diagram.emplace(draw_schematic(gear_graph(gear_ratio, 0.0), places(), routes()));
   diagram.height = 105;
   add_sketch(diagram, gear_ratio);
@@ -142,4 +144,4 @@ ReportFigure gear_diagram_figure(double gear_ratio) {
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

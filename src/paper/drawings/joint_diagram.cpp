@@ -4,14 +4,14 @@
 
 #include "paper/drawings/schematic.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 namespace {
 
-using render::Block;
-using render::BlockKind;
-using render::BlockSide;
-using render::TextPlace;
+using render::figure::Block;
+using render::figure::BlockKind;
+using render::figure::BlockSide;
+using render::figure::TextPlace;
 
 constexpr double measured_speed_row = 11;
 constexpr double friction_row = 36;
@@ -36,16 +36,28 @@ std::map<std::string, NodePlace> places() {
       {"speed gear", {{gear_column, friction_row}, 12, 13}},
       {"acceleration gear", {{gear_column, inertia_row}, 12, 13}},
       {"static friction",
-       {{model_column, friction_row - contact}, 27, 11, BlockSide::right, {"static (6), (7)"}}},
+       {{model_column, friction_row - contact},
+        27,
+        11,
+        render::figure::BlockSide::right,
+        {"static (6), (7)"}}},
       {"dynamic friction",
-       {{model_column, friction_row + contact}, 27, 11, BlockSide::right, {"LuGre (3)–(5)"}}},
+       {{model_column, friction_row + contact},
+        27,
+        11,
+        render::figure::BlockSide::right,
+        {"LuGre (3)–(5)"}}},
       {"friction choice", {{113, friction_row}, 12, 4 * contact}},
       {"inertia", {{model_column, inertia_row}, 14, 13}},
       {"arm inertia", {{model_column, arm_inertia_row}, 14, 13}},
       {"gravity",
-       {{model_column - 4, gravity_row}, 36, 11, BlockSide::right, {"m g r cos(q + q_{c})"}}},
+       {{model_column - 4, gravity_row},
+        36,
+        11,
+        render::figure::BlockSide::right,
+        {"m g r cos(q + q_{c})"}}},
       {"arm torque", {{arm_sum_column, gravity_row}, 10, 10}},
-      {"gear", {{sum_column, arm_inertia_row}, 15, 15, BlockSide::top}},
+      {"gear", {{sum_column, arm_inertia_row}, 15, 15, render::figure::BlockSide::top}},
       {"torque", {{sum_column, inertia_row}, 10, 10}},
       {"measured speed", {{output_column, measured_speed_row}, 11, 10}},
       {"measured torque", {{output_column, inertia_row}, 11, 10}},
@@ -54,10 +66,10 @@ std::map<std::string, NodePlace> places() {
 }
 
 std::vector<WireRoute> routes() {
-  const Port left{BlockSide::left, 0};
-  const Port right{BlockSide::right, 0};
-  const Port top{BlockSide::top, 0};
-  const Port bottom{BlockSide::bottom, 0};
+  const Port left{render::figure::BlockSide::left, 0};
+  const Port right{render::figure::BlockSide::right, 0};
+  const Port top{render::figure::BlockSide::top, 0};
+  const Port bottom{render::figure::BlockSide::bottom, 0};
   const double speed_branch = 70;
   const double above = friction_row - contact;
   return {
@@ -65,8 +77,8 @@ std::vector<WireRoute> routes() {
       {"speed gear", "measured speed", top, left, {}, {{speed_branch, above}}},
       {"speed gear", "static friction", right, left, {speed_branch, above}},
       {"speed gear", "dynamic friction", bottom, left, {}, {{speed_branch, friction_row}}},
-      {"static friction", "friction choice", right, {BlockSide::left, -contact}},
-      {"dynamic friction", "friction choice", right, {BlockSide::left, contact}},
+      {"static friction", "friction choice", right, {render::figure::BlockSide::left, -contact}},
+      {"dynamic friction", "friction choice", right, {render::figure::BlockSide::left, contact}},
       {"friction choice", "torque", right, top, {}, {}, "T_{f}", {124.5, friction_row}},
       {"arm acceleration", "acceleration gear", right, left},
       {"acceleration gear", "inertia", right, left, {}, {}, "φ\u0308", {74.5, inertia_row}},
@@ -82,41 +94,41 @@ std::vector<WireRoute> routes() {
   };
 }
 
-void add_surroundings(render::Diagram& diagram) {
-  const auto frame = [](std::vector<std::string> lines, render::DiagramPoint centre, double width,
-                        double height) {
-    Block block;
-    block.kind = BlockKind::frame;
+void add_surroundings(render::figure::Diagram& diagram) {
+  const auto frame = [](std::vector<std::string> lines, render::figure::DiagramPoint centre,
+                        double width, double height) {
+    render::figure::Block block;
+    block.kind = render::figure::BlockKind::frame;
     block.lines = std::move(lines);
     block.centre = centre;
     block.width = width;
     block.height = height;
-    block.colour = render::palette::grey;
+    block.colour = render::figure::palette::grey;
     block.fill.alpha = 0;
     return block;
   };
   diagram.blocks.push_back(frame({"ideal source", "of motion"}, {36.5, 65}, 22, 88));
   diagram.blocks.push_back(frame({"friction"}, {96.5, friction_row - 1.5}, 48, 35));
-  Block reference;
+  render::figure::Block reference;
   reference.lines = {"reference", "signal"};
   reference.centre = {11.5, 67};
   reference.width = 19;
   reference.height = 14;
   diagram.blocks.push_back(reference);
-  render::Wire wire;
+  render::figure::Wire wire;
   wire.points = {{21, 67}, {25.5, 67}};
   diagram.wires.push_back(wire);
-  diagram.texts.push_back({"measured", {159, 3}, TextPlace::left, true});
+  diagram.texts.push_back({"measured", {159, 3}, render::figure::TextPlace::left, true});
 }
 
 }  // namespace
 
-ReportFigure joint_diagram_figure() {
+figures::ReportFigure joint_diagram_figure() {
   const auto none = [](double) { return 0.0; };
   JointElements any;
   any.drive = {1.0, 0.0, none};
   any.dynamic_friction_Nm = none;
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 7;
   out.id = "fig-07-joint-model";
   out.title = "Model of the joint";
@@ -191,4 +203,4 @@ SignalGraph joint_graph(const JointElements& joint) {
   return graph;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

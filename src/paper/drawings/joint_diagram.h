@@ -8,7 +8,7 @@
 #include "paper/drawings/drive_diagram.h"
 #include "paper/drawings/signal_graph.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 /// The friction models that the joint has both of.
 enum class FrictionChoice { steady, dynamic };
@@ -18,7 +18,7 @@ struct JointElements {
   std::function<double(double)> dynamic_friction_Nm{};  ///< Over motor speed, at the present z.
   FrictionChoice friction{FrictionChoice::steady};
   double arm_inertia_kgm2{};  ///< I about the joint's axis.
-  GravityLoad load{1.0, 1.0, 0.0};
+  joint::GravityLoad load{1.0, 1.0, 0.0};
 };
 
 /// Inverse dynamics. Inputs "arm angle" q [rad], "arm speed" [rad/s], "arm acceleration" [rad/s²]
@@ -26,6 +26,6 @@ struct JointElements {
 /// torque" T [N·m] (motor).
 SignalGraph joint_graph(const JointElements& joint);
 
-ReportFigure joint_diagram_figure();
+figures::ReportFigure joint_diagram_figure();
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

@@ -4,11 +4,11 @@
 
 #include "paper/drawings/schematic.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 namespace {
 
-using render::BlockSide;
-using render::TextPlace;
+using render::figure::BlockSide;
+using render::figure::TextPlace;
 
 constexpr double torque_row = 9;
 constexpr double main_row = 28;
@@ -28,7 +28,7 @@ std::map<std::string, NodePlace> places() {
           {"size of speed", {{36, quotient_row - 6.5}, 13, 10}},
           {"steady deflection", {{36, quotient_row + 6.5}, 13, 10}},
           {"decay", {{60, quotient_row}, 11, 23}},
-          {"pull back", {{state_column, product_row}, 13, 12, BlockSide::left}},
+          {"pull back", {{state_column, product_row}, 13, 12, render::figure::BlockSide::left}},
           {"stiffness", {{gain_column, main_row}, 15, 14}},
           {"damping", {{gain_column, torque_row}, 15, 14}},
           {"viscosity", {{gain_column, viscous_row}, 15, 14}},
@@ -37,10 +37,10 @@ std::map<std::string, NodePlace> places() {
 }
 
 std::vector<WireRoute> routes() {
-  const Port left{BlockSide::left, 0};
-  const Port right{BlockSide::right, 0};
-  const Port top{BlockSide::top, 0};
-  const Port bottom{BlockSide::bottom, 0};
+  const Port left{render::figure::BlockSide::left, 0};
+  const Port right{render::figure::BlockSide::right, 0};
+  const Port top{render::figure::BlockSide::top, 0};
+  const Port bottom{render::figure::BlockSide::bottom, 0};
   const double rate_branch = 60;
   const double state_branch = 95;
   return {
@@ -48,8 +48,8 @@ std::vector<WireRoute> routes() {
       {"speed", "size of speed", bottom, left, {}, {{speed_column, main_row}}},
       {"speed", "steady deflection", bottom, left, {}, {{speed_column, quotient_row - 6.5}}},
       {"speed", "viscosity", bottom, left, {}, {{speed_column, quotient_row + 6.5}}},
-      {"size of speed", "decay", right, {BlockSide::left, -6.5}},
-      {"steady deflection", "decay", right, {BlockSide::left, 6.5}},
+      {"size of speed", "decay", right, {render::figure::BlockSide::left, -6.5}},
+      {"steady deflection", "decay", right, {render::figure::BlockSide::left, 6.5}},
       {"decay", "pull back", right, bottom},
       {"deflection", "pull back", bottom, right, {}, {{state_branch, main_row}}},
       {"pull back", "rate", left, bottom, {}, {}, "(|ω| / g(ω)) z", {58.5, product_row}},
@@ -65,8 +65,8 @@ std::vector<WireRoute> routes() {
 
 }  // namespace
 
-SignalGraph lugre_graph(const LuGreFriction& friction) {
-  const LuGreFriction::Parameters& p = friction.parameters();
+SignalGraph lugre_graph(const friction::LuGreFriction& friction) {
+  const friction::LuGreFriction::Parameters& p = friction.parameters();
   const auto size = [](double value) { return std::abs(value); };
   const auto steady = [friction](double speed) { return friction.steady_deflection_rad(speed); };
   SignalGraph graph;
@@ -101,10 +101,10 @@ SignalGraph lugre_graph(const LuGreFriction& friction) {
   return graph;
 }
 
-ReportFigure lugre_diagram_figure() {
+figures::ReportFigure lugre_diagram_figure() {
   // The values do not show in the drawing.
-  const LuGreFriction any({1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
-  ReportFigure out;
+  const friction::LuGreFriction any({1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
+  figures::ReportFigure out;
   out.number = 4;
   out.id = "fig-04-lugre-diagram";
   out.title = "LuGre friction model as a block diagram";
@@ -127,4 +127,4 @@ ReportFigure lugre_diagram_figure() {
   return out;
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

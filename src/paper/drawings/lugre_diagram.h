@@ -5,13 +5,13 @@
 #include "friction/lugre.h"
 #include "paper/drawings/signal_graph.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 /// The model as a graph. Input "speed" [rad/s], integrator "deflection" z [rad] fed by "rate"
 /// dz/dt [rad/s], output "friction" T_f [N·m].
-SignalGraph lugre_graph(const LuGreFriction& friction);
+SignalGraph lugre_graph(const friction::LuGreFriction& friction);
 
 /// The same graph, drawn; independent of the parameters' values.
-ReportFigure lugre_diagram_figure();
+figures::ReportFigure lugre_diagram_figure();
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

@@ -5,11 +5,11 @@
 #include "paper/drawings/joint_diagram.h"
 #include "paper/drawings/lugre_diagram.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
-std::vector<ReportFigure> paper_drawings(double gear_ratio) {
+std::vector<figures::ReportFigure> paper_drawings(double gear_ratio) {
   return {bristle_sketch_figure(), lugre_diagram_figure(), drive_diagram_figure(gear_ratio),
           joint_diagram_figure(), gear_diagram_figure(gear_ratio)};
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

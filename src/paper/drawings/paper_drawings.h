@@ -5,10 +5,10 @@
 
 #include "figures/report_figure.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 /// In the paper's order. They show the models that the program computes with and depend on no log;
 /// `gear_ratio` (> 0) is printed where the paper prints 100. `ReportFigure::stage` is empty.
-std::vector<ReportFigure> paper_drawings(double gear_ratio = 100.0);
+std::vector<figures::ReportFigure> paper_drawings(double gear_ratio = 100.0);
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

@@ -7,7 +7,7 @@
 
 #include "joint/gravity_load.h"
 
-namespace tribolog::paper::printed {
+namespace tribolog::paper::drawings {
 
 inline constexpr double gear_ratio = 100.0;   ///< n3, section 2.3
 inline constexpr double gravity_m_s2 = 9.81;  ///< Not printed; what table 2 was computed with.
@@ -41,7 +41,7 @@ inline constexpr char selected_point = 'B';  ///< Section 3.4
 
 /// Surrogate mass of a torque at the motor by eq. (12) as corrected, at the gravity peak [kg].
 inline double mass_of_torque_kg(double torque_Nm) {
-  return surrogate_mass_kg(torque_Nm, gear_ratio, distance_m, gravity_m_s2, 1.0);
+  return joint::surrogate_mass_kg(torque_Nm, gear_ratio, distance_m, gravity_m_s2, 1.0);
 }
 
 /// Largest difference that rounding the printed torque and mass to three places can make [kg].
@@ -79,4 +79,4 @@ inline constexpr double largest_threshold_rad_s = 1e-3;
 inline constexpr double direction_change_rad_s = 1e-4;
 inline constexpr double smoothing_s_rad = 1e6;
 
-}  // namespace tribolog::paper::printed
+}  // namespace tribolog::paper::drawings

@@ -5,30 +5,32 @@
 #include <set>
 #include <stdexcept>
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 namespace {
 
-using render::Block;
-using render::BlockSide;
-using render::Diagram;
-using render::DiagramPoint;
-using render::Wire;
+using render::figure::Block;
+using render::figure::BlockSide;
+using render::figure::Diagram;
+using render::figure::DiagramPoint;
+using render::figure::Wire;
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
 
-bool is_level(BlockSide side) { return side == BlockSide::left || side == BlockSide::right; }
+bool is_level(render::figure::BlockSide side) {
+  return side == render::figure::BlockSide::left || side == render::figure::BlockSide::right;
+}
 
-DiagramPoint port_point(const NodePlace& place, const Port& port) {
-  const DiagramPoint& c = place.centre;
+render::figure::DiagramPoint port_point(const NodePlace& place, const Port& port) {
+  const render::figure::DiagramPoint& c = place.centre;
   switch (port.side) {
-    case BlockSide::left:
+    case render::figure::BlockSide::left:
       return {c.x - place.width / 2, c.y + port.offset};
-    case BlockSide::right:
+    case render::figure::BlockSide::right:
       return {c.x + place.width / 2, c.y + port.offset};
-    case BlockSide::top:
+    case render::figure::BlockSide::top:
       return {c.x + port.offset, c.y - place.height / 2};
-    case BlockSide::bottom:
+    case render::figure::BlockSide::bottom:
       break;
   }
   return {c.x + port.offset, c.y + place.height / 2};
@@ -36,18 +38,21 @@ DiagramPoint port_point(const NodePlace& place, const Port& port) {
 
 std::string name_of(const WireRoute& route) { return route.from + " -> " + route.to; }
 
-std::vector<DiagramPoint> lead(const WireRoute& route, DiagramPoint start, DiagramPoint end) {
+std::vector<render::figure::DiagramPoint> lead(const WireRoute& route,
+                                               render::figure::DiagramPoint start,
+                                               render::figure::DiagramPoint end) {
   constexpr double aligned_mm = 1e-9;
-  std::vector<DiagramPoint> points{start};
+  std::vector<render::figure::DiagramPoint> points{start};
   bool level = is_level(route.leave.side);
   for (const double bend : route.bends) {
-    points.push_back(level ? DiagramPoint{bend, points.back().y}
-                           : DiagramPoint{points.back().x, bend});
+    points.push_back(level ? render::figure::DiagramPoint{bend, points.back().y}
+                           : render::figure::DiagramPoint{points.back().x, bend});
     level = !level;
   }
-  const DiagramPoint pen = points.back();
+  const render::figure::DiagramPoint pen = points.back();
   if (level != is_level(route.enter.side)) {
-    points.push_back(level ? DiagramPoint{end.x, pen.y} : DiagramPoint{pen.x, end.y});
+    points.push_back(level ? render::figure::DiagramPoint{end.x, pen.y}
+                           : render::figure::DiagramPoint{pen.x, end.y});
   } else if (std::abs(level ? pen.y - end.y : pen.x - end.x) > aligned_mm) {
     refuse("the wire " + name_of(route) + " needs a bend to enter straight");
   }
@@ -60,7 +65,7 @@ class Draughtsman {
   Draughtsman(const SignalGraph& graph, const std::map<std::string, NodePlace>& places)
       : graph_(graph), places_(places) {}
 
-  Diagram draw(const std::vector<WireRoute>& routes) {
+  render::figure::Diagram draw(const std::vector<WireRoute>& routes) {
     std::set<std::string> names;
     for (const SignalNode& node : graph_.nodes) {
       names.insert(node.name);
@@ -88,7 +93,7 @@ class Draughtsman {
   void add_block(const SignalNode& node) {
     const auto place = places_.find(node.name);
     if (place == places_.end()) refuse("the signal '" + node.name + "' has no place");
-    Block block = block_of(node);
+    render::figure::Block block = block_of(node);
     block.centre = place->second.centre;
     block.width = place->second.width;
     block.height = place->second.height;
@@ -99,17 +104,17 @@ class Draughtsman {
   }
 
   void add_wire(const SignalEdge& edge, const WireRoute& route) {
-    const DiagramPoint start =
+    const render::figure::DiagramPoint start =
         route.branch.value_or(port_point(places_.at(route.from), route.leave));
-    Wire wire;
+    render::figure::Wire wire;
     wire.points = lead(route, start, port_point(places_.at(route.to), route.enter));
     if (route.branch) wire.branch_dots.push_back(*route.branch);
     if (!route.label.empty()) {
-      wire.label = render::DiagramText{route.label, route.label_at, route.label_place};
+      wire.label = render::figure::DiagramText{route.label, route.label_at, route.label_place};
     }
     out_.wires.push_back(std::move(wire));
     const std::string sign = sign_text(edge.sign);
-    Block& block = out_.blocks[block_index_.at(edge.to)];
+    render::figure::Block& block = out_.blocks[block_index_.at(edge.to)];
     if (shows_signs(block_operation(edge.to))) {
       block.signs.push_back({route.enter.side, route.enter.offset, sign});
     }
@@ -124,14 +129,15 @@ class Draughtsman {
   const SignalGraph& graph_;
   const std::map<std::string, NodePlace>& places_;
   std::map<std::string, std::size_t> block_index_;
-  Diagram out_;
+  render::figure::Diagram out_;
 };
 
 }  // namespace
 
-Diagram draw_schematic(const SignalGraph& graph, const std::map<std::string, NodePlace>& places,
-                       const std::vector<WireRoute>& routes) {
+render::figure::Diagram draw_schematic(const SignalGraph& graph,
+                                       const std::map<std::string, NodePlace>& places,
+                                       const std::vector<WireRoute>& routes) {
   return Draughtsman(graph, places).draw(routes);
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

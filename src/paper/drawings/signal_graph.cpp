@@ -3,7 +3,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 namespace {
 
 struct Inflow {
@@ -132,4 +132,4 @@ SignalValues evaluate(const SignalGraph& graph, const SignalValues& inputs,
   return Evaluation(graph, inputs, states).run();
 }
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

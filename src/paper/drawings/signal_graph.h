@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings {
 
 enum class Operation {
   input,       ///< Given from outside.
@@ -52,4 +52,4 @@ using SignalValues = std::map<std::string, double>;
 SignalValues evaluate(const SignalGraph& graph, const SignalValues& inputs,
                       const SignalValues& states = {});
 
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings

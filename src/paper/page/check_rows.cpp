@@ -5,12 +5,12 @@
 
 #include "wording/rounding.h"
 
-namespace tribolog::report {
+namespace tribolog::paper::page {
 namespace {
 
 constexpr int most_digits = 8;
 
-std::string small(double value) { return value == 0 ? "0" : significant(value, 2); }
+std::string small(double value) { return value == 0 ? "0" : wording::significant(value, 2); }
 
 std::string without_end_zeros(std::string number) {
   if (number.find('.') == std::string::npos) return number;
@@ -22,19 +22,19 @@ std::string without_end_zeros(std::string number) {
 /// As many decimals as show the second digit of what is allowed, and one more; no more digits than
 /// a double means.
 std::string seen_against(double bound, double value, int least_places) {
-  if (bound <= 0 || value == 0) return as_stated(value);
+  if (bound <= 0 || value == 0) return wording::as_stated(value);
   const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  const int places = std::max(decimals_for(bound) + 1, least_places);
-  return fixed(value, std::clamp(places, 0, std::max(0, most_digits - before_point)));
+  const int places = std::max(wording::decimals_for(bound) + 1, least_places);
+  return wording::fixed(value, std::clamp(places, 0, std::max(0, most_digits - before_point)));
 }
 
-std::string origin_word(paper::Origin origin) {
+std::string origin_word(checks::Origin origin) {
   switch (origin) {
-    case paper::Origin::printed:
+    case checks::Origin::printed:
       return "print";
-    case paper::Origin::reconstructed:
+    case checks::Origin::reconstructed:
       return "method";
-    case paper::Origin::law:
+    case checks::Origin::law:
       return "law";
   }
   return "–";
@@ -42,7 +42,7 @@ std::string origin_word(paper::Origin origin) {
 
 }  // namespace
 
-CheckTexts check_texts(const paper::Check& check) {
+CheckTexts check_texts(const checks::Check& check) {
   CheckTexts out;
   out.origin = origin_word(check.origin);
   if (check.is_words()) {
@@ -54,7 +54,7 @@ CheckTexts check_texts(const paper::Check& check) {
   }
   const bool is_zero = check.expected == 0;
   if (check.printed_places >= 0) {
-    out.expected = fixed(check.expected, check.printed_places);
+    out.expected = wording::fixed(check.expected, check.printed_places);
   } else {
     out.expected = is_zero ? "0" : without_end_zeros(seen_against(check.bound, check.expected, 0));
   }
@@ -67,15 +67,15 @@ CheckTexts check_texts(const paper::Check& check) {
 
 std::string tick(bool is_well) { return is_well ? "✓" : "✗"; }
 
-void fill_checks(const paper::Checks& checks, const std::string& id, const std::string& caption,
-                 const std::string& marker, TemplateValues& values) {
+void fill_checks(const checks::Checks& checks, const std::string& id, const std::string& caption,
+                 const std::string& marker, report::TemplateValues& values) {
   if (checks.empty()) return;
-  TemplateValues& table = values.add_include(marker, "check_table.tpl");
+  report::TemplateValues& table = values.add_include(marker, "check_table.tpl");
   table.set("TABLE_ID", "checks-" + id);
   table.set("TABLE_CAPTION", caption);
-  for (const paper::Check& check : checks) {
+  for (const checks::Check& check : checks) {
     const CheckTexts texts = check_texts(check);
-    TemplateValues& row = table.add_section("CHECK");
+    report::TemplateValues& row = table.add_section("CHECK");
     row.set("STATE", check.holds() ? "holds" : "fails");
     row.set("WHAT", check.what);
     row.set_optional("REASON", check.reason);
@@ -89,4 +89,4 @@ void fill_checks(const paper::Checks& checks, const std::string& id, const std::
   }
 }
 
-}  // namespace tribolog::report
+}  // namespace tribolog::paper::page

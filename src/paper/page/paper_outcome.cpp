@@ -9,29 +9,27 @@
 #include "report/element_values.h"
 #include "report/view_parts.h"
 
-namespace tribolog {
+namespace tribolog::paper::page {
 namespace {
-
-using namespace report;
-using paper::ItemKind;
-using paper::PaperItem;
-using paper::PaperSection;
+using checks::ItemKind;
+using checks::PaperItem;
+using checks::PaperSection;
 
 struct KindWords {
-  ItemKind kind;
+  checks::ItemKind kind;
   const char* one;   ///< "Figure", and in anchors.
   const char* many;  ///< "Figures"
   int printed;
 };
 
 constexpr KindWords kinds[] = {
-    {ItemKind::figure, "Figure", "Figures", paper::printed::figures},
-    {ItemKind::table, "Table", "Tables", paper::printed::tables},
-    {ItemKind::equation, "Equation", "Equations", paper::printed::equations},
-    {ItemKind::statement, "Statement", "Statements", 0},
+    {checks::ItemKind::figure, "Figure", "Figures", drawings::figures},
+    {checks::ItemKind::table, "Table", "Tables", drawings::tables},
+    {checks::ItemKind::equation, "Equation", "Equations", drawings::equations},
+    {checks::ItemKind::statement, "Statement", "Statements", 0},
 };
 
-const KindWords& words_of(ItemKind kind) {
+const KindWords& words_of(checks::ItemKind kind) {
   return *std::find_if(std::begin(kinds), std::end(kinds),
                        [kind](const KindWords& words) { return words.kind == kind; });
 }
@@ -41,26 +39,29 @@ std::string lower_case(std::string word) {
   return word;
 }
 
-bool is_drawn(const PaperItem& item, const RegeneratedPaper& paper,
-              const std::vector<render::DrawnFigure>& drawn) {
-  if (item.kind != ItemKind::figure) return true;
-  return std::any_of(paper.figures.begin(), paper.figures.end(), [&](const ReportFigure& figure) {
-    return figure.number == item.number &&
-           std::any_of(drawn.begin(), drawn.end(), [&](const render::DrawnFigure& picture) {
-             return picture.id == figure.id && picture.error.empty() && !picture.png.empty();
-           });
-  });
+bool is_drawn(const checks::PaperItem& item, const RegeneratedPaper& paper,
+              const std::vector<render::workers::DrawnFigure>& drawn) {
+  if (item.kind != checks::ItemKind::figure) return true;
+  return std::any_of(paper.figures.begin(), paper.figures.end(),
+                     [&](const figures::ReportFigure& figure) {
+                       return figure.number == item.number &&
+                              std::any_of(drawn.begin(), drawn.end(),
+                                          [&](const render::workers::DrawnFigure& picture) {
+                                            return picture.id == figure.id &&
+                                                   picture.error.empty() && !picture.png.empty();
+                                          });
+                     });
 }
 
-bool is_well(const PaperItem& item, const RegeneratedPaper& paper,
-             const std::vector<render::DrawnFigure>& drawn) {
-  return paper::every_check_holds(item) && is_drawn(item, paper, drawn);
+bool is_well(const checks::PaperItem& item, const RegeneratedPaper& paper,
+             const std::vector<render::workers::DrawnFigure>& drawn) {
+  return checks::every_check_holds(item) && is_drawn(item, paper, drawn);
 }
 
 template <class Use>
 void for_each_item(const RegeneratedPaper& paper, Use use) {
-  for (const PaperSection& section : paper.sections) {
-    for (const PaperItem& item : section.items) use(section, item);
+  for (const checks::PaperSection& section : paper.sections) {
+    for (const checks::PaperItem& item : section.items) use(section, item);
   }
 }
 
@@ -69,9 +70,9 @@ std::string of(int well, int all, const std::string& what) {
 }
 
 void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& tallies,
-                  TemplateValues& values) {
-  const paper::Tally checks = paper::tally_checks(paper.sections);
-  const paper::Tally golden = paper::tally_checks(paper.golden_numbers);
+                  report::TemplateValues& values) {
+  const checks::Tally checks = checks::tally_checks(paper.sections);
+  const checks::Tally golden = checks::tally_checks(paper.golden_numbers);
   bool all_well = checks.hold == checks.there && golden.hold == golden.there;
   std::string sentence;
   for (const PaperTally& tally : tallies) {
@@ -81,30 +82,30 @@ void fill_verdict(const RegeneratedPaper& paper, const std::vector<PaperTally>& 
   sentence += fmt::format("each regenerated and with every check held; {}, and {}.",
                           of(checks.hold, checks.there, "checks hold"),
                           of(golden.hold, golden.there, "golden numbers"));
-  TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
+  report::TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");
   verdict.set("WORD", all_well ? "THE PAPER IS REPRODUCED" : "NOT ALL OF IT IS REPRODUCED");
   verdict.set("SENTENCE", sentence);
-  fill_outcome(all_well ? Outcome::good : Outcome::bad, verdict);
+  report::fill_outcome(all_well ? report::Outcome::good : report::Outcome::bad, verdict);
   const PaperTally& figures = tallies.front();
   const int missing = figures.printed - figures.here;
   verdict.set_optional("FIGURES_MISSING",
                        missing > 0 ? of(missing, figures.printed, "figures missing") : "");
-  TemplateValues* list = nullptr;
-  const auto tell = [&](const std::string& where, const paper::Checks& failed) {
-    for (const paper::Check& check : failed) {
+  report::TemplateValues* list = nullptr;
+  const auto tell = [&](const std::string& where, const checks::Checks& failed) {
+    for (const checks::Check& check : failed) {
       if (check.holds()) continue;
       if (list == nullptr) list = &verdict.add_section("FINDINGS");
       list->add_section("FINDING").set("TEXT", where + ": " + check.what);
     }
   };
-  for_each_item(paper, [&](const PaperSection&, const PaperItem& item) {
+  for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
     tell(item_name(item), item.checks);
   });
   tell("Golden number", paper.golden_numbers);
 }
 
-void fill_tally(const std::vector<PaperTally>& tallies, TemplateValues& values) {
-  Table table;
+void fill_tally(const std::vector<PaperTally>& tallies, report::TemplateValues& values) {
+  report::Table table;
   table.id = "table-tally";
   table.caption = "What the paper has, and what is regenerated here";
   table.columns = {{"Kind", "", false},
@@ -113,28 +114,31 @@ void fill_tally(const std::vector<PaperTally>& tallies, TemplateValues& values) 
                    {"Every check holds", "", true}};
   for (const PaperTally& tally : tallies) {
     table.rows.push_back(
-        {{as_sentence(tally.kind).substr(0, tally.kind.size()), std::to_string(tally.printed),
-          std::to_string(tally.here), std::to_string(tally.well)},
+        {{report::as_sentence(tally.kind).substr(0, tally.kind.size()),
+          std::to_string(tally.printed), std::to_string(tally.here), std::to_string(tally.well)},
          false});
   }
-  fill_table(table, "TALLY", values);
+  report::fill_table(table, "TALLY", values);
 }
 
-void fill_ticks(const RegeneratedPaper& paper, const std::vector<render::DrawnFigure>& drawn,
-                TemplateValues& values) {
+void fill_ticks(const RegeneratedPaper& paper,
+                const std::vector<render::workers::DrawnFigure>& drawn,
+                report::TemplateValues& values) {
   for (const KindWords& words : kinds) {
     if (words.printed == 0) continue;
-    std::vector<const PaperItem*> items;
-    for_each_item(paper, [&](const PaperSection&, const PaperItem& item) {
+    std::vector<const checks::PaperItem*> items;
+    for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
       if (item.kind == words.kind) items.push_back(&item);
     });
     std::sort(items.begin(), items.end(),
-              [](const PaperItem* a, const PaperItem* b) { return a->number < b->number; });
-    TemplateValues& list = values.add_section("KIND");
+              [](const checks::PaperItem* a, const checks::PaperItem* b) {
+                return a->number < b->number;
+              });
+    report::TemplateValues& list = values.add_section("KIND");
     list.set("KIND_NAME", words.many);
-    for (const PaperItem* item : items) {
+    for (const checks::PaperItem* item : items) {
       const bool well = is_well(*item, paper, drawn);
-      TemplateValues& entry = list.add_section("ENTRY");
+      report::TemplateValues& entry = list.add_section("ENTRY");
       entry.set("STATE", well ? "holds" : "fails");
       entry.set("ITEM_ID", item_anchor(*item));
       entry.set("TITLE", item->title);
@@ -148,12 +152,12 @@ void fill_ticks(const RegeneratedPaper& paper, const std::vector<render::DrawnFi
 }  // namespace
 
 std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
-                                 const std::vector<render::DrawnFigure>& drawn) {
+                                 const std::vector<render::workers::DrawnFigure>& drawn) {
   std::vector<PaperTally> out;
   for (const KindWords& words : kinds) {
     if (words.printed == 0) continue;
     PaperTally tally{lower_case(words.many), words.printed, 0, 0};
-    for_each_item(paper, [&](const PaperSection&, const PaperItem& item) {
+    for_each_item(paper, [&](const checks::PaperSection&, const checks::PaperItem& item) {
       if (item.kind != words.kind) return;
       if (is_drawn(item, paper, drawn)) ++tally.here;
       if (is_well(item, paper, drawn)) ++tally.well;
@@ -163,24 +167,22 @@ std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
   return out;
 }
 
-namespace report {
-
-std::string item_name(const PaperItem& item) {
-  if (item.kind == ItemKind::statement) return "The conclusions";
+std::string item_name(const checks::PaperItem& item) {
+  if (item.kind == checks::ItemKind::statement) return "The conclusions";
   return fmt::format("{} {}", words_of(item.kind).one, item.number);
 }
 
-std::string item_anchor(const PaperItem& item) {
+std::string item_anchor(const checks::PaperItem& item) {
   return fmt::format("{}-{}", lower_case(words_of(item.kind).one), item.number);
 }
 
-void fill_outcome_of(const RegeneratedPaper& paper, const std::vector<render::DrawnFigure>& drawn,
-                     TemplateValues& values) {
+void fill_outcome_of(const RegeneratedPaper& paper,
+                     const std::vector<render::workers::DrawnFigure>& drawn,
+                     report::TemplateValues& values) {
   const std::vector<PaperTally> tallies = tally_of(paper, drawn);
   fill_verdict(paper, tallies, values);
   fill_tally(tallies, values);
   fill_ticks(paper, drawn, values);
 }
 
-}  // namespace report
-}  // namespace tribolog
+}  // namespace tribolog::paper::page

@@ -15,7 +15,7 @@
 #include "report/report_values.h"
 #include "report/view_parts.h"
 
-namespace tribolog::report {
+namespace tribolog::paper::page {
 
 // The checks of the paper for machines.
 
@@ -25,35 +25,35 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-const char* name_of(paper::Origin origin) {
+const char* name_of(checks::Origin origin) {
   switch (origin) {
-    case paper::Origin::printed:
+    case checks::Origin::printed:
       return "printed";
-    case paper::Origin::reconstructed:
+    case checks::Origin::reconstructed:
       return "reconstructed";
-    case paper::Origin::law:
+    case checks::Origin::law:
       return "law";
   }
   return "";
 }
 
-const char* name_of(paper::ItemKind kind) {
+const char* name_of(checks::ItemKind kind) {
   switch (kind) {
-    case paper::ItemKind::figure:
+    case checks::ItemKind::figure:
       return "figure";
-    case paper::ItemKind::table:
+    case checks::ItemKind::table:
       return "table";
-    case paper::ItemKind::equation:
+    case checks::ItemKind::equation:
       return "equation";
-    case paper::ItemKind::statement:
+    case checks::ItemKind::statement:
       return "statement";
   }
   return "";
 }
 
-Json list_of(const paper::Checks& checks) {
+Json list_of(const checks::Checks& checks) {
   Json list = Json::array();
-  for (const paper::Check& check : checks) {
+  for (const checks::Check& check : checks) {
     Json one{{"what", check.what}, {"origin", name_of(check.origin)}};
     if (check.is_words()) {
       one["expected"] = check.expected_words;
@@ -76,8 +76,8 @@ Json list_of(const paper::Checks& checks) {
 /// A number that is not finite is null; words stand where words are compared.
 std::string paper_json(const RegeneratedPaper& paper) {
   Json items = Json::array();
-  for (const paper::PaperSection& section : paper.sections) {
-    for (const paper::PaperItem& item : section.items) {
+  for (const checks::PaperSection& section : paper.sections) {
+    for (const checks::PaperItem& item : section.items) {
       items.push_back({{"kind", name_of(item.kind)},
                        {"number", item.number},
                        {"section", section.number},
@@ -94,106 +94,104 @@ std::string paper_json(const RegeneratedPaper& paper) {
 
 }  // namespace
 
-}  // namespace tribolog::report
-
-namespace tribolog {
-
 namespace {
+using checks::ItemKind;
+using checks::PaperItem;
+using checks::PaperSection;
 
-using namespace report;
-using paper::ItemKind;
-using paper::PaperItem;
-using paper::PaperSection;
-
-std::string section_anchor(const PaperSection& section) {
+std::string section_anchor(const checks::PaperSection& section) {
   std::string id = "section-" + section.number;
   std::replace(id.begin(), id.end(), '.', '-');
   return id;
 }
 
-std::string heading_of(const PaperItem& item) {
+std::string heading_of(const checks::PaperItem& item) {
   switch (item.kind) {
-    case ItemKind::figure:
+    case checks::ItemKind::figure:
       return "";  // the figure brings its own
-    case ItemKind::statement:
+    case checks::ItemKind::statement:
       return item.title;
-    case ItemKind::equation:
+    case checks::ItemKind::equation:
       return fmt::format("Equation ({}): {}", item.number, item.title);
-    case ItemKind::table:
+    case checks::ItemKind::table:
       break;
   }
   return fmt::format("Table {}: {}", item.number, item.title);
 }
 
-void fill_item(const PaperItem& item, const std::vector<ReportFigure>& figures,
-               const std::vector<FigureCard>& cards, TemplateValues& section) {
-  TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
+void fill_item(const checks::PaperItem& item, const std::vector<figures::ReportFigure>& figures,
+               const std::vector<report::FigureCard>& cards, report::TemplateValues& section) {
+  report::TemplateValues& out = section.add_include("ITEM", "paper_item.tpl");
   out.set("ITEM_ID", item_anchor(item));
   out.set_optional("HEADING", heading_of(item));
-  if (item.kind == ItemKind::equation) {
+  if (item.kind == checks::ItemKind::equation) {
     out.add_include("EQUATION", "equations.tpl")
         .add_section(fmt::format("EQUATION_{}", item.number));
   }
-  if (item.kind == ItemKind::figure) {
+  if (item.kind == checks::ItemKind::figure) {
     for (std::size_t i = 0; i < cards.size(); ++i) {
-      if (figures[i].number == item.number) fill_figure(cards[i], out);
+      if (figures[i].number == item.number) report::fill_figure(cards[i], out);
     }
   }
   out.set_optional("REMARK", item.remark);
-  const paper::Tally tally = paper::tally_checks(item.checks);
+  const checks::Tally tally = checks::tally_checks(item.checks);
   fill_checks(item.checks, item_anchor(item),
               fmt::format("{}: {} of {} checks hold", item_name(item), tally.hold, tally.there),
               "CHECKS", out);
 }
 
 /// Section 3.4 in full: curves, masses, errors, choice.
-void fill_selection(const Calibration& calibration, TemplateValues& section) {
-  const auto add = [&](const char* id, void (*describe)(const Calibration&, Section&)) {
-    Section stage;
+void fill_selection(const calibration::Calibration& calibration, report::TemplateValues& section) {
+  const auto add = [&](const char* id,
+                       void (*describe)(const calibration::Calibration&, report::Section&)) {
+    report::Section stage;
     stage.id = id;
     describe(calibration, stage);
-    for (const Table& table : stage.tables) fill_table(table, "TABLE", section);
+    for (const report::Table& table : stage.tables) report::fill_table(table, "TABLE", section);
   };
-  add("curves", describe_viscous_curves);
-  add("masses", describe_surrogate_masses);
-  add("errors", describe_quality_errors);
-  add("choice", describe_selection);
+  add("curves", report::describe_viscous_curves);
+  add("masses", report::describe_surrogate_masses);
+  add("errors", report::describe_quality_errors);
+  add("choice", report::describe_selection);
 }
 
 }  // namespace
 
-std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
-                       const std::vector<render::DrawnFigure>& drawn, Language language) {
-  TemplateValues values;
-  fill_head(paper.provenance, values);
+std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
+                       const std::vector<render::workers::DrawnFigure>& drawn,
+                       wording::Language language) {
+  report::TemplateValues values;
+  report::fill_head(paper.provenance, values);
   fill_outcome_of(paper, drawn, values);
-  const std::vector<FigureCard> cards = figure_cards(paper.figures, drawn);
-  for (const PaperSection& section : paper.sections) {
-    TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
-    TemplateValues& out = values.add_section("PAPER_SECTION");
-    for (TemplateValues* both : {&entry, &out}) {
+  const std::vector<report::FigureCard> cards = report::figure_cards(paper.figures, drawn);
+  for (const checks::PaperSection& section : paper.sections) {
+    report::TemplateValues& entry = values.add_section("CONTENTS_ENTRY");
+    report::TemplateValues& out = values.add_section("PAPER_SECTION");
+    for (report::TemplateValues* both : {&entry, &out}) {
       both->set("SECTION_ID", section_anchor(section));
       both->set("NUMBER", section.number);
       both->set("TITLE", section.title);
     }
-    for (const PaperItem& item : section.items) fill_item(item, paper.figures, cards, out);
-    const bool is_selection = std::any_of(
-        section.items.begin(), section.items.end(),
-        [](const PaperItem& item) { return item.kind == ItemKind::equation && item.number == 14; });
+    for (const checks::PaperItem& item : section.items) fill_item(item, paper.figures, cards, out);
+    const bool is_selection =
+        std::any_of(section.items.begin(), section.items.end(), [](const checks::PaperItem& item) {
+          return item.kind == checks::ItemKind::equation && item.number == 14;
+        });
     if (is_selection) fill_selection(calibration, out);
   }
   fill_checks(paper.golden_numbers, "golden", "Given, computed, and the difference", "GOLDEN",
               values);
-  fill_errata(errata_numbers(), "section 3.4", values);
+  report::fill_errata(report::errata_numbers(), "section 3.4", values);
   for (const PaperSource& source : paper.sources) {
-    TemplateValues& file = values.add_section("SOURCE_FILE");
+    report::TemplateValues& file = values.add_section("SOURCE_FILE");
     file.set("FILE_NAME", source.name);
     file.set("FILE_TEXT", source.text);
   }
-  fill_provenance(paper.provenance.command_line, or_dash(paper.provenance.created_utc), {},
-                  provenance_tables(calibration, paper.provenance), values);
+  report::fill_provenance(paper.provenance.command_line,
+                          report::or_dash(paper.provenance.created_utc), {},
+                          report::provenance_tables(calibration, paper.provenance), values);
   values.set_checked_by_modifier("RESULT_JSON", paper_json(paper));
-  return expand_template("paper.tpl", values, language);
+  return report::expand_template("paper.tpl", values, language);
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::page

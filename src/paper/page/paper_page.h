@@ -11,7 +11,7 @@
 #include "render/workers/renderer.h"
 #include "wording/language.h"
 
-namespace tribolog {
+namespace tribolog::paper::page {
 
 /// A file that the page was computed from.
 struct PaperSource {
@@ -21,11 +21,11 @@ struct PaperSource {
 
 /// What the page shows.
 struct RegeneratedPaper {
-  std::vector<paper::PaperSection> sections;
-  paper::Checks golden_numbers;
-  std::vector<ReportFigure> figures;  ///< By the paper's numbers.
+  std::vector<checks::PaperSection> sections;
+  checks::Checks golden_numbers;
+  std::vector<figures::ReportFigure> figures;  ///< By the paper's numbers.
   std::vector<PaperSource> sources;
-  Provenance provenance;
+  calibration::Provenance provenance;
 };
 
 /// How many items of a kind the paper has, how many are here, and of how many all is well: every
@@ -39,12 +39,12 @@ struct PaperTally {
 
 /// Figures, tables, equations.
 std::vector<PaperTally> tally_of(const RegeneratedPaper& paper,
-                                 const std::vector<render::DrawnFigure>& drawn);
+                                 const std::vector<render::workers::DrawnFigure>& drawn);
 
 /// UTF-8 HTML without script or link to the outside, in the style of the report.
 /// @param calibration of the paper's joint: the tables of section 3.4.
-std::string paper_page(const RegeneratedPaper& paper, const Calibration& calibration,
-                       const std::vector<render::DrawnFigure>& drawn,
-                       Language language = Language::english);
+std::string paper_page(const RegeneratedPaper& paper, const calibration::Calibration& calibration,
+                       const std::vector<render::workers::DrawnFigure>& drawn,
+                       wording::Language language = wording::Language::english);
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::page

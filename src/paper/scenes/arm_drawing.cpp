@@ -5,7 +5,7 @@
 
 #include "paper/scenes/scene_words.h"
 
-namespace tribolog::scenes {
+namespace tribolog::paper::scenes {
 namespace {
 
 // Shares of the arm's length, so that a larger arm gives the same picture.
@@ -19,13 +19,14 @@ constexpr double narrow_rad = 0.26;     // 15 degrees: the arc is hardly longer 
 constexpr double narrowest_rad = 0.02;  // 1 degree: less than the width of the lines
 constexpr double beyond_arc = 1.07;     // of the arc's radius
 
-render::Colour faded(render::Colour colour, std::uint8_t strength) {
+render::figure::Colour faded(render::figure::Colour colour, std::uint8_t strength) {
   colour.alpha = strength;
   return colour;
 }
 
 /// The link's corners in the base's frame: its joint, its bends, and the next joint or the flange.
-std::vector<Eigen::Vector3d> corners(const SerialArm& arm, const ArmPose& pose, std::size_t i) {
+std::vector<Eigen::Vector3d> corners(const robot::SerialArm& arm, const robot::ArmPose& pose,
+                                     std::size_t i) {
   std::vector<Eigen::Vector3d> out{pose.frames[i].translation()};
   for (const Eigen::Vector3d& bend : arm.joints()[i].link_bends_m) {
     out.push_back(pose.frames[i] * bend);
@@ -35,9 +36,9 @@ std::vector<Eigen::Vector3d> corners(const SerialArm& arm, const ArmPose& pose, 
   return out;
 }
 
-void add_link(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, std::size_t i,
-              const ArmLook& look, render::Colour colour) {
-  const LinkShape& shape = arm.joints()[i].shape;
+void add_link(render::figure::Scene& scene, const robot::SerialArm& arm, const robot::ArmPose& pose,
+              std::size_t i, const ArmLook& look, render::figure::Colour colour) {
+  const robot::LinkShape& shape = arm.joints()[i].shape;
   const auto points = corners(arm, pose, i);
   const auto pieces = static_cast<double>(points.size() - 1);
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -45,7 +46,7 @@ void add_link(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
       const double share = static_cast<double>(corner) / pieces;
       return look.slimness * (shape.radius_m + share * (shape.end_radius_m - shape.radius_m));
     };
-    render::SceneBody body;
+    render::figure::SceneBody body;
     body.from = point(points[k]);
     body.to = point(points[k + 1]);
     body.from_radius_m = radius_at(k);
@@ -57,7 +58,7 @@ void add_link(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
   }
 }
 
-bool runs_along_axis(const SerialArm& arm, const ArmPose& pose, std::size_t joint) {
+bool runs_along_axis(const robot::SerialArm& arm, const robot::ArmPose& pose, std::size_t joint) {
   if (joint == 0 || joint + 1 >= arm.size()) return false;
   const Eigen::Vector3d link =
       pose.frames[joint + 1].translation() - pose.frames[joint].translation();
@@ -65,7 +66,7 @@ bool runs_along_axis(const SerialArm& arm, const ArmPose& pose, std::size_t join
 }
 
 /// How far the link before reaches behind the joint, along its axis.
-double clear_behind_m(const SerialArm& arm, const ArmPose& pose, std::size_t joint) {
+double clear_behind_m(const robot::SerialArm& arm, const robot::ArmPose& pose, std::size_t joint) {
   const Eigen::Vector3d axis = arm.axis(pose, joint);
   double reach = arm.joints()[joint].shape.drum_length_m / 2;
   for (const Eigen::Vector3d& corner : corners(arm, pose, joint - 1)) {
@@ -77,12 +78,13 @@ double clear_behind_m(const SerialArm& arm, const ArmPose& pose, std::size_t joi
 
 }  // namespace
 
-void add_arm(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, const ArmLook& look) {
+void add_arm(render::figure::Scene& scene, const robot::SerialArm& arm, const robot::ArmPose& pose,
+             const ArmLook& look) {
   for (std::size_t i = look.first; i < arm.size(); ++i) {
-    const render::Colour base = i >= look.driven_from ? paint::driven : paint::standing;
+    const render::figure::Colour base = i >= look.driven_from ? paint::driven : paint::standing;
     add_link(scene, arm, pose, i, look, faded(base, look.strength));
-    const LinkShape& shape = arm.joints()[i].shape;
-    render::SceneDrum drum;
+    const robot::LinkShape& shape = arm.joints()[i].shape;
+    render::figure::SceneDrum drum;
     drum.centre = point(pose.frames[i].translation());
     drum.axis = point(arm.axis(pose, i));
     drum.radius_m = look.slimness * shape.drum_radius_m;
@@ -92,12 +94,13 @@ void add_arm(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, co
   }
 }
 
-void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, std::size_t joint,
-              double ahead_m, double behind_m, const std::string& label, render::Colour colour) {
+void add_axis(render::figure::Scene& scene, const robot::SerialArm& arm, const robot::ArmPose& pose,
+              std::size_t joint, double ahead_m, double behind_m, const std::string& label,
+              render::figure::Colour colour) {
   const Eigen::Vector3d centre = pose.frames[joint].translation();
   const Eigen::Vector3d axis = arm.axis(pose, joint);
   const double half = arm.joints()[joint].shape.drum_length_m / 2;
-  render::SceneArrow arrow;
+  render::figure::SceneArrow arrow;
   arrow.label = label;
   arrow.from = point(centre - (half + behind_m) * axis);
   arrow.to = point(centre + (half + ahead_m) * axis);
@@ -111,20 +114,20 @@ void add_axis(render::Scene& scene, const SerialArm& arm, const ArmPose& pose, s
   scene.arrows.push_back(arrow);
 }
 
-double clear_ahead_m(const render::SceneCamera& camera, const SerialArm& arm, const ArmPose& pose,
-                     std::size_t joint, double wanted_m) {
+double clear_ahead_m(const render::figure::SceneCamera& camera, const robot::SerialArm& arm,
+                     const robot::ArmPose& pose, std::size_t joint, double wanted_m) {
   const Eigen::Vector3d view =
       Eigen::Vector3d(camera.towards.x, camera.towards.y, camera.towards.z).normalized();
   const Eigen::Vector3d axis = arm.axis(pose, joint);
   const double away = axis.dot(view);
   if (away <= 0) return wanted_m;
-  const LinkShape& shape = arm.joints()[joint].shape;
+  const robot::LinkShape& shape = arm.joints()[joint].shape;
   const double seen = (axis - away * view).norm();
   const double needed = 2.2 * shape.drum_radius_m / std::max(0.2, seen) - shape.drum_length_m / 2;
   return std::max(wanted_m, needed);
 }
 
-void add_post(render::Scene& scene, const SerialArm& arm, const ArmPose& pose,
+void add_post(render::figure::Scene& scene, const robot::SerialArm& arm, const robot::ArmPose& pose,
               const ArmLook& look) {
   const double radius_m = look.slimness * arm.joints().front().shape.drum_radius_m;
   const double length_m = look.slimness * arm.joints().front().shape.drum_length_m;
@@ -135,7 +138,7 @@ void add_post(render::Scene& scene, const SerialArm& arm, const ArmPose& pose,
   const bool in_housing =
       height - along < hidden_share * radius_m && along <= length_m / 2 + hidden_share * radius_m;
   if (in_housing) return;
-  render::SceneDrum post;
+  render::figure::SceneDrum post;
   post.centre = point(0.5 * top);
   post.axis = point(top);
   post.radius_m = post_share * radius_m;
@@ -144,13 +147,14 @@ void add_post(render::Scene& scene, const SerialArm& arm, const ArmPose& pose,
   scene.drums.push_back(post);
 }
 
-render::Point3 view_of_test(const JointUnderTest& test, double level, double ahead, double up) {
+render::figure::Point3 view_of_test(const robot::JointUnderTest& test, double level, double ahead,
+                                    double up) {
   const Eigen::Vector3d view =
       level * test.level() - ahead * test.axis() + up * Eigen::Vector3d::UnitZ();
   return point(view);
 }
 
-void add_angle(render::Scene& scene, render::SceneSector angle) {
+void add_angle(render::figure::Scene& scene, render::figure::SceneSector angle) {
   const double span = std::abs(angle.to_rad - angle.from_rad);
   if (span < narrow_rad) {
     const Eigen::Vector3d normal(angle.normal.x, angle.normal.y, angle.normal.z);
@@ -165,10 +169,10 @@ void add_angle(render::Scene& scene, render::SceneSector angle) {
   if (span >= narrowest_rad) scene.sectors.push_back(angle);
 }
 
-void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double length_m) {
+void add_base_frame(render::figure::Scene& scene, const Eigen::Vector3d& at_m, double length_m) {
   const char* names[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
-    render::SceneArrow arrow;
+    render::figure::SceneArrow arrow;
     arrow.label = names[i];
     arrow.from = point(at_m);
     arrow.to = point(at_m + length_m * Eigen::Vector3d::Unit(i));
@@ -178,4 +182,4 @@ void add_base_frame(render::Scene& scene, const Eigen::Vector3d& at_m, double le
   }
 }
 
-}  // namespace tribolog::scenes
+}  // namespace tribolog::paper::scenes

@@ -9,23 +9,21 @@
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
 
-namespace tribolog {
+namespace tribolog::paper::scenes {
 namespace {
 
-using namespace scenes;
-
-constexpr render::Colour surrogate_colour{180, 50, 0};
-constexpr double shown_above_level_rad = 20 * rad_per_degree;
+constexpr render::figure::Colour surrogate_colour{180, 50, 0};
+constexpr double shown_above_level_rad = 20 * joint::rad_per_degree;
 
 /// What the parts of the picture are drawn from.
 struct Model {
-  const JointUnderTest& test;
+  const robot::JointUnderTest& test;
   const TestNumbers& numbers;
-  std::string n;     ///< Index of the tested joint.
-  double q_rad;      ///< The angle that it is shown at.
-  double line_rad;   ///< From the level to the link's line.
-  Estimate q_c_rad;  ///< From there to the mass centre.
-  double size_m;     ///< Of the arm.
+  std::string n;                 ///< Index of the tested joint.
+  double q_rad;                  ///< The angle that it is shown at.
+  double line_rad;               ///< From the level to the link's line.
+  statistics::Estimate q_c_rad;  ///< From there to the mass centre.
+  double size_m;                 ///< Of the arm.
 
   [[nodiscard]] double far_m() const { return numbers.surrogate_distance_m; }
   [[nodiscard]] Eigen::Vector3d towards_mass() const {
@@ -38,17 +36,18 @@ struct Model {
 
 /// A joint angle at which the level, the link's line and the mass centre are apart: a part of the
 /// way up, as far as the joint goes.
-double shown_angle(const JointUnderTest& test, const TestNumbers& numbers) {
-  const ArmJoint& joint = test.joint();
-  const AngleRange range = numbers.range.value_or(AngleRange{joint.lowest_rad, joint.highest_rad});
+double shown_angle(const robot::JointUnderTest& test, const TestNumbers& numbers) {
+  const robot::ArmJoint& joint = test.joint();
+  const robot::AngleRange range =
+      numbers.range.value_or(robot::AngleRange{joint.lowest_rad, joint.highest_rad});
   return std::clamp(shown_above_level_rad - test.line_above_level_rad(), range.lowest_rad,
                     range.highest_rad);
 }
 
-void add_angles(render::Scene& scene, const Model& model) {
+void add_angles(render::figure::Scene& scene, const Model& model) {
   const auto sector = [&](const std::string& label, double radius_m, double from, double to,
-                          render::Colour colour) {
-    render::SceneSector one;
+                          render::figure::Colour colour) {
+    render::figure::SceneSector one;
     one.centre = point(model.test.place_m());
     one.normal = point(model.test.axis());
     one.zero = point(model.test.level());
@@ -68,9 +67,9 @@ void add_angles(render::Scene& scene, const Model& model) {
       model.numbers.identified ? angle_text(model.numbers, model.q_c_rad) : degrees_text(q_c, 2);
   sector("q_{" + model.n + "}^{c} = " + q_c_text, 1.3 * far, line, line + q_c, paint::mass_angle);
 
-  const auto ray = [&](double at, double reach, render::LineStyle style, render::Colour colour,
-                       const std::string& end_text) {
-    render::SceneLine one;
+  const auto ray = [&](double at, double reach, render::figure::LineStyle style,
+                       render::figure::Colour colour, const std::string& end_text) {
+    render::figure::SceneLine one;
     const Eigen::Vector3d end = model.test.place_m() + reach * model.test.above_level(at);
     one.points = {point(model.test.place_m()), point(end)};
     one.style = style;
@@ -81,19 +80,19 @@ void add_angles(render::Scene& scene, const Model& model) {
   };
   const double zero = line - model.q_rad;
   const bool from_level = std::abs(zero) < same_line_rad;
-  ray(0, 1.75 * far, render::LineStyle::dash, paint::level, from_level ? "" : "level");
+  ray(0, 1.75 * far, render::figure::LineStyle::dash, paint::level, from_level ? "" : "level");
   if (!from_level) {
-    ray(zero, 1.75 * far, render::LineStyle::dot, paint::angle, "q_{" + model.n + "} = 0");
+    ray(zero, 1.75 * far, render::figure::LineStyle::dot, paint::angle, "q_{" + model.n + "} = 0");
   }
-  ray(line, 1.75 * far, render::LineStyle::dash_dot, paint::angle, "");
-  ray(line + q_c, 1.42 * far, render::LineStyle::solid, paint::mass_angle, "");
+  ray(line, 1.75 * far, render::figure::LineStyle::dash_dot, paint::angle, "");
+  ray(line + q_c, 1.42 * far, render::figure::LineStyle::solid, paint::mass_angle, "");
 }
 
-void add_distances(render::Scene& scene, const Model& model) {
+void add_distances(render::figure::Scene& scene, const Model& model) {
   const Eigen::Vector3d across = model.test.axis().cross(model.towards_mass());
   const auto distance = [&](double metres, double away, const std::string& symbol,
-                            render::Colour colour) {
-    render::SceneDimension one;
+                            render::figure::Colour colour) {
+    render::figure::SceneDimension one;
     one.from = point(model.test.place_m());
     one.to = point(model.mass_centre_m(metres));
     one.shift = point(away * model.size_m * across);
@@ -109,16 +108,17 @@ void add_distances(render::Scene& scene, const Model& model) {
 
 /// Lengths of the links below the tested joint, from joint to joint, where they are long enough for
 /// an arrow and its number.
-void add_link_lengths(render::Scene& scene, const Model& model, const ArmPose& pose) {
+void add_link_lengths(render::figure::Scene& scene, const Model& model,
+                      const robot::ArmPose& pose) {
   constexpr double shortest_share = 0.2;
   constexpr double away_share = -0.15;
-  const SerialArm& arm = model.test.arm();
+  const robot::SerialArm& arm = model.test.arm();
   for (std::size_t i = 1; i <= model.test.setting().joint; ++i) {
     const Eigen::Vector3d from = pose.frames[i - 1].translation();
     const Eigen::Vector3d to = pose.frames[i].translation();
     const double length = (to - from).norm();
     if (length < shortest_share * model.size_m) continue;
-    render::SceneDimension one;
+    render::figure::SceneDimension one;
     one.from = point(from);
     one.to = point(to);
     one.shift = point(away_share * model.size_m * model.test.level());
@@ -128,9 +128,10 @@ void add_link_lengths(render::Scene& scene, const Model& model, const ArmPose& p
   }
 }
 
-void add_masses(render::Scene& scene, const Model& model) {
-  const auto ball = [&](double distance_m, const std::string& label, render::Colour colour) {
-    render::SceneBall one;
+void add_masses(render::figure::Scene& scene, const Model& model) {
+  const auto ball = [&](double distance_m, const std::string& label,
+                        render::figure::Colour colour) {
+    render::figure::SceneBall one;
     one.centre = point(model.mass_centre_m(distance_m));
     one.radius_m = 0.0144 * model.size_m;
     one.label = label;
@@ -147,9 +148,9 @@ void add_masses(render::Scene& scene, const Model& model) {
        surrogate_colour);
 }
 
-void add_gravity(render::Scene& scene, const Model& model) {
+void add_gravity(render::figure::Scene& scene, const Model& model) {
   const Eigen::Vector3d hang = model.test.place_m() + 1.7 * model.far_m() * model.test.level();
-  render::SceneArrow gravity;
+  render::figure::SceneArrow gravity;
   gravity.from = point(hang - Eigen::Vector3d(0, 0, 0.145 * model.size_m));
   gravity.to = point(hang - Eigen::Vector3d(0, 0, 0.30 * model.size_m));
   gravity.radius_m = 0.0067 * model.size_m;
@@ -158,17 +159,17 @@ void add_gravity(render::Scene& scene, const Model& model) {
   scene.arrows.push_back(gravity);
 }
 
-render::Scene draw(const Model& model) {
-  const JointUnderTest& test = model.test;
-  const SerialArm& arm = test.arm();
+render::figure::Scene draw(const Model& model) {
+  const robot::JointUnderTest& test = model.test;
+  const robot::SerialArm& arm = test.arm();
   const std::size_t tested = test.setting().joint;
-  const ArmPose pose = test.pose(model.q_rad);
+  const robot::ArmPose pose = test.pose(model.q_rad);
   const double size = model.size_m;
 
-  render::Scene scene;
+  render::figure::Scene scene;
   scene.camera.towards = view_of_test(test, -0.40, 0.92, -0.22);
   scene.camera.margin = 0.04;
-  render::SceneGround ground;
+  render::figure::SceneGround ground;
   ground.half_size_m = 0.2 * size;
   ground.spacing_m = 0.1 * size;
   scene.ground = ground;
@@ -214,10 +215,10 @@ std::string numbers_in_words(const Model& model) {
 
 }  // namespace
 
-std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
-                                              const TestNumbers& numbers) {
+std::optional<figures::ReportFigure> mass_model_figure(const robot::RobotDescription& robot,
+                                                       const TestNumbers& numbers) {
   if (!numbers.q_peak_rad || !numbers.surrogate_mass_kg) return std::nullopt;
-  const JointUnderTest& test = robot.under_test;
+  const robot::JointUnderTest& test = robot.under_test;
   const double q_rad = shown_angle(test, numbers);
   const Model model{test,
                     numbers,
@@ -227,7 +228,7 @@ std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
                     mass_angle_rad(test, *numbers.q_peak_rad),
                     test.arm().length_m()};
 
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 10;
   out.id = "fig-10-phenomenological-model";
   out.title = numbers.mass ? "Phenomenological model: driven mass and surrogate mass"
@@ -263,4 +264,4 @@ std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::scenes

@@ -8,19 +8,17 @@
 #include "paper/scenes/scene_figures.h"
 #include "paper/scenes/scene_words.h"
 
-namespace tribolog {
+namespace tribolog::paper::scenes {
 namespace {
 
-using namespace scenes;
-
-constexpr render::Colour peak_colour{180, 50, 0};
+constexpr render::figure::Colour peak_colour{180, 50, 0};
 
 /// What the parts of the picture are drawn from.
 struct TestMotion {
-  const JointUnderTest& test;
+  const robot::JointUnderTest& test;
   const TestNumbers& numbers;
-  AngleRange range;
-  Estimate q_peak_rad;
+  robot::AngleRange range;
+  statistics::Estimate q_peak_rad;
   std::string n;   ///< Index of the tested joint.
   double q_rad;    ///< The angle that it is shown at: q_peak, or the end of the range nearest it.
   double reach_m;  ///< Farthest point of the driven links from the tested axis.
@@ -31,8 +29,8 @@ struct TestMotion {
   [[nodiscard]] double line_rad(double q) const { return test.line_above_level_rad() + q; }
 };
 
-double driven_reach_m(const JointUnderTest& test) {
-  const ArmPose pose = test.pose(0);
+double driven_reach_m(const robot::JointUnderTest& test) {
+  const robot::ArmPose pose = test.pose(0);
   double reach = (pose.tool_m - test.place_m()).norm();
   for (std::size_t i = test.setting().joint; i < pose.frames.size(); ++i) {
     reach = std::max(reach, (pose.frames[i].translation() - test.place_m()).norm());
@@ -40,8 +38,8 @@ double driven_reach_m(const JointUnderTest& test) {
   return std::max(reach, test.joint().shape.drum_radius_m);
 }
 
-void add_arms(render::Scene& scene, const TestMotion& motion) {
-  const JointUnderTest& test = motion.test;
+void add_arms(render::figure::Scene& scene, const TestMotion& motion) {
+  const robot::JointUnderTest& test = motion.test;
   for (const double end : {motion.range.lowest_rad, motion.range.highest_rad}) {
     ArmLook ghost;
     ghost.first = ghost.driven_from = test.setting().joint;
@@ -51,31 +49,31 @@ void add_arms(render::Scene& scene, const TestMotion& motion) {
   ArmLook look;
   look.driven_from = test.setting().joint;
   look.strength = 190;
-  const ArmPose pose = test.pose(motion.q_rad);
+  const robot::ArmPose pose = test.pose(motion.q_rad);
   add_arm(scene, test.arm(), pose, look);
   add_post(scene, test.arm(), pose, look);
 }
 
-render::SceneSector sector_at(const JointUnderTest& test) {
-  render::SceneSector sector;
+render::figure::SceneSector sector_at(const robot::JointUnderTest& test) {
+  render::figure::SceneSector sector;
   sector.centre = point(test.place_m());
   sector.normal = point(test.axis());
   sector.zero = point(test.level());
   return sector;
 }
 
-void add_sectors(render::Scene& scene, const TestMotion& motion) {
-  render::SceneSector range = sector_at(motion.test);
+void add_sectors(render::figure::Scene& scene, const TestMotion& motion) {
+  render::figure::SceneSector range = sector_at(motion.test);
   range.radius_m = 1.28 * motion.reach_m;
   range.from_rad = motion.line_rad(motion.range.lowest_rad);
   range.to_rad = motion.line_rad(motion.range.highest_rad);
   range.filled = true;
   range.fill.alpha = 45;
   range.colour = paint::angle;
-  range.ends = render::ArcEnds::arrow_at_both;
+  range.ends = render::figure::ArcEnds::arrow_at_both;
   scene.sectors.push_back(range);
-  const Estimate angle = mass_angle_rad(motion.test, motion.q_peak_rad);
-  render::SceneSector q_c = sector_at(motion.test);
+  const statistics::Estimate angle = mass_angle_rad(motion.test, motion.q_peak_rad);
+  render::figure::SceneSector q_c = sector_at(motion.test);
   q_c.radius_m = 1.1 * motion.reach_m;
   q_c.from_rad = motion.line_rad(motion.q_rad);
   q_c.to_rad = q_c.from_rad + angle.value;
@@ -84,12 +82,12 @@ void add_sectors(render::Scene& scene, const TestMotion& motion) {
   add_angle(scene, q_c);
 }
 
-void add_rays(render::Scene& scene, const TestMotion& motion) {
-  const auto ray = [&](double above_level, render::LineStyle style, render::Colour colour,
-                       const std::string& end_text) {
+void add_rays(render::figure::Scene& scene, const TestMotion& motion) {
+  const auto ray = [&](double above_level, render::figure::LineStyle style,
+                       render::figure::Colour colour, const std::string& end_text) {
     const Eigen::Vector3d end =
         motion.test.place_m() + 1.36 * motion.reach_m * motion.test.above_level(above_level);
-    render::SceneLine line;
+    render::figure::SceneLine line;
     line.points = {point(motion.test.place_m()), point(end)};
     line.style = style;
     line.colour = colour;
@@ -98,36 +96,37 @@ void add_rays(render::Scene& scene, const TestMotion& motion) {
   };
   const std::string q = "q_{" + motion.n;
   const int places = places_for(motion.range);
-  const AngleRange& range = motion.range;
-  ray(motion.line_rad(range.lowest_rad), render::LineStyle::dash, paint::angle,
+  const robot::AngleRange& range = motion.range;
+  ray(motion.line_rad(range.lowest_rad), render::figure::LineStyle::dash, paint::angle,
       q + ",min} = " + degrees_text(range.lowest_rad, places));
-  ray(motion.line_rad(range.highest_rad), render::LineStyle::dash, paint::angle,
+  ray(motion.line_rad(range.highest_rad), render::figure::LineStyle::dash, paint::angle,
       q + ",max} = " + degrees_text(range.highest_rad, places));
   if (motion.reaches_peak()) {
-    ray(motion.line_rad(motion.q_rad), render::LineStyle::dash_dot, peak_colour,
+    ray(motion.line_rad(motion.q_rad), render::figure::LineStyle::dash_dot, peak_colour,
         "q_{peak} = " + angle_text(motion.numbers, motion.q_peak_rad));
   }
   const double zero = motion.line_rad(0);
   const bool from_level = std::abs(zero) < same_line_rad;
-  ray(0, render::LineStyle::dash, paint::level, from_level ? "level, " + q + "} = 0" : "level");
-  if (!from_level) ray(zero, render::LineStyle::dot, paint::angle, q + "} = 0");
+  ray(0, render::figure::LineStyle::dash, paint::level,
+      from_level ? "level, " + q + "} = 0" : "level");
+  if (!from_level) ray(zero, render::figure::LineStyle::dot, paint::angle, q + "} = 0");
 }
 
 /// The mass centre with its weight; the surrogate mass where only that is known.
-void add_mass(render::Scene& scene, const TestMotion& motion) {
+void add_mass(render::figure::Scene& scene, const TestMotion& motion) {
   const auto& known = motion.numbers.mass;
   const double distance_m = known ? known->distance_m : motion.numbers.surrogate_distance_m;
   const Eigen::Vector3d centre =
       motion.test.place_m() +
       distance_m * motion.test.towards_mass(motion.q_rad, motion.q_peak_rad.value);
-  render::SceneBall mass;
+  render::figure::SceneBall mass;
   mass.centre = point(centre);
   mass.radius_m = 0.0154 * motion.size_m;
   mass.colour = paint::mass;
   mass.inside = true;
   mass.label = known ? "mass centre" : "surrogate mass";
   scene.balls.push_back(mass);
-  render::SceneArrow weight;
+  render::figure::SceneArrow weight;
   weight.from = mass.centre;
   weight.to = point(centre - Eigen::Vector3d(0, 0, 0.185 * motion.size_m));
   weight.radius_m = 0.006 * motion.size_m;
@@ -136,13 +135,13 @@ void add_mass(render::Scene& scene, const TestMotion& motion) {
   scene.arrows.push_back(weight);
 }
 
-render::Scene draw(const TestMotion& motion) {
+render::figure::Scene draw(const TestMotion& motion) {
   const double size = motion.size_m;
-  const JointUnderTest& test = motion.test;
-  render::Scene scene;
+  const robot::JointUnderTest& test = motion.test;
+  render::figure::Scene scene;
   scene.camera.towards = view_of_test(test, -0.12, 0.98, -0.16);
   scene.camera.margin = 0.05;
-  render::SceneGround ground;
+  render::figure::SceneGround ground;
   ground.half_size_m = 0.2 * size;
   ground.spacing_m = 0.1 * size;
   scene.ground = ground;
@@ -167,13 +166,13 @@ std::string numbers_in_words(const TestMotion& motion) {
 
 }  // namespace
 
-std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
-                                                const TestNumbers& numbers) {
+std::optional<figures::ReportFigure> motion_range_figure(const robot::RobotDescription& robot,
+                                                         const TestNumbers& numbers) {
   if (!numbers.q_peak_rad || !numbers.range) return std::nullopt;
-  const AngleRange range = *numbers.range;
+  const robot::AngleRange range = *numbers.range;
   const double span = range.highest_rad - range.lowest_rad;
   if (!(span > 0 && span <= 2 * std::numbers::pi)) return std::nullopt;
-  const JointUnderTest& test = robot.under_test;
+  const robot::JointUnderTest& test = robot.under_test;
   const TestMotion motion{
       test,
       numbers,
@@ -184,7 +183,7 @@ std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
       driven_reach_m(test),
       test.arm().length_m()};
 
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 12;
   out.id = "fig-12-range-of-motion";
   out.title = "Range of motion and angular position of the mass centre";
@@ -202,4 +201,4 @@ std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::scenes

@@ -9,14 +9,14 @@
 #include "paper/scenes/scene_words.h"
 #include "wording/number_text.h"
 
-namespace tribolog {
+namespace tribolog::paper::scenes {
 namespace {
 
 constexpr double parallel = 0.999;  // cosine between axes: 2.6 degrees
 
 /// Six joints, the first upright and the next two level and parallel: then these two bring the
 /// wrist as far out as it goes.
-bool is_articulated(const SerialArm& arm) {
+bool is_articulated(const robot::SerialArm& arm) {
   if (arm.size() != 6) return false;
   const auto axis = [&](std::size_t i) { return arm.joints()[i].axis; };
   return std::abs(axis(0).z()) > parallel && std::abs(axis(1).z()) < 1 - parallel &&
@@ -25,12 +25,12 @@ bool is_articulated(const SerialArm& arm) {
 
 /// Farthest that the centre of the wrist, the last joint but one, gets from the first axis while
 /// the second and third joint turn through their ranges; 0 for an arm of another kind.
-double wrist_reach_m(const RobotDescription& robot) {
-  const SerialArm& arm = robot.under_test.arm();
+double wrist_reach_m(const robot::RobotDescription& robot) {
+  const robot::SerialArm& arm = robot.under_test.arm();
   if (!is_articulated(arm)) return 0.0;
   constexpr int steps = 60;
   const auto share_of = [&](std::size_t joint, int i) {
-    const ArmJoint& one = arm.joints()[joint];
+    const robot::ArmJoint& one = arm.joints()[joint];
     return one.lowest_rad + (one.highest_rad - one.lowest_rad) * i / steps;
   };
   std::vector<double> angles = robot.portrait_rad;
@@ -39,7 +39,7 @@ double wrist_reach_m(const RobotDescription& robot) {
     for (int k = 0; k <= steps; ++k) {
       angles[1] = share_of(1, i);
       angles[2] = share_of(2, k);
-      const ArmPose pose = arm.pose(angles);
+      const robot::ArmPose pose = arm.pose(angles);
       const Eigen::Vector3d from =
           pose.frames[arm.size() - 2].translation() - pose.frames.front().translation();
       const Eigen::Vector3d axis = arm.axis(pose, 0);
@@ -50,7 +50,7 @@ double wrist_reach_m(const RobotDescription& robot) {
 }
 
 /// " The wrist reaches 1.4 m from the axis of joint 1.", or nothing for an arm of another kind.
-std::string reach_words(const RobotDescription& robot) {
+std::string reach_words(const robot::RobotDescription& robot) {
   const double reach = wrist_reach_m(robot);
   if (!(reach > 0)) return {};
   return fmt::format(" The wrist reaches {:.1f} m from the axis of joint {}.", reach,
@@ -65,18 +65,17 @@ std::string turns_about(const Eigen::Vector3d& axis) {
 
 }  // namespace
 
-ReportFigure robot_figure(const RobotDescription& robot) {
-  using namespace scenes;
-  const SerialArm& arm = robot.under_test.arm();
+figures::ReportFigure robot_figure(const robot::RobotDescription& robot) {
+  const robot::SerialArm& arm = robot.under_test.arm();
   const std::size_t tested = robot.under_test.setting().joint;
-  const ArmPose pose = arm.pose(robot.portrait_rad);
+  const robot::ArmPose pose = arm.pose(robot.portrait_rad);
   const double size = arm.length_m();
 
-  render::Scene scene;
+  render::figure::Scene scene;
   scene.camera.towards = {-0.62, 0.95, -0.40};
   scene.camera.opening_deg = 22;
   scene.camera.margin = 0.03;
-  render::SceneGround ground;
+  render::figure::SceneGround ground;
   ground.half_size_m = 0.3 * size;
   ground.spacing_m = 0.1 * size;
   ground.centre = {0.05 * size, 0, 0};
@@ -87,7 +86,7 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   add_post(scene, arm, pose, look);
   std::vector<std::string> axes;
   for (std::size_t i = 0; i < arm.size(); ++i) {
-    const ArmJoint& joint = arm.joints()[i];
+    const robot::ArmJoint& joint = arm.joints()[i];
     const bool upright = std::abs(arm.axis(pose, i).z()) > parallel;
     const double ahead = (i == 0 && upright ? 0.26 : 0.09) * size;
     add_axis(scene, arm, pose, i, clear_ahead_m(scene.camera, arm, pose, i, ahead),
@@ -99,7 +98,7 @@ ReportFigure robot_figure(const RobotDescription& robot) {
   }
   add_base_frame(scene, {-0.15 * size, -0.2 * size, 0}, 0.09 * size);
 
-  ReportFigure out;
+  figures::ReportFigure out;
   out.number = 9;
   out.id = "fig-09-robot";
   out.title = "The robot, " + arm.name();
@@ -112,11 +111,11 @@ ReportFigure robot_figure(const RobotDescription& robot) {
       "links behind it counter-clockwise. Links that the tested joint does not move stand grey.";
   out.alt =
       fmt::format("Three-dimensional drawing of {}, its axes while every joint stands at 0: {}.",
-                  arm.name(), figures::listed(axes));
+                  arm.name(), wording::listed(axes));
   out.stage = "cog_rough";
   out.figure.height_px = 1200;
   out.figure.scene = std::move(scene);
   return out;
 }
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::scenes

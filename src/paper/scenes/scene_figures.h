@@ -9,33 +9,33 @@
 #include "paper/scenes/test_numbers.h"
 #include "robot/joint_under_test.h"
 
-namespace tribolog {
+namespace tribolog::paper::scenes {
 
 /// Figure 9: the robot itself with the axes of its joints.
-ReportFigure robot_figure(const RobotDescription& robot);
+figures::ReportFigure robot_figure(const robot::RobotDescription& robot);
 
 /// Figure 10: its phenomenological model. Links, axes, the mass centre of what the tested joint
 /// drives where mass and distance are known, its surrogate, their distances and angles, and
 /// gravity. Nothing without q_peak and the surrogate mass.
-std::optional<ReportFigure> mass_model_figure(const RobotDescription& robot,
-                                              const scenes::TestNumbers& numbers);
+std::optional<figures::ReportFigure> mass_model_figure(const robot::RobotDescription& robot,
+                                                       const TestNumbers& numbers);
 
 /// Figure 12: the range of motion of the tested joint, and the angle at which the mass centre is
 /// level. Nothing without q_peak and a range of up to one turn.
-std::optional<ReportFigure> motion_range_figure(const RobotDescription& robot,
-                                                const scenes::TestNumbers& numbers);
+std::optional<figures::ReportFigure> motion_range_figure(const robot::RobotDescription& robot,
+                                                         const TestNumbers& numbers);
 
 /// Those that there are, in the order of their numbers, with what the description states.
-std::vector<ReportFigure> scene_figures(const RobotDescription& robot);
+std::vector<figures::ReportFigure> scene_figures(const robot::RobotDescription& robot);
 
 /// The same with what was identified: the numbers of the description are not shown.
-std::vector<ReportFigure> scene_figures(const RobotDescription& robot,
-                                        const Calibration& calibration);
+std::vector<figures::ReportFigure> scene_figures(const robot::RobotDescription& robot,
+                                                 const calibration::Calibration& calibration);
 
 /// A report's figures with the robot's put among them, in the order of the paper's numbers.
 /// @param robot may be null: then nothing is added.
-std::vector<ReportFigure> with_scene_figures(std::vector<ReportFigure> figures,
-                                             const RobotDescription* robot,
-                                             const Calibration& calibration);
+std::vector<figures::ReportFigure> with_scene_figures(std::vector<figures::ReportFigure> figures,
+                                                      const robot::RobotDescription* robot,
+                                                      const calibration::Calibration& calibration);
 
-}  // namespace tribolog
+}  // namespace tribolog::paper::scenes

@@ -8,21 +8,21 @@
 #include "base/error.h"
 #include "joint/degrees.h"
 
-namespace tribolog::scenes {
+namespace tribolog::paper::scenes {
 
 std::string degrees_text(double rad, int places) {
-  const double degrees = rad * degrees_per_rad;
+  const double degrees = rad * joint::degrees_per_rad;
   const std::string size = fmt::format("{:.{}f}°", std::abs(degrees), places);
   const bool zero = size.find_first_of("123456789") == std::string::npos;
   return (degrees < 0 && !zero ? "−" : "") + size;
 }
 
-int places_for(const AngleRange& range) {
-  const double span_deg = (range.highest_rad - range.lowest_rad) * degrees_per_rad;
+int places_for(const robot::AngleRange& range) {
+  const double span_deg = (range.highest_rad - range.lowest_rad) * joint::degrees_per_rad;
   return span_deg >= 10 ? 0 : span_deg >= 1 ? 1 : 3;
 }
 
-std::string range_text(const AngleRange& range) {
+std::string range_text(const robot::AngleRange& range) {
   const int places = places_for(range);
   return degrees_text(range.lowest_rad, places) + " to " + degrees_text(range.highest_rad, places);
 }
@@ -49,8 +49,8 @@ std::string index_text(const std::string& joint_name) {
   return plain ? joint_name : fmt::format("({})", drawn_text(joint_name, longest));
 }
 
-std::string dimensions_note(const RobotDescription& robot) {
+std::string dimensions_note(const robot::RobotDescription& robot) {
   return robot.approximate ? " Dimensions are approximate." : "";
 }
 
-}  // namespace tribolog::scenes
+}  // namespace tribolog::paper::scenes

@@ -9,16 +9,16 @@
 #include "render/figure/scene.h"
 #include "robot/joint_under_test.h"
 
-namespace tribolog::scenes {
+namespace tribolog::paper::scenes {
 
-inline render::Point3 point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+inline render::figure::Point3 point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// "−22.23°", to so many places.
 std::string degrees_text(double rad, int places);
 /// "−80° to 60°"; with places where the range is a few degrees or less.
-std::string range_text(const AngleRange& range);
+std::string range_text(const robot::AngleRange& range);
 /// Places with which the ends of a range are told apart.
-int places_for(const AngleRange& range);
+int places_for(const robot::AngleRange& range);
 /// "400 mm"
 std::string millimetres_text(double metres);
 /// "79.17 kg"
@@ -30,6 +30,6 @@ std::string drawn_text(const std::string& text, std::size_t limit);
 /// in brackets.
 std::string index_text(const std::string& joint_name);
 /// " Dimensions are approximate." or nothing.
-std::string dimensions_note(const RobotDescription& robot);
+std::string dimensions_note(const robot::RobotDescription& robot);
 
-}  // namespace tribolog::scenes
+}  // namespace tribolog::paper::scenes

@@ -9,20 +9,22 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 
-namespace tribolog::scenes {
+namespace tribolog::paper::scenes {
 namespace {
 
-Estimate exact(double value) { return symmetric_estimate(value, 0.0, "stated"); }
+statistics::Estimate exact(double value) {
+  return statistics::symmetric_estimate(value, 0.0, "stated");
+}
 
-bool is_finite(const Estimate& e) {
+bool is_finite(const statistics::Estimate& e) {
   return std::isfinite(e.value) && std::isfinite(e.low) && std::isfinite(e.high);
 }
 
 /// Of all samples, also those where the joint starts and stops.
-std::optional<AngleRange> range_of(const CogSweepResult& sweep) {
-  AngleRange range{std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity()};
-  for (const Recording* recording : sweep.recordings) {
+std::optional<robot::AngleRange> range_of(const method::gravity::CogSweepResult& sweep) {
+  robot::AngleRange range{std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity()};
+  for (const joint::Recording* recording : sweep.recordings) {
     for (const double q_rad : recording->q_rad) {
       if (!std::isfinite(q_rad)) continue;
       range.lowest_rad = std::min(range.lowest_rad, q_rad);
@@ -35,21 +37,21 @@ std::optional<AngleRange> range_of(const CogSweepResult& sweep) {
 
 }  // namespace
 
-TestNumbers stated_numbers(const RobotDescription& robot) {
+TestNumbers stated_numbers(const robot::RobotDescription& robot) {
   TestNumbers out;
   out.range = robot.range;
   out.surrogate_distance_m = robot.surrogate_distance_m;
   if (!robot.load) return out;
-  const GravityLoad& load = *robot.load;
+  const joint::GravityLoad& load = *robot.load;
   out.q_peak_rad = exact(load.q_peak_rad());
   out.mass = DrivenMass{load.mass_kg(), load.distance_m()};
   out.gravity_m_s2 = load.gravity_m_s2();
-  out.surrogate_mass_kg = exact(
-      surrogate_mass_kg(load.amplitude_Nm(), 1.0, out.surrogate_distance_m, out.gravity_m_s2, 1.0));
+  out.surrogate_mass_kg = exact(joint::surrogate_mass_kg(
+      load.amplitude_Nm(), 1.0, out.surrogate_distance_m, out.gravity_m_s2, 1.0));
   return out;
 }
 
-TestNumbers identified_numbers(const Calibration& c) {
+TestNumbers identified_numbers(const calibration::Calibration& c) {
   TestNumbers out;
   out.identified = true;
   out.surrogate_distance_m = c.manifest.surrogate_distance_m;
@@ -57,35 +59,37 @@ TestNumbers identified_numbers(const Calibration& c) {
   out.range = range_of(c.rough);
   if (!out.range) out.range = range_of(c.precise);
   if (c.q_peak_rad && is_finite(*c.q_peak_rad)) out.q_peak_rad = c.q_peak_rad;
-  const SurrogateMass* mass = c.masses.find(c.selection.recommended);
+  const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   if (mass != nullptr && is_finite(mass->mass_kg)) out.surrogate_mass_kg = mass->mass_kg;
   return out;
 }
 
-Estimate mass_angle_rad(const JointUnderTest& test, const Estimate& q_peak_rad) {
+statistics::Estimate mass_angle_rad(const robot::JointUnderTest& test,
+                                    const statistics::Estimate& q_peak_rad) {
   const double shift = -test.line_above_level_rad();
   const double value = std::remainder(shift - q_peak_rad.value, 2 * std::numbers::pi);
   return {value, value - (q_peak_rad.high - q_peak_rad.value),
           value + (q_peak_rad.value - q_peak_rad.low), q_peak_rad.method};
 }
 
-std::string angle_text(const TestNumbers& numbers, const Estimate& angle_rad) {
-  return numbers.identified ? figures::with_interval(angle_rad, figures::degrees())
+std::string angle_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad) {
+  return numbers.identified ? wording::with_interval(angle_rad, wording::degrees())
                             : degrees_text(angle_rad.value, 5);
 }
 
-std::string side_text(const TestNumbers& numbers, const Estimate& angle_rad) {
+std::string side_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad) {
   const bool below = angle_rad.value < 0;
-  return angle_text(numbers, scaled(angle_rad, below ? -1 : 1)) + (below ? " below" : " above");
+  return angle_text(numbers, statistics::scaled(angle_rad, below ? -1 : 1)) +
+         (below ? " below" : " above");
 }
 
 std::string origin_note(const TestNumbers& numbers, const std::string& which) {
   return numbers.identified ? " " + which + " identified; an interval is one of 95 %." : "";
 }
 
-std::string mass_text(const TestNumbers& numbers, const Estimate& mass_kg) {
-  return numbers.identified ? figures::with_interval(mass_kg, {1.0, "kg"})
+std::string mass_text(const TestNumbers& numbers, const statistics::Estimate& mass_kg) {
+  return numbers.identified ? wording::with_interval(mass_kg, {1.0, "kg"})
                             : kilogram_text(mass_kg.value);
 }
 
-}  // namespace tribolog::scenes
+}  // namespace tribolog::paper::scenes

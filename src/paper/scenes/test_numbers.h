@@ -8,7 +8,7 @@
 #include "robot/joint_under_test.h"
 #include "statistics/estimate.h"
 
-namespace tribolog::scenes {
+namespace tribolog::paper::scenes {
 
 /// What the tested joint drives as a point; a log shows only the product of both.
 struct DrivenMass {
@@ -19,34 +19,35 @@ struct DrivenMass {
 /// Each number where it is known. Stated numbers have intervals of no width.
 struct TestNumbers {
   bool identified{false};
-  std::optional<AngleRange> range;  ///< Of the joint's motion.
-  std::optional<Estimate> q_peak_rad;
+  std::optional<robot::AngleRange> range;  ///< Of the joint's motion.
+  std::optional<statistics::Estimate> q_peak_rad;
   std::optional<DrivenMass> mass;
-  std::optional<Estimate> surrogate_mass_kg;
+  std::optional<statistics::Estimate> surrogate_mass_kg;
   double surrogate_distance_m{0.5};
   double gravity_m_s2{9.81};
 };
 
 /// What the description states.
-TestNumbers stated_numbers(const RobotDescription& robot);
+TestNumbers stated_numbers(const robot::RobotDescription& robot);
 
 /// What a calibration found: q_peak, the recommended surrogate mass at the manifest's distance, and
 /// the range of the rough sweep's samples (of the precise one, where that is all). Nothing that is
 /// not finite.
-TestNumbers identified_numbers(const Calibration& calibration);
+TestNumbers identified_numbers(const calibration::Calibration& calibration);
 
 /// The angle from the link's own line up to the mass centre, q_c, from -180° to 180°. It is -q_peak
 /// where the joint's angle counts from the level, as in the paper.
-Estimate mass_angle_rad(const JointUnderTest& test, const Estimate& q_peak_rad);
+statistics::Estimate mass_angle_rad(const robot::JointUnderTest& test,
+                                    const statistics::Estimate& q_peak_rad);
 
 /// "−22.23187°" as stated; "−22.232° ± 0.011°" as identified.
-std::string angle_text(const TestNumbers& numbers, const Estimate& angle_rad);
+std::string angle_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad);
 /// "22.232° ± 0.011° above" or "... below": on which side of a line.
-std::string side_text(const TestNumbers& numbers, const Estimate& angle_rad);
+std::string side_text(const TestNumbers& numbers, const statistics::Estimate& angle_rad);
 /// "79.17 kg" as stated; "79.168 ± 0.044 kg" as identified.
-std::string mass_text(const TestNumbers& numbers, const Estimate& mass_kg);
+std::string mass_text(const TestNumbers& numbers, const statistics::Estimate& mass_kg);
 
 /// What numbers in a caption are, where they are identified: " Angle and mass are identified ..."
 std::string origin_note(const TestNumbers& numbers, const std::string& which);
 
-}  // namespace tribolog::scenes
+}  // namespace tribolog::paper::scenes

@@ -15,7 +15,7 @@
 #include "simulate/cvode_solver.h"
 #include "simulate/sundials_versions.h"
 
-namespace tribolog {
+namespace tribolog::simulate::cvode {
 namespace {
 
 void require(int flag, const char* what) {
@@ -148,10 +148,12 @@ void Integrator::restart(double first_step) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::simulate::cvode
 
-tribolog::CvodeIntegrator* tribolog_cvode_integrator(
-    const std::vector<double>& start, tribolog::CvodeSolver::Rates rates,
-    tribolog::CvodeSolver::Events events, const tribolog::CvodeSolver::Options& options) {
-  return new tribolog::Integrator(start, std::move(rates), std::move(events), options);
+tribolog::simulate::CvodeIntegrator* tribolog_cvode_integrator(
+    const std::vector<double>& start, tribolog::simulate::CvodeSolver::Rates rates,
+    tribolog::simulate::CvodeSolver::Events events,
+    const tribolog::simulate::CvodeSolver::Options& options) {
+  return new tribolog::simulate::cvode::Integrator(start, std::move(rates), std::move(events),
+                                                   options);
 }

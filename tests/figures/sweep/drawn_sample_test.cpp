@@ -21,12 +21,12 @@ class DrawnSample : public testing::TestWithParam<std::string> {};
 
 /// One reading for each figure.
 struct Sample {
-  std::vector<render::Figure> figures;
+  std::vector<render::figure::Figure> figures;
   std::vector<std::string> names;
 };
 
-Sample sample_of(const std::vector<ReportFigure>& figures) {
-  const render::Font font;
+Sample sample_of(const std::vector<figures::ReportFigure>& figures) {
+  const render::text::Font font;
   const std::vector<Reading> readings = all_readings();
   Sample out;
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -43,7 +43,7 @@ bool is_of_equal_curves(const std::string& warning) {
   return warning.find("is hidden under what is drawn after it") != std::string::npos;
 }
 
-void save(const render::DrawnFigure& drawn, const std::string& name) {
+void save(const render::workers::DrawnFigure& drawn, const std::string& name) {
   const char* folder = std::getenv("TRIBOLOG_SAVE_DRAWINGS");
   if (folder == nullptr) return;
   std::ofstream file(std::string(folder) + "/" + name + ".png", std::ios::binary);
@@ -55,7 +55,8 @@ void save(const render::DrawnFigure& drawn, const std::string& name) {
 TEST_P(DrawnSample, IsWholeAndInsideItsMargin) {
   const Sample sample = sample_of(figures_of(GetParam()));
   const auto drawn =
-      render::FigureRenderer(2, render::Prepared::charts_and_scenes).draw(sample.figures);
+      render::workers::FigureRenderer(2, render::workers::Prepared::charts_and_scenes)
+          .draw(sample.figures);
   ASSERT_EQ(drawn.size(), sample.figures.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     save(drawn[i], GetParam() + "-" + sample.names[i]);

@@ -31,9 +31,10 @@ void expect_none(const legibility::Findings& findings, const std::string& figure
   }
 }
 
-void expect_legible(const ReportFigure& figure, const Reading& reading, const render::Font& font) {
+void expect_legible(const figures::ReportFigure& figure, const Reading& reading,
+                    const render::text::Font& font) {
   const std::string name = figure.id + " (" + reading.name() + ")";
-  const render::DrawList list = render::lay_out(figure.figure, font);
+  const render::figure::DrawList list = render::composition::lay_out(figure.figure, font);
   for (const auto check :
        {legibility::overlapping_texts, legibility::texts_off_the_picture, legibility::texts_on_data,
         legibility::markers_under_texts, legibility::data_under_legends,
@@ -41,25 +42,25 @@ void expect_legible(const ReportFigure& figure, const Reading& reading, const re
     expect_none(check(list), name);
   }
   expect_none(legibility::empty_panels(list, figure.figure), name);
-  if (reading.look == render::Look::publication) {
+  if (reading.look == render::figure::Look::publication) {
     expect_none(legibility::small_letters(list, least_letters_pt), name);
   }
   for (const std::string& warning : list.warnings) ADD_FAILURE() << name << ": " << warning;
 }
 
 TEST_P(EveryFigure, IsLegible) {
-  const render::Font font;
+  const render::text::Font font;
   const auto& figures = figures_of(GetParam());
   ASSERT_FALSE(figures.empty());
   for (const Reading& reading : all_readings()) {
-    for (const ReportFigure& one : read_as(reading, figures, font)) {
+    for (const figures::ReportFigure& one : read_as(reading, figures, font)) {
       expect_legible(one, reading, font);
     }
   }
 }
 
 TEST_P(EveryFigure, StatesItsUnits) {
-  for (const ReportFigure& one : figures_of(GetParam())) {
+  for (const figures::ReportFigure& one : figures_of(GetParam())) {
     expect_none(legibility::axes_without_unit(one.figure, without_unit), one.id);
   }
 }

@@ -12,8 +12,8 @@ namespace tribolog::test {
 
 /// A look in a language: "report, en".
 struct Reading {
-  render::Look look{render::Look::report};
-  Language language{Language::english};
+  render::figure::Look look{render::figure::Look::report};
+  wording::Language language{wording::Language::english};
   [[nodiscard]] std::string name() const;
 };
 
@@ -21,7 +21,8 @@ struct Reading {
 std::vector<Reading> all_readings();
 
 /// The figures as they are drawn in that look and language.
-std::vector<ReportFigure> read_as(const Reading& reading, const std::vector<ReportFigure>& figures,
-                                  const render::Font& font);
+std::vector<figures::ReportFigure> read_as(const Reading& reading,
+                                           const std::vector<figures::ReportFigure>& figures,
+                                           const render::text::Font& font);
 
 }  // namespace tribolog::test

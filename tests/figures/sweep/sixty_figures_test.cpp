@@ -16,10 +16,10 @@ namespace {
 constexpr std::size_t count = 60;
 constexpr std::size_t most_bytes = 10'000'000;
 
-std::vector<ReportFigure> sixty_figures() {
-  std::vector<ReportFigure> all;
+std::vector<figures::ReportFigure> sixty_figures() {
+  std::vector<figures::ReportFigure> all;
   for (const char* example : {"noise", "paper", "ripple", "models"}) {
-    for (ReportFigure figure : figures_of(example)) {
+    for (figures::ReportFigure figure : figures_of(example)) {
       if (all.size() == count) return all;
       figure.id = figure.figure.id = fmt::format("{}-{}", example, figure.id);
       all.push_back(std::move(figure));
@@ -29,14 +29,15 @@ std::vector<ReportFigure> sixty_figures() {
 }
 
 TEST(SixtyFigures, StayUnderTenMegabytes) {
-  const std::vector<ReportFigure> figures = sixty_figures();
+  const std::vector<figures::ReportFigure> figures = sixty_figures();
   ASSERT_EQ(figures.size(), count);
-  std::vector<render::Figure> scenes;
-  for (const ReportFigure& figure : figures) scenes.push_back(figure.figure);
-  const auto drawn = render::FigureRenderer(2, render::Prepared::charts_and_scenes).draw(scenes);
-  const Dataset dataset = hand_made_dataset();
-  const std::string page =
-      html_report(hand_made_calibration(dataset), figures, drawn, Provenance{});
+  std::vector<render::figure::Figure> scenes;
+  for (const figures::ReportFigure& figure : figures) scenes.push_back(figure.figure);
+  const auto drawn =
+      render::workers::FigureRenderer(2, render::workers::Prepared::charts_and_scenes).draw(scenes);
+  const joint::Dataset dataset = hand_made_dataset();
+  const std::string page = report::html_report(hand_made_calibration(dataset), figures, drawn,
+                                               calibration::Provenance{});
   std::size_t pictures = 0;
   for (std::size_t at = page.find("data:image/png"); at != std::string::npos;
        at = page.find("data:image/png", at + 1)) {

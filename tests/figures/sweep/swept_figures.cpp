@@ -32,42 +32,45 @@ std::string example_file(const std::string& name) {
 }
 
 /// As `tribolog report` draws them, but with fewer resamples.
-std::vector<ReportFigure> figures_of_scenario(const std::string& name) {
-  Dataset dataset = simulated_dataset(read_scenario(example_file("paper/" + name)));
-  dataset.robot =
-      std::make_shared<RobotDescription>(read_robot(example_file("paper/am100ib.toml")));
-  IdentifyOptions options;
+std::vector<figures::ReportFigure> figures_of_scenario(const std::string& name) {
+  joint::Dataset dataset =
+      simulate::simulated_dataset(ingest::manifest::read_scenario(example_file("paper/" + name)));
+  dataset.robot = std::make_shared<robot::RobotDescription>(
+      ingest::manifest::read_robot(example_file("paper/am100ib.toml")));
+  identify::IdentifyOptions options;
   options.resamples = 200;
   options.truth_runs = 3;
-  const Calibration calibration = identify(dataset, options);
-  return with_scene_figures(figure_set(dataset, calibration), dataset.robot.get(), calibration);
+  const calibration::Calibration calibration = identify::identify(dataset, options);
+  return paper::scenes::with_scene_figures(figures::figure_set(dataset, calibration),
+                                           dataset.robot.get(), calibration);
 }
 
-std::vector<ReportFigure> figures_of_a_sweep_alone() {
-  const Dataset dataset = hand_made_dataset();
-  return figure_set(dataset, sweep_only_calibration(dataset));
+std::vector<figures::ReportFigure> figures_of_a_sweep_alone() {
+  const joint::Dataset dataset = hand_made_dataset();
+  return figures::figure_set(dataset, sweep_only_calibration(dataset));
 }
 
-std::vector<ReportFigure> figures_of_the_plan() {
+std::vector<figures::ReportFigure> figures_of_the_plan() {
   const std::string file = example_file("plan/joint.toml");
-  return plan_figures(plan_experiment(parse_joint(read_file(file), file)));
+  return figures::plan_figures(
+      plan::plan_experiment(ingest::manifest::parse_joint(read_file(file), file)));
 }
 
-std::vector<ReportFigure> figures_of_the_models() {
-  std::vector<ReportFigure> out;
-  for (ModelExperiment& one : model_experiments(ContactParameters{})) {
+std::vector<figures::ReportFigure> figures_of_the_models() {
+  std::vector<figures::ReportFigure> out;
+  for (figures::ModelExperiment& one : figures::model_experiments(friction::ContactParameters{})) {
     std::move(one.figures.begin(), one.figures.end(), std::back_inserter(out));
   }
   return out;
 }
 
-std::vector<ReportFigure> figures_of_a_small_study() {
-  StudyOptions options;
+std::vector<figures::ReportFigure> figures_of_a_small_study() {
+  study::StudyOptions options;
   options.runs = 3;
-  return study_figures(run_study(small_scenario(), options));
+  return figures::study_figures(study::run_study(small_scenario(), options));
 }
 
-using Maker = std::function<std::vector<ReportFigure>()>;
+using Maker = std::function<std::vector<figures::ReportFigure>()>;
 
 const std::map<std::string, Maker, std::less<>>& makers() {
   static const std::map<std::string, Maker, std::less<>> all{
@@ -91,8 +94,8 @@ std::vector<std::string> swept_examples() {
   return names;
 }
 
-const std::vector<ReportFigure>& figures_of(std::string_view example) {
-  static std::map<std::string, std::vector<ReportFigure>, std::less<>> made;
+const std::vector<figures::ReportFigure>& figures_of(std::string_view example) {
+  static std::map<std::string, std::vector<figures::ReportFigure>, std::less<>> made;
   const auto there = made.find(example);
   if (there != made.end()) return there->second;
   const auto maker = makers().find(example);

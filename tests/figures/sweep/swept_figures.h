@@ -15,6 +15,6 @@ std::vector<std::string> swept_examples();
 
 /// The figures of one of them; computed once in a process.
 /// @throw std::invalid_argument for another name
-const std::vector<ReportFigure>& figures_of(std::string_view example);
+const std::vector<figures::ReportFigure>& figures_of(std::string_view example);
 
 }  // namespace tribolog::test

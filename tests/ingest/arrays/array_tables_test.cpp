@@ -14,8 +14,9 @@ namespace {
 using Names = std::vector<std::string>;
 using Values = std::vector<double>;
 
-NamedArray counted(const std::string& name, std::size_t rows, std::size_t columns = 1) {
-  NamedArray array;
+ingest::arrays::NamedArray counted(const std::string& name, std::size_t rows,
+                                   std::size_t columns = 1) {
+  ingest::arrays::NamedArray array;
   array.name = name;
   array.rows = rows;
   array.columns = columns;
@@ -23,10 +24,10 @@ NamedArray counted(const std::string& name, std::size_t rows, std::size_t column
   return array;
 }
 
-std::vector<LogTable> tables(std::vector<NamedArray> arrays) {
-  FileArrays found;
+std::vector<ingest::log::LogTable> tables(std::vector<ingest::arrays::NamedArray> arrays) {
+  ingest::arrays::FileArrays found;
   found.arrays = std::move(arrays);
-  return tables_of(std::move(found), "log");
+  return ingest::arrays::tables_of(std::move(found), "log");
 }
 
 TEST(TablesOf, VectorsOfOneLengthAreOneTable) {
@@ -69,7 +70,7 @@ TEST(TablesOf, MatricesTurnTheirSamplesIntoRows) {
 }
 
 TEST(TablesOf, StorageByColumnsIsTheSameMatrix) {
-  NamedArray array = counted("q", 4, 2);
+  ingest::arrays::NamedArray array = counted("q", 4, 2);
   array.by_columns = true;
   const auto result = tables({array});
   EXPECT_EQ(result[0].columns[0].values, (Values{0, 1, 2, 3}));
@@ -105,30 +106,30 @@ TEST(TablesOf, EqualNamesGetNumbers) {
 
 TEST(TablesOf, WhatIsNotFiniteIsACountedGap) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  NamedArray array = counted("q", 4);
+  ingest::arrays::NamedArray array = counted("q", 4);
   array.values = {1, std::nan(""), inf, -inf};
-  const LogColumn column = tables({array})[0].columns[0];
+  const ingest::log::LogColumn column = tables({array})[0].columns[0];
   EXPECT_EQ(column.gaps, 3U);
   EXPECT_EQ(column.values[0], 1);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_TRUE(std::isnan(column.values[i]));
 }
 
 TEST(TablesOf, NotesSayWhatIsNoColumn) {
-  FileArrays found;
+  ingest::arrays::FileArrays found;
   found.arrays = {counted("t", 2), counted("mass", 1)};
   found.arrays[1].values = {0.49};
   found.texts = {{"motor", "mx106"}};
   found.leave_out("z", "it holds complex numbers");
-  EXPECT_EQ(tables_of(found, "log")[0].notes,
+  EXPECT_EQ(ingest::arrays::tables_of(found, "log")[0].notes,
             (Names{"mass = 0.49", "motor = 'mx106'", "'z' is not read: it holds complex numbers"}));
   for (int i = 0; i < 30; ++i) found.leave_out("x", "why");
-  const auto notes = tables_of(found, "log")[0].notes;
+  const auto notes = ingest::arrays::tables_of(found, "log")[0].notes;
   ASSERT_EQ(notes.size(), 15U);
   EXPECT_EQ(notes.back(), "and 19 more that are not read");
 }
 
 TEST(TablesOf, UnitsComeFromTheNameOrTheFile) {
-  NamedArray array = counted("q", 2);
+  ingest::arrays::NamedArray array = counted("q", 2);
   array.unit = "rad";
   const auto result = tables({counted("tau [Nm]", 2), array});
   EXPECT_EQ(result[0].columns[0].header.name, "tau");
@@ -137,40 +138,40 @@ TEST(TablesOf, UnitsComeFromTheNameOrTheFile) {
 }
 
 TEST(TablesOf, RefusesAFileWithoutRows) {
-  FileArrays found;
+  ingest::arrays::FileArrays found;
   found.arrays = {counted("mass", 1)};
   found.texts = {{"motor", "mx"}};
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return tables_of(found, "f.mat"); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::tables_of(found, "f.mat"); }),
             "f.mat: no rows of numbers, found mass = 0; motor = 'mx', expected arrays of two or "
             "more numbers");
 }
 
 TEST(ShapeArray, DimensionsOfOneDoNotCount) {
-  FileArrays found;
-  NamedArray array;
-  EXPECT_TRUE(shape_array({1, 1, 9}, array, found));
+  ingest::arrays::FileArrays found;
+  ingest::arrays::NamedArray array;
+  EXPECT_TRUE(ingest::arrays::shape_array({1, 1, 9}, array, found));
   EXPECT_EQ(array.rows, 9U);
   EXPECT_EQ(array.columns, 1U);
-  EXPECT_TRUE(shape_array({3, 1, 4}, array, found));
+  EXPECT_TRUE(ingest::arrays::shape_array({3, 1, 4}, array, found));
   EXPECT_EQ(array.rows, 3U);
   EXPECT_EQ(array.columns, 4U);
-  EXPECT_TRUE(shape_array({}, array, found));
+  EXPECT_TRUE(ingest::arrays::shape_array({}, array, found));
   EXPECT_EQ(found.values, 22U);
 }
 
 TEST(ShapeArray, LeavesOutWhatIsNoTable) {
-  FileArrays found;
-  NamedArray array;
+  ingest::arrays::FileArrays found;
+  ingest::arrays::NamedArray array;
   array.name = "a";
-  EXPECT_FALSE(shape_array({2, 3, 4}, array, found));
-  EXPECT_FALSE(shape_array({5, 0}, array, found));
-  EXPECT_FALSE(shape_array({1U << 31, 2}, array, found));
-  EXPECT_FALSE(shape_array({~std::uint64_t{0}, ~std::uint64_t{0}}, array, found));
-  EXPECT_FALSE(shape_array({5000, 5000}, array, found));
+  EXPECT_FALSE(ingest::arrays::shape_array({2, 3, 4}, array, found));
+  EXPECT_FALSE(ingest::arrays::shape_array({5, 0}, array, found));
+  EXPECT_FALSE(ingest::arrays::shape_array({1U << 31, 2}, array, found));
+  EXPECT_FALSE(ingest::arrays::shape_array({~std::uint64_t{0}, ~std::uint64_t{0}}, array, found));
+  EXPECT_FALSE(ingest::arrays::shape_array({5000, 5000}, array, found));
   EXPECT_EQ(found.left_out.size(), 5U);
   EXPECT_EQ(found.values, 0U);
-  found.values = most_values - 1;
-  EXPECT_FALSE(shape_array({2}, array, found)) << "all arrays together";
+  found.values = ingest::arrays::most_values - 1;
+  EXPECT_FALSE(ingest::arrays::shape_array({2}, array, found)) << "all arrays together";
 }
 
 }  // namespace

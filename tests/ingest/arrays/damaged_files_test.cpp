@@ -57,11 +57,13 @@ bool is_read_or_refused(const Read& read, const std::string& bytes) {
   return true;
 }
 
-LogTable read_log(const std::string& bytes) {
-  return read_csv(bytes, "run.csv", {{"t"}, {"q"}, {"tau"}});
+ingest::log::LogTable read_log(const std::string& bytes) {
+  return ingest::text::read_csv(bytes, "run.csv", {{"t"}, {"q"}, {"tau"}});
 }
 
-ManifestFile read_manifest(const std::string& bytes) { return parse_manifest(bytes, "m.toml"); }
+ingest::manifest::ManifestFile read_manifest(const std::string& bytes) {
+  return ingest::manifest::parse_manifest(bytes, "m.toml");
+}
 
 template <class Read>
 void expect_every_prefix_answered(const Read& read, const std::string& text) {
@@ -118,7 +120,9 @@ TEST(DamagedLog, EndlessLinesAreAnswered) {
 }
 
 TEST(DamagedScenario, EveryCutIsAnswered) {
-  const auto read = [](const std::string& bytes) { return parse_scenario(bytes, "s.toml"); };
+  const auto read = [](const std::string& bytes) {
+    return ingest::manifest::parse_scenario(bytes, "s.toml");
+  };
   expect_every_prefix_answered(read,
                                "schema = \"tribolog-scenario-1\"\nname = \"x\"\n"
                                "[robot]\nname = \"r\"\n[joint]\nname = \"3\"\ngear_ratio = 1\n");

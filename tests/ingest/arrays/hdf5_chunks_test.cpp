@@ -33,19 +33,21 @@ class Hdf5ChunksTest : public testing::Test {
   /// Datasets "t", plain, and "q" in chunks with the filters that `set` puts on them.
   template <typename Set, typename Change>
   void make(const Set& set, const Change& change) {
-    const Hdf5Handle file(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Fclose);
-    const Hdf5Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
-    const Hdf5Handle plain(H5Dcreate2(file.get(), "t", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
-                                      H5P_DEFAULT, H5P_DEFAULT),
-                           H5Dclose);
+    const ingest::hdf5_matlab::Hdf5Handle file(
+        H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle plain(
+        H5Dcreate2(file.get(), "t", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT,
+                   H5P_DEFAULT),
+        H5Dclose);
     H5Dwrite(plain.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, ramp.data());
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const ingest::hdf5_matlab::Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(creation.get(), 1, &chunk_rows);
     set(creation.get());
-    const Hdf5Handle data(H5Dcreate2(file.get(), "q", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
-                                     creation.get(), H5P_DEFAULT),
-                          H5Dclose);
+    const ingest::hdf5_matlab::Hdf5Handle data(
+        H5Dcreate2(file.get(), "q", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, creation.get(),
+                   H5P_DEFAULT),
+        H5Dclose);
     H5Dwrite(data.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, ramp.data());
     change(data.get());
   }
@@ -55,12 +57,12 @@ class Hdf5ChunksTest : public testing::Test {
   }
 
   [[nodiscard]] Values q() const {
-    const auto tables = read_hdf5(path_);
+    const auto tables = ingest::arrays::read_hdf5(path_);
     EXPECT_EQ(tables[0].header, (Names{"q", "t"}));
     return tables[0].columns.front().values;
   }
   [[nodiscard]] std::string first_note() const {
-    const auto tables = read_hdf5(path_);
+    const auto tables = ingest::arrays::read_hdf5(path_);
     EXPECT_EQ(tables[0].header, Names{"t"});
     return tables[0].notes.empty() ? "" : tables[0].notes[0];
   }
@@ -144,7 +146,7 @@ TEST_F(Hdf5ChunksTest, MoreBytesThanTheFileHasAreRefused) {
   }
   ASSERT_EQ(changed, 1U);
   path_ = directory_.file("log.h5", bytes);
-  const std::string note = read_hdf5(path_)[0].notes[0];
+  const std::string note = ingest::arrays::read_hdf5(path_)[0].notes[0];
   const std::string claimed = fmt::format(
       "'t' is not read: damaged: {} of the file's {} bytes are claimed", 0x0100'0050, bytes.size());
   // libhdf5 2 writes a checksum beside the layout.

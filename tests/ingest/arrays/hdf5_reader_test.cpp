@@ -34,15 +34,15 @@ class Hdf5File {
   template <class Number>
   void add(const char* name, const Sides& sides, const std::vector<Number>& values, hid_t memory,
            hid_t stored, bool deflated = false, const char* unit = nullptr) {
-    const Hdf5Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr),
-                           H5Sclose);
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const ingest::hdf5_matlab::Hdf5Handle space(
+        H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     if (deflated) {
       H5Pset_chunk(creation.get(), static_cast<int>(sides.size()), sides.data());
       H5Pset_shuffle(creation.get());
       H5Pset_deflate(creation.get(), 6);
     }
-    const Hdf5Handle data(
+    const ingest::hdf5_matlab::Hdf5Handle data(
         H5Dcreate2(id(), name, stored, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
         H5Dclose);
     ASSERT_GE(H5Dwrite(data.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
@@ -52,10 +52,10 @@ class Hdf5File {
     add(name, sides, values, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE);
   }
   void add_text(const char* name, const char* text) {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const ingest::hdf5_matlab::Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.get(), std::strlen(text));
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle data(
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle data(
         H5Dcreate2(id(), name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
         H5Dclose);
     H5Dwrite(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
@@ -63,14 +63,14 @@ class Hdf5File {
 
  private:
   static void add_text_attribute(hid_t object, const char* name, const char* text) {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const ingest::hdf5_matlab::Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.get(), H5T_VARIABLE);
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle attribute(
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle attribute(
         H5Acreate2(object, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     H5Awrite(attribute.get(), type.get(), &text);
   }
-  Hdf5Handle file_;
+  ingest::hdf5_matlab::Hdf5Handle file_;
 };
 
 Values random_values(std::size_t count) {
@@ -98,17 +98,18 @@ class Hdf5 : public testing::Test {
     file.add_text("robot", "UR10e");
   }
   std::string refusal() {
-    return test::refusal_of<InputError>([&] { return read_hdf5(path_); });
+    return test::refusal_of<InputError>([&] { return ingest::arrays::read_hdf5(path_); });
   }
 };
 
 TEST_F(Hdf5, RobotLogsAreReadToTheBit) {
   for (const bool deflated : {false, true}) {
     make_robot_log(deflated);
-    EXPECT_EQ(detect_log_format(directory_.contents("log.h5"), path_), LogFormat::hdf5);
-    const auto tables = read_hdf5(path_);
+    EXPECT_EQ(ingest::log::detect_log_format(directory_.contents("log.h5"), path_),
+              ingest::log::LogFormat::hdf5);
+    const auto tables = ingest::arrays::read_hdf5(path_);
     ASSERT_EQ(tables.size(), 1U);
-    const LogTable& table = tables[0];
+    const ingest::log::LogTable& table = tables[0];
     ASSERT_EQ(table.header, (Names{"t", "arm/q_0", "arm/q_1", "arm/q_2"}));
     EXPECT_EQ(table.columns[1].header.unit, "rad");
     EXPECT_EQ(table.notes, (Names{"arm/mass = 0.49", "robot = 'UR10e'"}));
@@ -130,14 +131,14 @@ TEST_F(Hdf5, IntegersAndBooleans) {
     Hdf5File file(path_);
     file.add<std::int64_t>("stamp", {2}, {(1LL << 53) + 1, 5}, H5T_NATIVE_INT64, H5T_STD_I64BE);
     file.add<std::int16_t>("ticks", {2}, {-7, 9}, H5T_NATIVE_INT16, H5T_STD_I16BE);
-    const Hdf5Handle boolean(H5Tenum_create(H5T_NATIVE_INT8), H5Tclose);
+    const ingest::hdf5_matlab::Hdf5Handle boolean(H5Tenum_create(H5T_NATIVE_INT8), H5Tclose);
     const signed char no = 0;
     const signed char yes = 1;
     H5Tenum_insert(boolean.get(), "FALSE", &no);
     H5Tenum_insert(boolean.get(), "TRUE", &yes);
     file.add<signed char>("enabled", {2}, {1, 0}, boolean.get(), boolean.get());
   }
-  const auto tables = read_hdf5(path_);
+  const auto tables = ingest::arrays::read_hdf5(path_);
   ASSERT_EQ(tables[0].header, (Names{"enabled", "stamp", "ticks"}));
   EXPECT_EQ(tables[0].columns[0].values, (Values{1, 0}));
   EXPECT_EQ(tables[0].columns[2].values, (Values{-7, 9}));
@@ -151,14 +152,14 @@ TEST_F(Hdf5, OtherLengthsAndTypesAreNamed) {
     file.add("fast/q", {4}, {1, 2, 3, std::nan("")});
     file.add("limits", {2}, {1, 2});
     file.add("picture", {2, 2, 2}, Values(8));
-    const Hdf5Handle record(H5Tcreate(H5T_COMPOUND, 8), H5Tclose);
+    const ingest::hdf5_matlab::Hdf5Handle record(H5Tcreate(H5T_COMPOUND, 8), H5Tclose);
     H5Tinsert(record.get(), "x", 0, H5T_NATIVE_DOUBLE);
     file.add("records", {2}, Values(2), record.get(), record.get());
-    const Hdf5Handle space(H5Screate(H5S_NULL), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate(H5S_NULL), H5Sclose);
     H5Dclose(H5Dcreate2(file.id(), "nothing", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
                         H5P_DEFAULT, H5P_DEFAULT));
   }
-  const auto tables = read_hdf5(path_);
+  const auto tables = ingest::arrays::read_hdf5(path_);
   ASSERT_EQ(tables.size(), 2U);
   EXPECT_EQ(tables[0].group, "fast");
   EXPECT_EQ(tables[0].columns[0].gaps, 1U);
@@ -180,17 +181,17 @@ TEST_F(Hdf5, NothingOutsideOfTheFileIsRead) {
     H5Lcreate_soft("/t", file.id(), "soft", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/external/secret", file.id(), "soft_out", H5P_DEFAULT, H5P_DEFAULT);
     const hsize_t three = 3;
-    const Hdf5Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
-    const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_external(storage.get(), raw.c_str(), 0, 24);
     H5Dclose(H5Dcreate2(file.id(), "stored_elsewhere", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
                         storage.get(), H5P_DEFAULT));
-    const Hdf5Handle mapping(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const ingest::hdf5_matlab::Hdf5Handle mapping(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_virtual(mapping.get(), space.get(), other.c_str(), "/secret", space.get());
     H5Dclose(H5Dcreate2(file.id(), "virtual", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
                         mapping.get(), H5P_DEFAULT));
   }
-  const auto tables = read_hdf5(path_);
+  const auto tables = ingest::arrays::read_hdf5(path_);
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"t"}));
   EXPECT_EQ(tables[0].notes,
@@ -209,7 +210,7 @@ TEST_F(Hdf5, GroupsThatHoldEachOtherEnd) {
     file.add("a/t", {2}, {0, 1});
     H5Lcreate_hard(file.id(), "a/t", file.id(), "t", H5P_DEFAULT, H5P_DEFAULT);
   }
-  const auto tables = read_hdf5(path_);
+  const auto tables = ingest::arrays::read_hdf5(path_);
   EXPECT_EQ(tables[0].header, (Names{"a/t"}));
   EXPECT_EQ(tables[0].notes.size(), 2U);
 }
@@ -220,13 +221,13 @@ TEST_F(Hdf5, ClaimedLengthsAreNotBelieved) {
     file.add("t", {2}, {0, 1});
     const hsize_t huge = hsize_t{1} << 30;
     const hsize_t chunk = 1024;
-    const Hdf5Handle space(H5Screate_simple(1, &huge, nullptr), H5Sclose);
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const ingest::hdf5_matlab::Hdf5Handle space(H5Screate_simple(1, &huge, nullptr), H5Sclose);
+    const ingest::hdf5_matlab::Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(creation.get(), 1, &chunk);
     H5Dclose(H5Dcreate2(file.id(), "empty_8_GiB", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
                         creation.get(), H5P_DEFAULT));
   }
-  EXPECT_EQ(read_hdf5(path_)[0].notes,
+  EXPECT_EQ(ingest::arrays::read_hdf5(path_)[0].notes,
             (Names{"'empty_8_GiB' is not read: 1073741824 numbers are claimed, 0 bytes are "
                    "stored"}));
 }
@@ -245,7 +246,7 @@ TEST_F(Hdf5, RefusalsAreOneLine) {
 
 TEST_F(Hdf5, DamageIsAnswered) {
   const auto read = [this](const std::string& bytes) {
-    return read_hdf5(directory_.file("damaged.h5", bytes));
+    return ingest::arrays::read_hdf5(directory_.file("damaged.h5", bytes));
   };
   for (const bool deflated : {false, true}) {
     make_robot_log(deflated);
@@ -265,7 +266,9 @@ TEST_F(Hdf5, DamagedStructureIsAnswered) {
     std::string changed = bytes;
     for (int k = 0; k < 4; ++k) changed[random() % 3000] = static_cast<char>(random());
     test::expect_answer(
-        [this](const std::string& b) { return read_hdf5(directory_.file("damaged.h5", b)); },
+        [this](const std::string& b) {
+          return ingest::arrays::read_hdf5(directory_.file("damaged.h5", b));
+        },
         changed, "case " + std::to_string(i));
   }
 }

@@ -15,24 +15,24 @@ namespace {
 
 class IsolatedReading : public testing::Test {
  protected:
-  std::string refusal(const std::function<FileArrays()>& read) {
-    return test::refusal_of<InputError>([&] { return read_isolated(path_, read); });
+  std::string refusal(const std::function<ingest::arrays::FileArrays()>& read) {
+    return test::refusal_of<InputError>([&] { return ingest::arrays::read_isolated(path_, read); });
   }
   test::TemporaryDirectory directory_;
   std::string path_ = directory_.file("log", "bytes");
 };
 
 TEST_F(IsolatedReading, ArraysComeBackAsTheyWere) {
-  NamedArray array{"q", 2, 3, true, {1, 2, 3, 4, 5, 6}, "rad", true};
-  const FileArrays found = read_isolated(path_, [&] {
-    FileArrays result;
+  ingest::arrays::NamedArray array{"q", 2, 3, true, {1, 2, 3, 4, 5, 6}, "rad", true};
+  const ingest::arrays::FileArrays found = ingest::arrays::read_isolated(path_, [&] {
+    ingest::arrays::FileArrays result;
     for (int i = 0; i < 1000; ++i) result.arrays.push_back(array);
     result.texts = {{"robot", "arm"}};
     result.leave_out("z", "why");
     return result;
   });
   ASSERT_EQ(found.arrays.size(), 1000U);
-  const NamedArray& last = found.arrays.back();
+  const ingest::arrays::NamedArray& last = found.arrays.back();
   EXPECT_EQ(last.name, "q");
   EXPECT_EQ(last.unit, "rad");
   EXPECT_EQ(last.rows, 2U);
@@ -45,24 +45,27 @@ TEST_F(IsolatedReading, ArraysComeBackAsTheyWere) {
 }
 
 TEST_F(IsolatedReading, RefusalsKeepTheirReason) {
-  EXPECT_EQ(refusal([]() -> FileArrays { throw UnreadableFile("no good"); }), path_ + ": no good");
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays {
+              throw ingest::arrays::UnreadableFile("no good");
+            }),
+            path_ + ": no good");
 }
 
 TEST_F(IsolatedReading, CrashesAreRefusals) {
   const std::string expected =
       path_ + ": damaged file: the library that reads it failed; hint: copy or record it again";
-  EXPECT_EQ(refusal([]() -> FileArrays {
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays {
               std::raise(SIGSEGV);
               return {};
             }),
             expected);
-  EXPECT_EQ(refusal([]() -> FileArrays { std::abort(); }), expected);
-  EXPECT_EQ(refusal([]() -> FileArrays { std::_Exit(0); }), expected);
-  EXPECT_EQ(refusal([]() -> FileArrays { throw 1; }), expected);
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays { std::abort(); }), expected);
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays { std::_Exit(0); }), expected);
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays { throw 1; }), expected);
 }
 
 TEST_F(IsolatedReading, EndlessReadingIsARefusal) {
-  EXPECT_EQ(refusal([]() -> FileArrays {
+  EXPECT_EQ(refusal([]() -> ingest::arrays::FileArrays {
               std::raise(SIGXCPU);
               return {};
             }),
@@ -74,7 +77,7 @@ TEST_F(IsolatedReading, MemoryIsBoundedByTheFile) {
   GTEST_SKIP() << "the address sanitizer maps more than any bound";
 #endif
   EXPECT_EQ(refusal([] {
-              FileArrays found;
+              ingest::arrays::FileArrays found;
               found.arrays.resize(1);
               found.arrays[0].values.resize(std::size_t{1} << 29);
               return found;
@@ -84,9 +87,9 @@ TEST_F(IsolatedReading, MemoryIsBoundedByTheFile) {
 
 TEST_F(IsolatedReading, WhatTheLibraryPrintsIsNotSeen) {
   testing::internal::CaptureStderr();
-  (void)read_isolated(path_, [] {
+  (void)ingest::arrays::read_isolated(path_, [] {
     std::fputs("library message\n", stderr);
-    return FileArrays{};
+    return ingest::arrays::FileArrays{};
   });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -18,7 +18,9 @@ namespace {
 using Names = std::vector<std::string>;
 using Values = std::vector<double>;
 
-std::vector<LogTable> read(const std::string& text) { return parse_json_log(text, "a.json"); }
+std::vector<ingest::log::LogTable> read(const std::string& text) {
+  return ingest::arrays::parse_json_log(text, "a.json");
+}
 
 std::string refusal(const std::string& text) {
   return test::refusal_of<InputError>([&] { return read(text); });
@@ -50,9 +52,9 @@ std::string bam_log(int rows) {
 TEST(Json, BamLogsAreReadToTheBit) {
   const std::string text = bam_log(300);
   const test::TemporaryDirectory directory;
-  const auto tables = read_bam_json(directory.file("log.json", text));
+  const auto tables = ingest::arrays::read_bam_json(directory.file("log.json", text));
   ASSERT_EQ(tables.size(), 1U);
-  const LogTable& table = tables[0];
+  const ingest::log::LogTable& table = tables[0];
   EXPECT_EQ(table.header, (Names{"goal_position", "input_volts", "load", "position", "speed",
                                  "timestamp", "torque_enable"}));
   const auto log = nlohmann::json::parse(text);
@@ -132,7 +134,7 @@ TEST(Json, RefusalsSayWhere) {
 TEST(Json, DeepNestingIsRefused) {
   EXPECT_EQ(refusal(std::string(5'000'000, '[')), "a.json: JSON is nested more than 32 deep");
   std::string deep = "[1, 2]";
-  for (std::size_t i = 1; i < deepest_json; ++i) deep = R"({"a": )" + deep + "}";
+  for (std::size_t i = 1; i < ingest::arrays::deepest_json; ++i) deep = R"({"a": )" + deep + "}";
   EXPECT_EQ(read(deep)[0].rows, 2U);
   EXPECT_NE(refusal("[" + deep + "]"), "");
 }

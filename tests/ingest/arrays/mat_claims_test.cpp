@@ -65,7 +65,8 @@ class MatClaims : public testing::Test {
   /// Without the path.
   std::string refusal(const std::string& variables) {
     const std::string path = write(variables);
-    return test::refusal_of<InputError>([&] { return read_mat(path); }).substr(path.size());
+    return test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); })
+        .substr(path.size());
   }
   test::TemporaryDirectory directory_;
 };
@@ -78,7 +79,7 @@ TEST_F(MatClaims, KeptClaimsAreRead) {
                                 array(1, {1, 1}, "cell", part(14, ""));
   for (const std::string& form :
        {variables, packed(doubles({20, 1}, "t", 20)) + packed(structure)}) {
-    const auto tables = read_mat(write(form));
+    const auto tables = ingest::arrays::read_mat(write(form));
     ASSERT_EQ(tables.size(), 1U);
     EXPECT_EQ(tables[0].header, (std::vector<std::string>{"t", "run.q_0", "run.q_1"}));
     EXPECT_EQ(tables[0].columns[2].values, std::vector<double>(20, 1.5));

@@ -91,15 +91,15 @@ class Mat : public testing::TestWithParam<MatForm> {
     file.add(variable("robot", MAT_C_CHAR, MAT_T_UTF8, 1, 5, "UR10e"));
   }
   std::string refusal() {
-    return test::refusal_of<InputError>([&] { return read_mat(path_); });
+    return test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path_); });
   }
 };
 
 TEST_P(Mat, RobotLogsAreReadToTheBit) {
   make_robot_log();
-  const auto tables = read_mat(path_);
+  const auto tables = ingest::arrays::read_mat(path_);
   ASSERT_EQ(tables.size(), 1U);
-  const LogTable& table = tables[0];
+  const ingest::log::LogTable& table = tables[0];
   ASSERT_EQ(table.header.size(), 7U);
   const Values values = random_values(600);
   const auto expect = [&](const std::string& name, const auto& index) {
@@ -124,15 +124,16 @@ TEST_P(Mat, RobotLogsAreReadToTheBit) {
 
 TEST_P(Mat, FormatIsRecognised) {
   make_robot_log();
-  EXPECT_EQ(detect_log_format(directory_.contents("log.mat").substr(0, log_format_bytes), path_),
-            LogFormat::mat);
+  EXPECT_EQ(ingest::log::detect_log_format(
+                directory_.contents("log.mat").substr(0, ingest::log::log_format_bytes), path_),
+            ingest::log::LogFormat::mat);
 }
 
 TEST_P(Mat, DamageIsAnswered) {
   make_robot_log();
   const std::string bytes = directory_.contents("log.mat");
   const auto read = [this](const std::string& changed) {
-    return read_mat(directory_.file("damaged.mat", changed));
+    return ingest::arrays::read_mat(directory_.file("damaged.mat", changed));
   };
   test::expect_cuts_answered(read, bytes, 500);
   test::expect_changes_answered(read, bytes, 500);
@@ -150,7 +151,7 @@ TEST_P(Mat, ACutFileGivesItsCompleteVariablesWhereItCan) {
     EXPECT_TRUE(refusal().starts_with(path_ + ": damaged or no HDF5 file")) << refusal();
     return;
   }
-  const auto tables = read_mat(path_);
+  const auto tables = ingest::arrays::read_mat(path_);
   EXPECT_EQ(tables[0].header, (Names{"t"}));
   EXPECT_EQ(tables[0].notes, (Names{"'variable 2' is not read: the file ends inside it"}));
 }
@@ -169,7 +170,7 @@ TEST_P(NewerMat, StructsGiveDottedNames) {
     Mat_VarSetStructFieldByName(run, "q", 0, doubles(nullptr, 3, 2, {1, 2, 3, 4, 5, 6}));
     file.add(run);
   }
-  const auto tables = read_mat(path_);
+  const auto tables = ingest::arrays::read_mat(path_);
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"run.t", "run.q_0", "run.q_1"}));
   EXPECT_EQ(tables[0].columns[2].values, (Values{4, 5, 6}));
@@ -197,7 +198,7 @@ TEST_P(NewerMat, EveryTypeOfNumber) {
     file.add(variable("h", MAT_C_UINT64, MAT_T_UINT64, 2, 1, u64));
     file.add(variable("i", MAT_C_SINGLE, MAT_T_SINGLE, 2, 1, f32));
   }
-  const auto tables = read_mat(path_);
+  const auto tables = ingest::arrays::read_mat(path_);
   ASSERT_EQ(tables.size(), 1U);
   ASSERT_EQ(tables[0].columns.size(), 9U);
   const Values first = {-1,
@@ -226,7 +227,7 @@ TEST_P(NewerMat, OthersAreNamed) {
     matvar_t* cells[2] = {doubles(nullptr, 1, 2, {1, 2}), doubles(nullptr, 1, 1, {1})};
     file.add(variable("cell", MAT_C_CELL, MAT_T_CELL, 2, 1, static_cast<void*>(cells)));
   }
-  const auto tables = read_mat(path_);
+  const auto tables = ingest::arrays::read_mat(path_);
   EXPECT_EQ(tables[0].columns[0].gaps, 1U);
   Names notes = tables[0].notes;
   std::sort(notes.begin(), notes.end());
@@ -265,7 +266,7 @@ TEST_F(MatFiles, DamagedCompressedValuesNeverPassAsGood) {
     const std::size_t at = 136 + random() % (bytes.size() - 136);
     changed[at] = static_cast<char>(changed[at] ^ 1);
     const std::string damaged = directory_.file("damaged.mat", changed);
-    EXPECT_EQ(test::refusal_of<InputError>([&] { return read_mat(damaged); }),
+    EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(damaged); }),
               damaged + ": damaged MAT file: variable 1 has a wrong checksum")
         << at;
   }
@@ -274,21 +275,21 @@ TEST_F(MatFiles, DamagedCompressedValuesNeverPassAsGood) {
 TEST_F(MatFiles, Version4ByHandInBothByteOrders) {
   using namespace std::string_literals;
   const auto read = [&](const std::string& bytes) {
-    return read_mat(directory_.file("a.mat", bytes))[0];
+    return ingest::arrays::read_mat(directory_.file("a.mat", bytes))[0];
   };
   const std::string text = mat_4({51, 1, 3, 0, 6}, "robot", "arm");
-  const LogTable little = read(mat_4({30, 2, 1, 0, 2}, "q", "\1\0\xff\xff"s) + text);
+  const ingest::log::LogTable little = read(mat_4({30, 2, 1, 0, 2}, "q", "\1\0\xff\xff"s) + text);
   EXPECT_EQ(little.header, (Names{"q"}));
   EXPECT_EQ(little.columns[0].values, (Values{1, -1}));
   EXPECT_EQ(little.notes, (Names{"robot = 'arm'"}));
-  const LogTable big = read(mat_4({1030, 2, 1, 0, 2}, "q", "\0\1\xff\xff"s, true));
+  const ingest::log::LogTable big = read(mat_4({1030, 2, 1, 0, 2}, "q", "\0\1\xff\xff"s, true));
   EXPECT_EQ(big.columns[0].values, (Values{1, -1}));
 }
 
 TEST_F(MatFiles, Version4LengthsAreNotBelieved) {
   const std::string path = directory_.file(
       "a.mat", mat_4({0, 0xffffffffU, 0xffffffffU, 1, 2}, "q", std::string(64, '\0')));
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_mat(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); }),
             path +
                 ": no rows of numbers, found 'variable 1' is not read: the file ends inside it, "
                 "expected arrays of two or more numbers");
@@ -298,24 +299,26 @@ TEST_F(MatFiles, NothingOutsideOfA73FileIsRead) {
   const std::string path = directory_.path("log.mat");
   MatMaker(path, forms[3]).add(doubles("t", 3, 1, {0, 1, 2}));
   {
-    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const ingest::hdf5_matlab::Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
+                                               H5Fclose);
     ASSERT_TRUE(file.is_open());
     H5Lcreate_external("other.mat", "/secret", file.get(), "secret", H5P_DEFAULT, H5P_DEFAULT);
   }
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_mat(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); }),
             path + ": some of its values are in other files, which are not read");
 }
 
 TEST_F(MatFiles, RefusalsAreOneLine) {
   const auto refusal = [&](const std::string& bytes) {
     const std::string path = directory_.file("a.mat", bytes);
-    return test::refusal_of<InputError>([&] { return read_mat(path); }).substr(path.size());
+    return test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); })
+        .substr(path.size());
   };
   EXPECT_EQ(refusal(""), ": file is empty");
   EXPECT_EQ(refusal("t,q,tau\n0,1,2\n0,1,2\n0,1,2\n"), ": no MAT file, or cut off in its header");
   const std::string path = directory_.path("mass.mat");
   MatMaker(path, forms[1]).add(doubles("mass", 1, 1, {0.49}));
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_mat(path); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::arrays::read_mat(path); }),
             path +
                 ": no rows of numbers, found mass = 0.49, expected arrays of two or more "
                 "numbers");

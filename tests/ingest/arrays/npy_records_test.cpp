@@ -17,12 +17,12 @@ using Names = std::vector<std::string>;
 using Values = std::vector<double>;
 using test::npy;
 
-LogTable only_table(const std::vector<LogTable>& tables) {
+ingest::log::LogTable only_table(const std::vector<ingest::log::LogTable>& tables) {
   EXPECT_EQ(tables.size(), 1U);
-  return tables.empty() ? LogTable{} : tables.front();
+  return tables.empty() ? ingest::log::LogTable{} : tables.front();
 }
 
-Values column(const LogTable& table, const std::string& name) {
+Values column(const ingest::log::LogTable& table, const std::string& name) {
   for (std::size_t k = 0; k < table.header.size(); ++k) {
     if (table.header[k] == name) return table.columns[k].values;
   }
@@ -31,7 +31,7 @@ Values column(const LogTable& table, const std::string& name) {
 }
 
 std::string refusal(const std::string& bytes) {
-  return test::refusal_of<InputError>([&] { return parse_npz(bytes, "q.npy"); });
+  return test::refusal_of<InputError>([&] { return ingest::arrays::parse_npz(bytes, "q.npy"); });
 }
 
 class NpyRecords : public test::NumpyFiles {
@@ -45,7 +45,8 @@ with open('names.txt', 'w', encoding='utf-8') as f:
     f.write(''.join(n + '\n' for n in truth))
 np.concatenate([np.asarray(v, '<f8').ravel() for v in truth.values()]).tofile('truth.bin')
 )");
-    const LogTable table = only_table(read_npz(directory_.path("log.npy")));
+    const ingest::log::LogTable table =
+        only_table(ingest::arrays::read_npz(directory_.path("log.npy")));
     const std::string truth = directory_.contents("truth.bin");
     std::string names;
     std::string values;
@@ -132,7 +133,8 @@ TEST_F(NpyRecords, TimesTextsAndOthersAmongThem) {
                           ('raw', 'V3'), ('day', 'M8[D]'), ('d', 'm8[us]'), ('m', 'f8', (2, 2))])
 a['when'] = ['2020-01-01', 'NaT', '2020-01-02']; a['q'] = [1, 2, 3]; a['d'] = [5, 6, 7]
 np.save('log.npy', a))");
-  const LogTable table = only_table(read_npz(directory_.path("log.npy")));
+  const ingest::log::LogTable table =
+      only_table(ingest::arrays::read_npz(directory_.path("log.npy")));
   EXPECT_EQ(table.header, (Names{"when", "q", "d"}));
   EXPECT_EQ(table.columns[0].header.unit, "ms");
   EXPECT_EQ(table.columns[0].gaps, 1U);
@@ -154,7 +156,7 @@ setup['robot'] = 'arm'
 np.savez('stored.npz', log=log, tau=np.arange(5.), setup=setup)
 np.savez_compressed('deflated.npz', log=np.rec.array(log), tau=np.arange(5.), setup=setup))");
   for (const char* name : {"stored.npz", "deflated.npz"}) {
-    const LogTable table = only_table(read_npz(directory_.path(name)));
+    const ingest::log::LogTable table = only_table(ingest::arrays::read_npz(directory_.path(name)));
     EXPECT_EQ(table.header, (Names{"log.t", "log.q", "tau"}));
     EXPECT_EQ(table.columns[1].values, (Values{0, -1, -2, -3, -4}));
     EXPECT_EQ(table.notes, (Names{"setup.rate = 200", "setup.robot = 'arm'"}));
@@ -171,7 +173,9 @@ TEST_F(NpyRecords, DamageIsAnswered) {
   run(R"(a = np.zeros(3, dtype=[('t', 'f8'), ('q', 'f4', (3,)), ('m', [('i', '>f4'), ('', 'V2')])])
 np.save('log.npy', a))");
   const std::string bytes = directory_.contents("log.npy");
-  const auto read = [](const std::string& damaged) { return parse_npz(damaged, "a.npy"); };
+  const auto read = [](const std::string& damaged) {
+    return ingest::arrays::parse_npz(damaged, "a.npy");
+  };
   test::expect_cuts_answered(read, bytes, 300);
   test::expect_changes_answered(read, bytes, 3000);
 }
@@ -184,7 +188,8 @@ TEST(NpyRecordsByHand, SpellingsOfOneType) {
         "[(('title', 't'), '|i1'), ('q', '|i1', (1,))]", "[ (\"t\" , '|i1') , ('\\x71', '|i1') ]",
         "[('t', '|i1'), ('\\u0071', '|i1'), ('', '|V0')]", "[('t', '|i1', ()), ('q', '|u1')]",
         "[('t', '|i1', (1L,)), ('q', '|i1')]"}) {
-    const LogTable table = only_table(parse_npz(npy(descr, "(2,)", values), "q.npy"));
+    const ingest::log::LogTable table =
+        only_table(ingest::arrays::parse_npz(test::npy(descr, "(2,)", values), "q.npy"));
     EXPECT_EQ(table.header, (Names{"t", "q"})) << descr;
     EXPECT_EQ(column(table, "t"), (Values{1, 3})) << descr;
     EXPECT_EQ(column(table, "q"), (Values{2, 4})) << descr;
@@ -192,8 +197,8 @@ TEST(NpyRecordsByHand, SpellingsOfOneType) {
 }
 
 TEST(NpyRecordsByHand, SameNamesAreToldApart) {
-  const LogTable table =
-      only_table(parse_npz(npy("[('t', '|i1'), ('t', '|i1')]", "(2,)", "\1\2\3\4"), "q.npy"));
+  const ingest::log::LogTable table = only_table(ingest::arrays::parse_npz(
+      test::npy("[('t', '|i1'), ('t', '|i1')]", "(2,)", "\1\2\3\4"), "q.npy"));
   EXPECT_EQ(table.header, (Names{"t", "t_2"}));
 }
 
@@ -236,15 +241,15 @@ TEST(NpyRecordsByHand, HostileTypesAreRefused) {
                                    "('<f8', (2,))"s,
                                    "{'names': ['t'], 'formats': ['<f8']}"s,
                                    nested}) {
-    EXPECT_NE(refusal(npy(descr, "(2,)", sixteen, false, 2)), "") << descr;
+    EXPECT_NE(refusal(test::npy(descr, "(2,)", sixteen, false, 2)), "") << descr;
   }
-  EXPECT_EQ(refusal(npy("[('t', '<f8'), ('q', '<f8')]", "(2,)", sixteen)),
+  EXPECT_EQ(refusal(test::npy("[('t', '<f8'), ('q', '<f8')]", "(2,)", sixteen)),
             "q.npy: array 'q' is damaged or cut off, found 16 bytes of values, expected 32");
-  EXPECT_EQ(refusal(npy("[('t', '<f8', (2,))]", "(1152921504606846976,)", sixteen)),
+  EXPECT_EQ(refusal(test::npy("[('t', '<f8', (2,))]", "(1152921504606846976,)", sixteen)),
             "q.npy: array 'q' is damaged or cut off, found 16 bytes of values, "
             "expected more than a file can hold");
   // Not UTF-8, which version 3 says it is.
-  EXPECT_NE(refusal(npy("[('\xff', '<f8')]", "(2,)", sixteen, false, 3)), "");
+  EXPECT_NE(refusal(test::npy("[('\xff', '<f8')]", "(2,)", sixteen, false, 3)), "");
 }
 
 }  // namespace

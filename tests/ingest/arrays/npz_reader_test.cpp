@@ -22,74 +22,75 @@ using Values = std::vector<double>;
 
 using test::npy;
 
-LogTable only_table(const std::string& bytes) {
-  auto tables = parse_npz(bytes, "dir/q.npy");
+ingest::log::LogTable only_table(const std::string& bytes) {
+  auto tables = ingest::arrays::parse_npz(bytes, "dir/q.npy");
   EXPECT_EQ(tables.size(), 1U);
   return tables.front();
 }
 
 Values only_column(const std::string& bytes) {
-  const LogTable table = only_table(bytes);
+  const ingest::log::LogTable table = only_table(bytes);
   EXPECT_EQ(table.header, (Names{"q"}));
   return table.columns.front().values;
 }
 
 std::string refusal(const std::string& bytes) {
-  return test::refusal_of<InputError>([&] { return parse_npz(bytes, "q.npy"); });
+  return test::refusal_of<InputError>([&] { return ingest::arrays::parse_npz(bytes, "q.npy"); });
 }
 
 TEST(Npy, EveryTypeOfNumberByHand) {
-  EXPECT_EQ(only_column(npy("'|b1'", "(3,)", "\0\1\1"s)), (Values{0, 1, 1}));
-  EXPECT_EQ(only_column(npy("'|i1'", "(2,)", "\xff\x7f")), (Values{-1, 127}));
-  EXPECT_EQ(only_column(npy("'|u1'", "(2,)", "\xff\x7f")), (Values{255, 127}));
-  EXPECT_EQ(only_column(npy("'<i2'", "(2,)", "\xfe\xff\x01\x02")), (Values{-2, 513}));
-  EXPECT_EQ(only_column(npy("'>i2'", "(2,)", "\xff\xfe\x02\x01")), (Values{-2, 513}));
-  EXPECT_EQ(only_column(npy("'>u4'", "(2,)", "\0\0\1\0\xff\xff\xff\xff"s)),
+  EXPECT_EQ(only_column(test::npy("'|b1'", "(3,)", "\0\1\1"s)), (Values{0, 1, 1}));
+  EXPECT_EQ(only_column(test::npy("'|i1'", "(2,)", "\xff\x7f")), (Values{-1, 127}));
+  EXPECT_EQ(only_column(test::npy("'|u1'", "(2,)", "\xff\x7f")), (Values{255, 127}));
+  EXPECT_EQ(only_column(test::npy("'<i2'", "(2,)", "\xfe\xff\x01\x02")), (Values{-2, 513}));
+  EXPECT_EQ(only_column(test::npy("'>i2'", "(2,)", "\xff\xfe\x02\x01")), (Values{-2, 513}));
+  EXPECT_EQ(only_column(test::npy("'>u4'", "(2,)", "\0\0\1\0\xff\xff\xff\xff"s)),
             (Values{256, 4294967295.0}));
-  EXPECT_EQ(only_column(npy("'<i8'", "(2,)", "\1\0\0\0\0\0\0\0"s + std::string(8, '\xff'))),
+  EXPECT_EQ(only_column(test::npy("'<i8'", "(2,)", "\1\0\0\0\0\0\0\0"s + std::string(8, '\xff'))),
             (Values{1, -1}));
-  EXPECT_EQ(only_column(npy("'<f4'", "(2,)", "\0\0\x80\x3f\0\0\0\xc0"s)), (Values{1, -2}));
-  EXPECT_EQ(only_column(npy("'>f8'", "(2,)", "\x3f\xf8\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0"s)),
+  EXPECT_EQ(only_column(test::npy("'<f4'", "(2,)", "\0\0\x80\x3f\0\0\0\xc0"s)), (Values{1, -2}));
+  EXPECT_EQ(only_column(test::npy("'>f8'", "(2,)", "\x3f\xf8\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0"s)),
             (Values{1.5, -2}));
-  EXPECT_EQ(only_column(npy("'<f2'", "(4,)", "\0\x3c\0\xc0\1\0\xff\x7b"s)),
+  EXPECT_EQ(only_column(test::npy("'<f2'", "(4,)", "\0\x3c\0\xc0\1\0\xff\x7b"s)),
             (Values{1, -2, std::ldexp(1.0, -24), 65504}));
 }
 
 TEST(Npy, EveryVersionOfTheHeader) {
   for (const int version : {1, 2, 3}) {
-    EXPECT_EQ(only_column(npy("'|i1'", "(2,)", "\1\2", false, version)), (Values{1, 2}));
+    EXPECT_EQ(only_column(test::npy("'|i1'", "(2,)", "\1\2", false, version)), (Values{1, 2}));
   }
-  EXPECT_EQ(refusal(npy("'|i1'", "(2,)", "\1\2", false, 4)),
+  EXPECT_EQ(refusal(test::npy("'|i1'", "(2,)", "\1\2", false, 4)),
             "q.npy: array 'q': NumPy format version 4 is not known");
 }
 
 TEST(Npy, BothOrdersOfAMatrix) {
-  const LogTable by_rows = only_table(npy("'|i1'", "(3, 2)", "\1\2\3\4\5\6"));
+  const ingest::log::LogTable by_rows = only_table(test::npy("'|i1'", "(3, 2)", "\1\2\3\4\5\6"));
   EXPECT_EQ(by_rows.header, (Names{"q_0", "q_1"}));
   EXPECT_EQ(by_rows.columns[0].values, (Values{1, 3, 5}));
-  const LogTable by_columns = only_table(npy("'|i1'", "(3, 2)", "\1\2\3\4\5\6", true));
+  const ingest::log::LogTable by_columns =
+      only_table(test::npy("'|i1'", "(3, 2)", "\1\2\3\4\5\6", true));
   EXPECT_EQ(by_columns.columns[0].values, (Values{1, 2, 3}));
 }
 
 TEST(Npy, TimesHaveTheirUnitAndGaps) {
-  const LogTable table =
-      only_table(npy("'<M8[ns]'", "(2,)", "\7\0\0\0\0\0\0\0"s + "\0\0\0\0\0\0\0\x80"s));
+  const ingest::log::LogTable table =
+      only_table(test::npy("'<M8[ns]'", "(2,)", "\7\0\0\0\0\0\0\0"s + "\0\0\0\0\0\0\0\x80"s));
   EXPECT_EQ(table.columns[0].header.unit, "ns");
   EXPECT_EQ(table.columns[0].values[0], 7);
   EXPECT_EQ(table.columns[0].gaps, 1U);
 }
 
 TEST(Npy, RoundedIntegersAreNoted) {
-  const LogTable table =
-      only_table(npy("'<i8'", "(2,)", "\1\0\0\0\0\0\x20\0"s + "\1\0\0\0\0\0\0\0"s));
+  const ingest::log::LogTable table =
+      only_table(test::npy("'<i8'", "(2,)", "\1\0\0\0\0\0\x20\0"s + "\1\0\0\0\0\0\0\0"s));
   EXPECT_EQ(table.notes, (Names{"'q' holds integers of 2^53 and more: they are rounded"}));
 }
 
 TEST(Npy, ObjectsAreRefusedByName) {
-  EXPECT_EQ(refusal(npy("'|O'", "(2,)", "\x80\4\x95")),
+  EXPECT_EQ(refusal(test::npy("'|O'", "(2,)", "\x80\4\x95")),
             "q.npy: no rows of numbers, found 'q' is not read: it holds Python objects (pickled), "
             "which are not read for safety, expected arrays of two or more numbers");
-  EXPECT_NE(refusal(npy("'<c16'", "(2,)", std::string(32, 'x'))).find("complex numbers"),
+  EXPECT_NE(refusal(test::npy("'<c16'", "(2,)", std::string(32, 'x'))).find("complex numbers"),
             std::string::npos);
 }
 
@@ -97,13 +98,13 @@ TEST(Npy, HostileHeadersAreRefused) {
   const std::string values(16, '\0');
   for (const char* shape : {"(18446744073709551615, 18446744073709551615)", "(99999999999,)",
                             "(-2,)", "(2", "2", "((2,),)", "(2,) 3", "(2.5,)", "(3,)", "(1,)"}) {
-    EXPECT_NE(refusal(npy("'<f8'", shape, values)), "") << shape;
-    EXPECT_NE(refusal(npy("'<f8'", shape, values)).substr(0, 5), "other") << shape;
+    EXPECT_NE(refusal(test::npy("'<f8'", shape, values)), "") << shape;
+    EXPECT_NE(refusal(test::npy("'<f8'", shape, values)).substr(0, 5), "other") << shape;
   }
-  EXPECT_EQ(refusal(npy("'<f8'", "(3,)", values)),
+  EXPECT_EQ(refusal(test::npy("'<f8'", "(3,)", values)),
             "q.npy: array 'q' is damaged or cut off, found 16 bytes of values, expected 24");
-  EXPECT_NE(refusal(npy("'<f8", "(2,)", values)), "");
-  EXPECT_NE(refusal(npy("[[[[", "(2,)", values)), "");
+  EXPECT_NE(refusal(test::npy("'<f8", "(2,)", values)), "");
+  EXPECT_NE(refusal(test::npy("[[[[", "(2,)", values)), "");
   EXPECT_NE(refusal("\x93NUMPY"), "");
 }
 
@@ -129,10 +130,11 @@ TEST_F(Npz, RobotLogsAreReadToTheBit) {
   make_robot_log();
   const std::string expected = directory_.contents("expected.bin");
   for (const char* name : {"stored.npz", "deflated.npz"}) {
-    EXPECT_EQ(detect_log_format(directory_.contents(name), "log"), LogFormat::npz);
-    const auto tables = read_npz(directory_.path(name));
+    EXPECT_EQ(ingest::log::detect_log_format(directory_.contents(name), "log"),
+              ingest::log::LogFormat::npz);
+    const auto tables = ingest::arrays::read_npz(directory_.path(name));
     ASSERT_EQ(tables.size(), 1U);
-    const LogTable& table = tables[0];
+    const ingest::log::LogTable& table = tables[0];
     ASSERT_EQ(table.columns.size(), 31U);
     EXPECT_EQ(table.header[1], "positions_0");
     EXPECT_EQ(table.header[30], "target_positions_5");
@@ -154,7 +156,7 @@ TEST_F(Npz, ObjectsTextsAndOthersAreNoted) {
   s=np.array(['a', 'b']), z=np.array([1j, 2]), c=np.zeros((2, 3, 4)), e=np.zeros((0, 3)),
   half=np.arange(3, dtype='f2'), flag=np.array([True, False, True]),
   when=np.array(['2020-01-01', 'NaT', '2020-01-02'], dtype='M8[ms]')))");
-  const auto tables = read_npz(directory_.path("a.npz"));
+  const auto tables = ingest::arrays::read_npz(directory_.path("a.npz"));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"t", "half", "flag", "when"}));
   EXPECT_EQ(tables[0].columns[3].gaps, 1U);
@@ -164,7 +166,9 @@ TEST_F(Npz, ObjectsTextsAndOthersAreNoted) {
 
 TEST_F(Npz, DamageIsAnswered) {
   make_robot_log();
-  const auto read = [](const std::string& bytes) { return parse_npz(bytes, "a.npz"); };
+  const auto read = [](const std::string& bytes) {
+    return ingest::arrays::parse_npz(bytes, "a.npz");
+  };
   for (const char* name : {"stored.npz", "deflated.npz"}) {
     const std::string bytes = directory_.contents(name);
     test::expect_cuts_answered(read, bytes, 500);
@@ -177,7 +181,7 @@ TEST_F(Npz, DamagedValuesNeverPassAsGood) {
   std::string bytes = directory_.contents("stored.npz");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   EXPECT_NE(test::refusal_of<InputError>([&] {
-              return parse_npz(bytes, "a.npz");
+              return ingest::arrays::parse_npz(bytes, "a.npz");
             }).find("its checksum is wrong"),
             std::string::npos);
 }
@@ -192,8 +196,9 @@ with zipfile.ZipFile('bomb.npz', 'w') as z:
         import copy
         other = copy.copy(first); other.filename = 'a%d.npy' % i; z.filelist.append(other)
 )");
-  EXPECT_EQ(test::refusal_of<InputError>(
-                [&] { return parse_npz(directory_.contents("bomb.npz"), "a.npz"); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return ingest::arrays::parse_npz(directory_.contents("bomb.npz"), "a.npz");
+            }),
             "a.npz: damaged zip archive: its directory contradicts its size");
 }
 

@@ -43,7 +43,7 @@ class NumpyFiles : public testing::Test {
     ASSERT_EQ(std::system(("cd " + directory_.path() + " && " + python_ + " " + script).c_str()),
               0);
   }
-  test::TemporaryDirectory directory_;
+  TemporaryDirectory directory_;
   std::string python_;
 };
 

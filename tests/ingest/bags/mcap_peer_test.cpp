@@ -25,8 +25,8 @@ std::string missing_peer() {
   return run.status == 0 ? "" : run.out + run.err;
 }
 
-const LogColumn& column(const LogTable& table, std::string_view name) {
-  for (const LogColumn& candidate : table.columns) {
+const ingest::log::LogColumn& column(const ingest::log::LogTable& table, std::string_view name) {
+  for (const ingest::log::LogColumn& candidate : table.columns) {
     if (candidate.header.name == name) return candidate;
   }
   throw std::runtime_error("no column " + std::string(name));
@@ -44,9 +44,9 @@ TEST_P(McapPeer, WritesLogsThatAreReadInFull) {
                                                "/write_mcap.mjs' '" + path + "' " + GetParam());
   ASSERT_EQ(run.status, 0) << run.err;
 
-  const std::vector<LogTable> tables = read_mcap(path);
+  const std::vector<ingest::log::LogTable> tables = ingest::bags::read_mcap(path);
   ASSERT_EQ(tables.size(), 1U);
-  const LogTable& table = tables[0];
+  const ingest::log::LogTable& table = tables[0];
   EXPECT_EQ(table.group, "/joints");
   EXPECT_EQ(table.notes, std::vector<std::string>{
                              "/json is not read: messages are encoded as 'json', not as cdr"});

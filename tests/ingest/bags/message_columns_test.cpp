@@ -18,14 +18,14 @@ using test::CdrWriter;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 
-void take(MessageColumns& columns, const CdrWriter& writer) {
-  CdrReader reader(writer.message());
+void take(ingest::bags::MessageColumns& columns, const test::CdrWriter& writer) {
+  ingest::bags::CdrReader reader(writer.message());
   (void)columns.take_row(reader);
 }
 
-Names names_of(const std::vector<LogColumn>& columns) {
+Names names_of(const std::vector<ingest::log::LogColumn>& columns) {
   Names names;
-  for (const LogColumn& column : columns) names.push_back(column.header.name);
+  for (const ingest::log::LogColumn& column : columns) names.push_back(column.header.name);
   return names;
 }
 
@@ -46,8 +46,8 @@ constexpr std::string_view arm_definition =
     "===\nMSG: geometry_msgs/Wrench\nVector3 force\n"
     "===\nMSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\n";
 
-CdrWriter arm_message(double value) {
-  CdrWriter writer;
+test::CdrWriter arm_message(double value) {
+  test::CdrWriter writer;
   writer.add_header(5'000'000'006, "arm");
   for (const std::uint8_t contact : {1, 0, 1}) writer.add(contact);
   writer.add_header(7, "odd").add_texts({"j1", "j2"}).add_sequence<double>({value, 2});
@@ -59,11 +59,12 @@ CdrWriter arm_message(double value) {
 }
 
 TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
-  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
   take(columns, arm_message(1));
   take(columns, arm_message(-1));
   EXPECT_EQ(columns.too_long(), 0U);
-  const std::vector<LogColumn> finished = std::move(columns).finish();
+  const std::vector<ingest::log::LogColumn> finished = std::move(columns).finish();
   EXPECT_EQ(
       names_of(finished),
       (Names{"flags.contact[0]", "flags.contact[1]", "flags.contact[2]",
@@ -77,14 +78,15 @@ TEST(MessageColumns, NamesNumbersByTheirPathAndJointsByName) {
 
 TEST(MessageColumns, TakesWhatIsNoNumberForAGap) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
   for (const double value : {1.5, infinity, -infinity, std::nan(""), 2.5}) {
     take(columns, arm_message(value));
   }
-  const std::vector<LogColumn> found = std::move(columns).finish();
-  const auto column = std::find_if(found.begin(), found.end(), [](const LogColumn& one) {
-    return one.header.name == "measured.j1.position";
-  });
+  const std::vector<ingest::log::LogColumn> found = std::move(columns).finish();
+  const auto column = std::find_if(
+      found.begin(), found.end(),
+      [](const ingest::log::LogColumn& one) { return one.header.name == "measured.j1.position"; });
   ASSERT_NE(column, found.end());
   EXPECT_EQ(column->gaps, 3U);
   EXPECT_EQ(column->values.front(), 1.5);
@@ -93,25 +95,27 @@ TEST(MessageColumns, TakesWhatIsNoNumberForAGap) {
 }
 
 TEST(MessageColumns, GivesTheStampInNanoseconds) {
-  MessageColumns columns(parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
-  const CdrWriter writer = arm_message(0);
-  CdrReader reader(writer.message());
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("arm_msgs/msg/Arm", arm_definition));
+  const test::CdrWriter writer = arm_message(0);
+  ingest::bags::CdrReader reader(writer.message());
   EXPECT_EQ(columns.take_row(reader), 5'000'000'006);
 }
 
 TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
-  MessageColumns columns(parse_ros2msg("control_msgs/msg/DynamicJointState",
-                                       "std_msgs/Header header\nstring[] joint_names\n"
-                                       "InterfaceValue[] interface_values\n"));
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("control_msgs/msg/DynamicJointState",
+                                  "std_msgs/Header header\nstring[] joint_names\n"
+                                  "InterfaceValue[] interface_values\n"));
   const auto message = [](const Names& joints, double value) {
-    CdrWriter writer;
+    test::CdrWriter writer;
     writer.add_header(0).add_texts(joints).add(std::uint32_t{2});
     writer.add_texts({"position", "motor_temperature"}).add_sequence<double>({value, 40});
     return writer.add_texts({"torque"}).add_sequence<double>({value + 1});
   };
   take(columns, message({"a", "b"}, 1));
   take(columns, message({"b", "a"}, 5));
-  const std::vector<LogColumn> finished = std::move(columns).finish();
+  const std::vector<ingest::log::LogColumn> finished = std::move(columns).finish();
   EXPECT_EQ(names_of(finished), (Names{"a.position", "a.motor_temperature", "b.torque",
                                        "b.position", "b.motor_temperature", "a.torque"}));
   EXPECT_EQ(finished[0].values.at(0), 1);
@@ -122,22 +126,23 @@ TEST(MessageColumns, NamesInterfacesOfDynamicJointState) {
 }
 
 TEST(MessageColumns, LeavesOutImagesAndCountsWhatIsTooLong) {
-  MessageColumns columns(parse_ros2msg("pkg/Image", "uint32 width\nuint8[] data\nfloat64 gain\n"));
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("pkg/Image", "uint32 width\nuint8[] data\nfloat64 gain\n"));
   const std::vector<std::uint8_t> pixels(100'000, 3);
-  take(columns, CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5));
-  take(columns, CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5).add(1.0));
+  take(columns, test::CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5));
+  take(columns, test::CdrWriter().add(std::uint32_t{5}).add_sequence(pixels).add(0.5).add(1.0));
   EXPECT_EQ(columns.long_arrays(), Names{"data"});
   EXPECT_EQ(columns.too_long(), 1U);
   EXPECT_EQ(names_of(std::move(columns).finish()), (Names{"width", "gain"}));
 }
 
 TEST(MessageColumns, KeepsTheNumberOfColumnsBounded) {
-  MessageColumns columns(
-      parse_ros2msg("sensor_msgs/JointState", "string[] name\nfloat64[] position\n"));
+  ingest::bags::MessageColumns columns(
+      ingest::bags::parse_ros2msg("sensor_msgs/JointState", "string[] name\nfloat64[] position\n"));
   const auto message = [](int first, int last) {
     Names names;
     for (int i = first; i < last; ++i) names.push_back(std::to_string(i));
-    return CdrWriter().add_texts(names).add_sequence(Values(names.size(), 1));
+    return test::CdrWriter().add_texts(names).add_sequence(Values(names.size(), 1));
   };
   take(columns, message(0, 5000));
   EXPECT_FALSE(columns.has_too_many_columns());

@@ -51,23 +51,25 @@ inline std::string log_of(const std::vector<JointStateMessage>& messages) {
   return writer.finish();
 }
 
-inline std::vector<LogTable> read(const std::string& bytes) {
-  return read_mcap_bytes(bytes, "a.mcap");
+inline std::vector<ingest::log::LogTable> read(const std::string& bytes) {
+  return ingest::bags::read_mcap_bytes(bytes, "a.mcap");
 }
 
 inline std::string refusal_of(const std::string& bytes) {
   return refusal_of<InputError>([&] { return read(bytes); });
 }
 
-inline const LogColumn& column(const LogTable& table, std::string_view name) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const LogColumn& c) { return c.header.name == name; });
+inline const ingest::log::LogColumn& column(const ingest::log::LogTable& table,
+                                            std::string_view name) {
+  const auto found =
+      std::find_if(table.columns.begin(), table.columns.end(),
+                   [&](const ingest::log::LogColumn& c) { return c.header.name == name; });
   if (found == table.columns.end()) throw std::runtime_error("no column " + std::string(name));
   return *found;
 }
 
 /// The table is that of the first `rows` numbered messages, to the last bit.
-inline void expect_numbered(const LogTable& table, std::size_t rows) {
+inline void expect_numbered(const ingest::log::LogTable& table, std::size_t rows) {
   ASSERT_EQ(table.rows, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     const auto value = static_cast<double>(i);

@@ -11,39 +11,41 @@ namespace tribolog {
 namespace {
 
 std::string refusal_of(const std::string& text) {
-  return test::refusal_of<SchemaError>([&] { return parse_ros2msg("pkg/msg/Root", text); });
+  return test::refusal_of<ingest::bags::SchemaError>(
+      [&] { return ingest::bags::parse_ros2msg("pkg/msg/Root", text); });
 }
 
 TEST(Ros2msgSchema, ReadsFieldsOfEveryForm) {
-  const MessageSchema schema = parse_ros2msg("pkg/msg/Root",
-                                             "# comment\r\n"
-                                             "uint8 MODE_IDLE=1\n"
-                                             "string NAME = \"a # b\"\n"
-                                             "  float64   one  1.5   # with its value\n"
-                                             "int16[3] fixed\n"
-                                             "bool[] any [true]\n"
-                                             "uint8[<=4] bounded\n"
-                                             "string<=7[<=2] words\n"
-                                             "string text \"x = y\"\n"
-                                             "Part part#comment\n"
-                                             "other_pkg/Part[2] parts\n"
-                                             "=====\n"
-                                             "MSG: pkg/msg/Part\n"
-                                             "float32 x\n"
-                                             "=====\n"
-                                             "MSG: other_pkg/Part\n"
-                                             "int64 y\n");
-  using Kind = MessageField::Kind;
-  using Count = MessageField::Count;
+  const ingest::bags::MessageSchema schema =
+      ingest::bags::parse_ros2msg("pkg/msg/Root",
+                                  "# comment\r\n"
+                                  "uint8 MODE_IDLE=1\n"
+                                  "string NAME = \"a # b\"\n"
+                                  "  float64   one  1.5   # with its value\n"
+                                  "int16[3] fixed\n"
+                                  "bool[] any [true]\n"
+                                  "uint8[<=4] bounded\n"
+                                  "string<=7[<=2] words\n"
+                                  "string text \"x = y\"\n"
+                                  "Part part#comment\n"
+                                  "other_pkg/Part[2] parts\n"
+                                  "=====\n"
+                                  "MSG: pkg/msg/Part\n"
+                                  "float32 x\n"
+                                  "=====\n"
+                                  "MSG: other_pkg/Part\n"
+                                  "int64 y\n");
+  using Kind = ingest::bags::MessageField::Kind;
+  using Count = ingest::bags::MessageField::Count;
   ASSERT_EQ(schema.types.size(), 3U);
-  const std::vector<MessageField>& fields = schema.types[0].fields;
+  const std::vector<ingest::bags::MessageField>& fields = schema.types[0].fields;
   ASSERT_EQ(fields.size(), 8U);
   EXPECT_EQ(fields[0].name, "one");
-  EXPECT_EQ(fields[0].primitive, Primitive::float64);
+  EXPECT_EQ(fields[0].primitive, ingest::bags::Primitive::float64);
   EXPECT_EQ(fields[1].count, Count::fixed);
   EXPECT_EQ(fields[1].elements, 3U);
   EXPECT_EQ(fields[2].count, Count::sequence);
-  EXPECT_EQ(fields[2].primitive, Primitive::boolean);
+  EXPECT_EQ(fields[2].primitive, ingest::bags::Primitive::boolean);
   EXPECT_EQ(fields[3].count, Count::sequence);
   EXPECT_EQ(fields[4].kind, Kind::string);
   EXPECT_EQ(fields[4].count, Count::sequence);
@@ -51,11 +53,12 @@ TEST(Ros2msgSchema, ReadsFieldsOfEveryForm) {
   EXPECT_EQ(fields[6].name, "part");
   EXPECT_EQ(schema.types[fields[6].type].name, "pkg/Part");
   EXPECT_EQ(schema.types[fields[7].type].name, "other_pkg/Part");
-  EXPECT_EQ(schema.types[fields[7].type].fields.at(0).primitive, Primitive::int64);
+  EXPECT_EQ(schema.types[fields[7].type].fields.at(0).primitive, ingest::bags::Primitive::int64);
 }
 
 TEST(Ros2msgSchema, TakesKnownTypesWhereTheTextLacksThem) {
-  const MessageSchema schema = parse_ros2msg("pkg/Root", "sensor_msgs/msg/JointState state");
+  const ingest::bags::MessageSchema schema =
+      ingest::bags::parse_ros2msg("pkg/Root", "sensor_msgs/msg/JointState state");
   ASSERT_EQ(schema.types.size(), 4U);
   EXPECT_EQ(schema.types[1].name, "sensor_msgs/JointState");
   EXPECT_EQ(schema.types[3].name, "builtin_interfaces/Time");

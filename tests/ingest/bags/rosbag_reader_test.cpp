@@ -60,15 +60,15 @@ class BagWriter {
   sqlite3* database_{};
 };
 
-const LogColumn& column(const LogTable& table, std::string_view name) {
-  for (const LogColumn& candidate : table.columns) {
+const ingest::log::LogColumn& column(const ingest::log::LogTable& table, std::string_view name) {
+  for (const ingest::log::LogColumn& candidate : table.columns) {
     if (candidate.header.name == name) return candidate;
   }
   throw std::runtime_error("no column " + std::string(name));
 }
 
 std::string refusal_of(const std::string& path) {
-  return test::refusal_of<InputError>([&] { return read_rosbag_db3(path); });
+  return test::refusal_of<InputError>([&] { return ingest::bags::read_rosbag_db3(path); });
 }
 
 /// Its own directory, one file name with signs that a URI would read otherwise.
@@ -84,9 +84,9 @@ class RosbagReader : public testing::Test {
     for (std::size_t i = 0; i < count; ++i) {
       const auto value = static_cast<double>(i);
       const auto stamp_ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(i) * 2'000'001;
-      const JointStateMessage message =
-          i % 2 == 0 ? JointStateMessage{stamp_ns, {"a", "b"}, {value, 0}, {}, {1, 2}}
-                     : JointStateMessage{stamp_ns, {"b", "a"}, {0, value}, {}, {2, 1}};
+      const test::JointStateMessage message =
+          i % 2 == 0 ? test::JointStateMessage{stamp_ns, {"a", "b"}, {value, 0}, {}, {1, 2}}
+                     : test::JointStateMessage{stamp_ns, {"b", "a"}, {0, value}, {}, {2, 1}};
       bag.add_message(1, stamp_ns + 3, message.cdr());
     }
     bag.run("COMMIT");
@@ -95,7 +95,7 @@ class RosbagReader : public testing::Test {
 
 TEST_F(RosbagReader, ReadsJointStatesByTheTypesName) {
   write_joints(50);
-  const std::vector<LogTable> tables = read_rosbag_db3(path_);
+  const std::vector<ingest::log::LogTable> tables = ingest::bags::read_rosbag_db3(path_);
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].group, "/joint_states");
   EXPECT_EQ(tables[0].header, (Names{"time [s]", "log_time [s]", "a.position", "b.position",
@@ -126,14 +126,14 @@ TEST_F(RosbagReader, TakesDefinitionsThatTheLogHolds) {
     bag.add_topic(1, "/arm", "arm_msgs/msg/Arm");
     bag.add_topic(2, "/unknown", "arm_msgs/msg/Hand");
     bag.add_topic(3, "/proto", "x", "protobuf");
-    bag.add_message(1, 10,
-                    CdrWriter(std::endian::big).add(std::int16_t{-3}).add(1.0).add(2.0).message());
+    bag.add_message(
+        1, 10, test::CdrWriter(std::endian::big).add(std::int16_t{-3}).add(1.0).add(2.0).message());
     bag.add_message(2, 11, "x");
     bag.add_message(3, 11, "x");
     bag.add_message(4, 11, "x");
-    bag.add_message(1, 9, CdrWriter().add(std::int16_t{4}).add(3.0).add(4.0).message());
+    bag.add_message(1, 9, test::CdrWriter().add(std::int16_t{4}).add(3.0).add(4.0).message());
   }
-  const std::vector<LogTable> tables = read_rosbag_db3(path_);
+  const std::vector<ingest::log::LogTable> tables = ingest::bags::read_rosbag_db3(path_);
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].header, (Names{"log_time [s]", "current", "tau[0]", "tau[1]"}));
   EXPECT_EQ(column(tables[0], "current").values, (Values{-3, 4}));
@@ -150,8 +150,8 @@ TEST_F(RosbagReader, StatesMessageAndRowOfADisagreement) {
   {
     BagWriter bag(path_);
     bag.add_topic(1, "/joint_states", "sensor_msgs/msg/JointState");
-    bag.add_message(1, 0, JointStateMessage{0, {"a"}, {1}, {}, {}}.cdr());
-    bag.add_message(1, 1, JointStateMessage{1, {"a"}, {1, 2}, {}, {}}.cdr());
+    bag.add_message(1, 0, test::JointStateMessage{0, {"a"}, {1}, {}, {}}.cdr());
+    bag.add_message(1, 1, test::JointStateMessage{1, {"a"}, {1, 2}, {}, {}}.cdr());
   }
   EXPECT_EQ(refusal_of(path_), path_ +
                                    ": message 2 of /joint_states has 2 elements in position, where "
@@ -161,7 +161,7 @@ TEST_F(RosbagReader, StatesMessageAndRowOfADisagreement) {
 TEST_F(RosbagReader, NotesAWriteAheadLogBesideIt) {
   write_joints(3);
   std::ofstream(path_ + "-wal") << "not joined";
-  EXPECT_EQ(read_rosbag_db3(path_).at(0).notes,
+  EXPECT_EQ(ingest::bags::read_rosbag_db3(path_).at(0).notes,
             Names{"the recording was not closed: what stands in " + path_ +
                   "-wal (10 bytes) is not read; sqlite3 can join it to the log"});
 }

@@ -8,35 +8,35 @@ namespace tribolog {
 namespace {
 
 TEST(KnownEffort, OfUrIsACurrentOrAModelsTarget) {
-  const auto current = known_effort("actual_q_0", "actual_current_0");
+  const auto current = ingest::layout::known_effort("actual_q_0", "actual_current_0");
   ASSERT_TRUE(current);
   EXPECT_EQ(current->logger, "UR RTDE");
   EXPECT_EQ(current->column, "actual_current_0");
-  EXPECT_EQ(current->kind, EffortKind::motor_current);
+  EXPECT_EQ(current->kind, joint::EffortKind::motor_current);
   EXPECT_FALSE(current->is_target);
-  const auto target = known_effort("actual_q_3", "target_moment_3");
+  const auto target = ingest::layout::known_effort("actual_q_3", "target_moment_3");
   ASSERT_TRUE(target);
-  EXPECT_EQ(target->kind, EffortKind::target_torque);
+  EXPECT_EQ(target->kind, joint::EffortKind::target_torque);
   EXPECT_TRUE(target->is_target);
-  EXPECT_TRUE(known_effort("actual_q_3", "target_current_3")->is_target);
+  EXPECT_TRUE(ingest::layout::known_effort("actual_q_3", "target_current_3")->is_target);
 }
 
 TEST(KnownEffort, OfFrankaAndKukaIsBehindTheGear) {
-  EXPECT_TRUE(known_effort("state.q[3]", "state.tau_J[3]")->is_behind_gear);
-  EXPECT_TRUE(known_effort("mp7", "mt7")->is_behind_gear);
-  EXPECT_FALSE(known_effort("positions_1", "torques_1")->is_behind_gear);
+  EXPECT_TRUE(ingest::layout::known_effort("state.q[3]", "state.tau_J[3]")->is_behind_gear);
+  EXPECT_TRUE(ingest::layout::known_effort("mp7", "mt7")->is_behind_gear);
+  EXPECT_FALSE(ingest::layout::known_effort("positions_1", "torques_1")->is_behind_gear);
 }
 
 TEST(KnownEffort, OfRosMayBeOneOrTheOther) {
-  const auto effort = known_effort("elbow.position", "elbow.effort");
+  const auto effort = ingest::layout::known_effort("elbow.position", "elbow.effort");
   ASSERT_TRUE(effort);
   EXPECT_FALSE(effort->kind);
 }
 
 TEST(KnownEffort, IsNotGuessedFromOneNameAloneOrFromAnotherJoint) {
-  EXPECT_FALSE(known_effort("q", "mt1"));
-  EXPECT_FALSE(known_effort("actual_q_1", "actual_current_0"));
-  EXPECT_FALSE(known_effort("q_rad", "tau_Nm"));
+  EXPECT_FALSE(ingest::layout::known_effort("q", "mt1"));
+  EXPECT_FALSE(ingest::layout::known_effort("actual_q_1", "actual_current_0"));
+  EXPECT_FALSE(ingest::layout::known_effort("q_rad", "tau_Nm"));
 }
 
 }  // namespace

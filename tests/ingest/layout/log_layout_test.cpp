@@ -10,121 +10,132 @@
 namespace tribolog {
 namespace {
 
-LogLayout layout_of(const std::vector<std::string>& names) {
-  std::vector<ColumnHeader> header;
-  for (const std::string& name : names) header.push_back(read_header_field(name));
-  return guess_layout(header);
+ingest::layout::LogLayout layout_of(const std::vector<std::string>& names) {
+  std::vector<ingest::log::ColumnHeader> header;
+  for (const std::string& name : names) header.push_back(ingest::text::read_header_field(name));
+  return ingest::layout::guess_layout(header);
 }
 
 TEST(NamePattern, FindsTheJoint) {
-  EXPECT_EQ(joint_in_name("actual_q_0", "actual_q_{}"), "0");
-  EXPECT_EQ(joint_in_name("State.tau_j[3]", "state.tau_J[{}]"), "3");
-  EXPECT_EQ(joint_in_name("left.elbow.position", "{}.position"), "left.elbow");
-  EXPECT_EQ(joint_in_name("TIME", "time"), "");
-  EXPECT_FALSE(joint_in_name("actual_q_", "actual_q_{}"));
-  EXPECT_FALSE(joint_in_name("actual_qd_0", "actual_q_{}"));
-  EXPECT_FALSE(joint_in_name("", "{}"));
+  EXPECT_EQ(ingest::layout::joint_in_name("actual_q_0", "actual_q_{}"), "0");
+  EXPECT_EQ(ingest::layout::joint_in_name("State.tau_j[3]", "state.tau_J[{}]"), "3");
+  EXPECT_EQ(ingest::layout::joint_in_name("left.elbow.position", "{}.position"), "left.elbow");
+  EXPECT_EQ(ingest::layout::joint_in_name("TIME", "time"), "");
+  EXPECT_FALSE(ingest::layout::joint_in_name("actual_q_", "actual_q_{}"));
+  EXPECT_FALSE(ingest::layout::joint_in_name("actual_qd_0", "actual_q_{}"));
+  EXPECT_FALSE(ingest::layout::joint_in_name("", "{}"));
 }
 
 TEST(LogLayout, KnowsUrsRealTimeLog) {
-  const LogLayout l =
+  const ingest::layout::LogLayout l =
       layout_of({"timestamp", "target_q_0", "actual_q_0", "actual_q_5", "actual_qd_0",
                  "actual_current_0", "target_moment_0", "joint_temperatures_0", "safety_status"});
   EXPECT_EQ(l.logger, "UR RTDE");
   EXPECT_EQ(l.joints(), (std::vector<std::string>{"0", "5"}));
-  ASSERT_NE(l.find(Quantity::angle, "0"), nullptr);
-  EXPECT_EQ(l.find(Quantity::angle, "0")->column, 2U) << "the measured one, not the target";
-  ASSERT_NE(l.find(Quantity::current, "0"), nullptr);
-  EXPECT_EQ(l.find(Quantity::current, "0")->effort.kind, EffortKind::motor_current);
-  EXPECT_EQ(l.find(Quantity::torque, "0"), nullptr) << "a model's value is no measurement";
-  EXPECT_EQ(l.columns[6].effort.kind, EffortKind::target_torque);
-  EXPECT_EQ(l.find(Quantity::temperature, "0")->unit, "degC");
+  ASSERT_NE(l.find(ingest::log::Quantity::angle, "0"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::angle, "0")->column, 2U)
+      << "the measured one, not the target";
+  ASSERT_NE(l.find(ingest::log::Quantity::current, "0"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::current, "0")->effort.kind,
+            joint::EffortKind::motor_current);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "0"), nullptr)
+      << "a model's value is no measurement";
+  EXPECT_EQ(l.columns[6].effort.kind, joint::EffortKind::target_torque);
+  EXPECT_EQ(l.find(ingest::log::Quantity::temperature, "0")->unit, "degC");
   EXPECT_EQ(l.columns.size(), 8U);
 }
 
 TEST(LogLayout, KnowsThatFrankaMeasuresBehindTheGearAndCountsMilliseconds) {
-  const LogLayout l = layout_of({"time", "success_rate", "state.q[0]", "state.q_d[0]",
-                                 "state.dq[0]", "state.tau_J[0]", "cmd.tau_J_d[0]"});
+  const ingest::layout::LogLayout l =
+      layout_of({"time", "success_rate", "state.q[0]", "state.q_d[0]", "state.dq[0]",
+                 "state.tau_J[0]", "cmd.tau_J_d[0]"});
   EXPECT_EQ(l.logger, "libfranka");
-  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
-  const ColumnMeaning* torque = l.find(Quantity::torque, "0");
+  EXPECT_EQ(l.find(ingest::log::Quantity::time, "")->unit, "ms");
+  const ingest::layout::ColumnMeaning* torque = l.find(ingest::log::Quantity::torque, "0");
   ASSERT_NE(torque, nullptr);
-  EXPECT_EQ(torque->effort.side, Side::joint);
+  EXPECT_EQ(torque->effort.side, joint::Side::joint);
   EXPECT_NE(torque->effort.remark.find("behind the gear"), std::string::npos);
 }
 
 TEST(LogLayout, KnowsTheOthersToo) {
   EXPECT_EQ(layout_of({"index", "time", "mp1", "ip1", "mt1", "et1"}).logger, "KUKA FRI");
-  EXPECT_EQ(layout_of({"index", "time", "mp1", "mt1"}).find(Quantity::angular_speed, "1"), nullptr);
+  EXPECT_EQ(
+      layout_of({"index", "time", "mp1", "mt1"}).find(ingest::log::Quantity::angular_speed, "1"),
+      nullptr);
   EXPECT_EQ(layout_of({"times", "positions_0", "torques_0"}).logger, "FloBaRoID");
-  const LogLayout positions =
+  const ingest::layout::LogLayout positions =
       layout_of({"t", "- torso_lift_joint_position", "- arm_1_joint_position"});
   EXPECT_EQ(positions.logger, "figaroh");
   EXPECT_EQ(positions.joints(), (std::vector<std::string>{"torso_lift", "arm_1"}));
-  const LogLayout efforts = layout_of({"t", "- torso_lift_joint_effort", "- arm_1_joint_effort"});
+  const ingest::layout::LogLayout efforts =
+      layout_of({"t", "- torso_lift_joint_effort", "- arm_1_joint_effort"});
   EXPECT_EQ(efforts.logger, "figaroh");
-  ASSERT_NE(efforts.find(Quantity::torque, "arm_1"), nullptr);
-  EXPECT_FALSE(efforts.find(Quantity::torque, "arm_1")->effort.kind);
-  const LogLayout ros = layout_of({"time", "elbow.position", "elbow.velocity", "elbow.effort"});
+  ASSERT_NE(efforts.find(ingest::log::Quantity::torque, "arm_1"), nullptr);
+  EXPECT_FALSE(efforts.find(ingest::log::Quantity::torque, "arm_1")->effort.kind);
+  const ingest::layout::LogLayout ros =
+      layout_of({"time", "elbow.position", "elbow.velocity", "elbow.effort"});
   EXPECT_EQ(ros.logger, "joint states");
   // Nobody can tell amperes from newton metres here.
-  EXPECT_FALSE(ros.find(Quantity::torque, "elbow")->effort.kind);
+  EXPECT_FALSE(ros.find(ingest::log::Quantity::torque, "elbow")->effort.kind);
   EXPECT_EQ(layout_of({"timestamp", "joint1.pos", "joint1.effort"}).logger, "LeRobot");
 }
 
 TEST(LogLayout, ReadsOtherNamesWordByWord) {
-  const LogLayout l = layout_of({"t_ms", "q_deg", "dq_rad_s", "i_A", "tau [mNm]", "temp", "note"});
+  const ingest::layout::LogLayout l =
+      layout_of({"t_ms", "q_deg", "dq_rad_s", "i_A", "tau [mNm]", "temp", "note"});
   EXPECT_TRUE(l.logger.empty());
   EXPECT_EQ(l.joints(), std::vector<std::string>{""});
-  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
-  EXPECT_EQ(l.find(Quantity::angle, "")->unit, "deg");
-  EXPECT_EQ(l.find(Quantity::angular_speed, "")->unit, "rad/s");
-  EXPECT_EQ(l.find(Quantity::current, "")->unit, "A");
-  EXPECT_EQ(l.find(Quantity::torque, "")->unit, "mNm");
-  EXPECT_FALSE(l.find(Quantity::temperature, "")->unit_is_stated);
+  EXPECT_EQ(l.find(ingest::log::Quantity::time, "")->unit, "ms");
+  EXPECT_EQ(l.find(ingest::log::Quantity::angle, "")->unit, "deg");
+  EXPECT_EQ(l.find(ingest::log::Quantity::angular_speed, "")->unit, "rad/s");
+  EXPECT_EQ(l.find(ingest::log::Quantity::current, "")->unit, "A");
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "")->unit, "mNm");
+  EXPECT_FALSE(l.find(ingest::log::Quantity::temperature, "")->unit_is_stated);
   EXPECT_EQ(l.columns.size(), 6U);
 }
 
 TEST(LogLayout, ReadsWordsInAnyOrder) {
-  const LogLayout l = layout_of(
+  const ingest::layout::LogLayout l = layout_of(
       {"elapsed_ms", "elbow_position", "elbow_velocity", "motorCurrent_elbow_A", "tau_target_Nm",
        "q_goal_rad", "torque_enable", "position_error", "Strom [mA]", "u_motor_V", "temp_C"});
-  EXPECT_EQ(l.find(Quantity::time, "")->unit, "ms");
+  EXPECT_EQ(l.find(ingest::log::Quantity::time, "")->unit, "ms");
   EXPECT_EQ(l.joints(), std::vector<std::string>{"elbow"});
-  ASSERT_NE(l.find(Quantity::current, "elbow"), nullptr);
-  EXPECT_EQ(l.find(Quantity::current, "elbow")->column, 3U);
-  EXPECT_EQ(l.find(Quantity::torque, ""), nullptr) << "a set point, a switch";
-  EXPECT_EQ(l.find(Quantity::current, "")->column, 8U) << "by its unit alone";
-  EXPECT_EQ(l.find(Quantity::temperature, "")->unit, "degC");
+  ASSERT_NE(l.find(ingest::log::Quantity::current, "elbow"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::current, "elbow")->column, 3U);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, ""), nullptr) << "a set point, a switch";
+  EXPECT_EQ(l.find(ingest::log::Quantity::current, "")->column, 8U) << "by its unit alone";
+  EXPECT_EQ(l.find(ingest::log::Quantity::temperature, "")->unit, "degC");
   EXPECT_EQ(l.columns.size(), 8U);
 }
 
 TEST(LogLayout, NumbersBehindTheWordAreJoints) {
-  const LogLayout l = layout_of({"Time", "q1_rad", "q2_rad", "tau1_Nm", "current_2", "pos[3]"});
+  const ingest::layout::LogLayout l =
+      layout_of({"Time", "q1_rad", "q2_rad", "tau1_Nm", "current_2", "pos[3]"});
   EXPECT_EQ(l.joints(), (std::vector<std::string>{"1", "2", "3"}));
-  EXPECT_NE(l.find(Quantity::torque, "1"), nullptr);
-  EXPECT_NE(l.find(Quantity::current, "2"), nullptr);
+  EXPECT_NE(l.find(ingest::log::Quantity::torque, "1"), nullptr);
+  EXPECT_NE(l.find(ingest::log::Quantity::current, "2"), nullptr);
 }
 
 TEST(LogLayout, TakesOfAPathWhatIsSaidLast) {
-  const LogLayout l =
+  const ingest::layout::LogLayout l =
       layout_of({"__time", "/joint_states/elbow_joint/position", "/joint_states/wrist/position",
                  "/left/joint_states/elbow_joint/effort"});
   EXPECT_EQ(l.joints(), (std::vector<std::string>{"elbow", "wrist"}));
-  ASSERT_NE(l.find(Quantity::torque, "elbow"), nullptr);
-  EXPECT_EQ(l.find(Quantity::torque, "elbow")->column, 3U);
+  ASSERT_NE(l.find(ingest::log::Quantity::torque, "elbow"), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, "elbow")->column, 3U);
 }
 
 TEST(LogLayout, AUnitThatIsNotKnownIsNoRadian) {
-  const LogLayout l = layout_of({"Time [ms]", "Position actual value [qc]", "Torque [%]", "q[0]",
-                                 "Velocity actual value [rpm]", "Sum [qc]"});
+  const ingest::layout::LogLayout l =
+      layout_of({"Time [ms]", "Position actual value [qc]", "Torque [%]", "q[0]",
+                 "Velocity actual value [rpm]", "Sum [qc]"});
   EXPECT_EQ(l.joints(), std::vector<std::string>{"0"});
-  EXPECT_EQ(l.find(Quantity::torque, ""), nullptr);
+  EXPECT_EQ(l.find(ingest::log::Quantity::torque, ""), nullptr);
   ASSERT_EQ(l.foreign.size(), 2U);
   EXPECT_EQ(l.foreign[0].column, 1U);
-  EXPECT_EQ(l.foreign[0].quantity, Quantity::angle);
+  EXPECT_EQ(l.foreign[0].quantity, ingest::log::Quantity::angle);
   EXPECT_EQ(l.foreign[1].column, 2U);
-  EXPECT_EQ(l.foreign[1].quantity, Quantity::torque);
+  EXPECT_EQ(l.foreign[1].quantity, ingest::log::Quantity::torque);
 }
 
 TEST(LogLayout, SaysNothingOfWhatItDoesNotKnow) {

@@ -17,11 +17,12 @@ coulomb_Nm = 0.6
 static_Nm = 0.88437633
 stribeck_speed_rad_s = 5
 )";
-const ContactParameters contact{465.42, 0.7708, 0.001, 0.6, 0.88437633, 5.0};
+const friction::ContactParameters contact{465.42, 0.7708, 0.001, 0.6, 0.88437633, 5.0};
 const std::string sliding_table = "[friction.sliding]\nmodel = \"dynamic\"\n";
 
-JointFriction read(const std::string& text) {
-  return read_friction(TomlTable::parse(text, "f.toml").table("friction"));
+ingest::manifest::JointFriction read(const std::string& text) {
+  return ingest::manifest::read_friction(
+      ingest::manifest::TomlTable::parse(text, "f.toml").table("friction"));
 }
 
 /// `[friction] model` in line 1 and 2, then whatever the test wants, then the sliding.
@@ -33,36 +34,36 @@ std::string refusal(const std::string& text) {
   return test::refusal_of<InputError>([&] { read(text); });
 }
 
-ParameterValue value_of(const FrictionModel& model, const std::string& key) {
-  for (const NamedParameter& one : model.named_parameters()) {
+friction::ParameterValue value_of(const friction::FrictionModel& model, const std::string& key) {
+  for (const friction::NamedParameter& one : model.named_parameters()) {
     if (one.key == key) return one.value;
   }
   throw std::logic_error("no parameter " + key);
 }
 
 TEST(FrictionTables, LuGreUnlessAnotherIsNamed) {
-  const JointFriction f = read(contact_table + sliding_table);
+  const ingest::manifest::JointFriction f = read(contact_table + sliding_table);
   EXPECT_EQ(f.presliding->name(), "lugre");
   EXPECT_EQ(std::get<double>(value_of(*f.presliding, "bristle_stiffness_Nm_rad")), 465.42);
   EXPECT_FALSE(f.sliding) << "the dynamic model slides";
 }
 
 TEST(FrictionTables, EveryModelIsMatchedToTheContact) {
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
-    const JointFriction f = read(chosen(one.name, contact_table));
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
+    const ingest::manifest::JointFriction f = read(chosen(one.name, contact_table));
     EXPECT_EQ(f.presliding->name(), one.name);
     EXPECT_EQ(f.presliding->named_parameters(), one.matched_parameters(contact)) << one.name;
   }
 }
 
 TEST(FrictionTables, OwnParametersReplaceMatchedOnesKeyByKey) {
-  for (const FrictionModelEntry& one : dynamic_friction_models()) {
-    NamedParameters expected = one.matched_parameters(contact);
-    for (NamedParameter& parameter : expected) {
+  for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
+    friction::NamedParameters expected = one.matched_parameters(contact);
+    for (friction::NamedParameter& parameter : expected) {
       if (parameter.key != "viscous_Nms_rad") continue;
       parameter.value = 0.0625;
     }
-    const JointFriction f = read(chosen(
+    const ingest::manifest::JointFriction f = read(chosen(
         one.name, contact_table + "[friction." + one.name + "]\nviscous_Nms_rad = 0.0625\n"));
     EXPECT_EQ(f.presliding->named_parameters(), expected) << one.name;
   }
@@ -75,8 +76,8 @@ elements = [
 )"))
                        .presliding;
   EXPECT_EQ(std::get<double>(value_of(*gms, "attraction_Nm_s")), 50);
-  EXPECT_EQ(std::get<std::vector<MaxwellElement>>(value_of(*gms, "elements")),
-            (std::vector<MaxwellElement>{{300, 0.25}, {100, 0.75}}));
+  EXPECT_EQ(std::get<std::vector<friction::MaxwellElement>>(value_of(*gms, "elements")),
+            (std::vector<friction::MaxwellElement>{{300, 0.25}, {100, 0.75}}));
   const auto bonds = read(chosen("haessig_bristles",
                                  contact_table + "[friction.haessig_bristles]\nbristles = 20\n"))
                          .presliding;
@@ -86,7 +87,7 @@ elements = [
 TEST(FrictionTables, TheReadMesExampleIsRead) {
   const std::string page = read_file(std::string(TRIBOLOG_SOURCE_DIR) + "/README.md");
   const std::size_t from = page.find("[friction]");
-  const JointFriction f = read(page.substr(from, page.find("```", from) - from));
+  const ingest::manifest::JointFriction f = read(page.substr(from, page.find("```", from) - from));
   EXPECT_EQ(f.presliding->name(), "gms");
   EXPECT_EQ(std::get<double>(value_of(*f.presliding, "attraction_Nm_s")), 150);
   EXPECT_FALSE(f.sliding);

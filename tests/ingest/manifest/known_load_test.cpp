@@ -41,9 +41,10 @@ const std::string second_link =
     "[[known_load]]\namplitude_Nm = 1.825\nangles = [\"q\", \"q2\"]\nphase_deg = -90\n";
 
 TEST(KnownLoad, LeavesWhatItDoesNotHold) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log("q2"));
-  const Dataset d = read_dataset(directory.file("d.toml", manifest(second_link)));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(directory.file("d.toml", manifest(second_link)));
   for (const double torque : d.recordings.at(0).torque_Nm)
     EXPECT_NEAR(torque, 7 / gear_ratio, 1e-7);
   ASSERT_EQ(d.manifest.known_loads.size(), 1U);
@@ -52,10 +53,11 @@ TEST(KnownLoad, LeavesWhatItDoesNotHold) {
 }
 
 TEST(KnownLoad, UnknownColumnIsRefusedWithItsPlace) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log("theta"));
   const std::string path = directory.file("d.toml", manifest(second_link));
-  const std::string message = test::refusal_of<InputError>([&] { return read_dataset(path); });
+  const std::string message =
+      test::refusal_of<InputError>([&] { return ingest::dataset::read_dataset(path); });
   EXPECT_EQ(message.find(directory.path("a.csv") + ":1"), 0U) << message;
   EXPECT_NE(message.find("'q2'"), std::string::npos) << message;
   EXPECT_NE(message.find("d.toml:10"), std::string::npos) << message;
@@ -63,21 +65,21 @@ TEST(KnownLoad, UnknownColumnIsRefusedWithItsPlace) {
 }
 
 TEST(KnownLoad, OtherRolesAreLeftAlone) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log("theta"));
   const std::string path = directory.file(
       "d.toml", manifest(second_link + "roles = [\"constant_speed\"]\n", "oscillation"));
-  const Dataset d = read_dataset(path);
+  const joint::Dataset d = ingest::dataset::read_dataset(path);
   EXPECT_NEAR(d.recordings.at(0).torque_Nm[0], (7 + 1.825 * std::sin(0.3)) / gear_ratio, 1e-7);
   EXPECT_EQ(d.manifest.known_loads[0].samples, 0U);
 }
 
 TEST(KnownLoad, ImpossibleOnesAreRefusedAtTheirPlace) {
   const auto refusal = [](const std::string& load) {
-    const TemporaryDirectory directory;
+    const test::TemporaryDirectory directory;
     (void)directory.file("a.csv", log("q2"));
     const std::string path = directory.file("d.toml", manifest(load));
-    return test::refusal_of<InputError>([&] { return read_dataset(path); });
+    return test::refusal_of<InputError>([&] { return ingest::dataset::read_dataset(path); });
   };
   const std::string head = "[[known_load]]\namplitude_Nm = 1.8\n";
   EXPECT_NE(refusal("[[known_load]]\namplitude_Nm = 0\nangles = [\"q\"]\n").find(":11:"),
@@ -93,19 +95,20 @@ TEST(KnownLoad, ImpossibleOnesAreRefusedAtTheirPlace) {
 }
 
 TEST(StatedGravity, IsReadAndRefused) {
-  const TemporaryDirectory directory;
+  const test::TemporaryDirectory directory;
   (void)directory.file("a.csv", log("q2"));
   const auto with = [&](const std::string& lines) {
     return directory.file("d.toml", manifest("[known_gravity]\n" + lines));
   };
-  const Dataset d = read_dataset(with("amplitude_Nm = 38.465\nq_peak_deg = 90\n"));
+  const joint::Dataset d =
+      ingest::dataset::read_dataset(with("amplitude_Nm = 38.465\nq_peak_deg = 90\n"));
   ASSERT_TRUE(d.manifest.known_gravity);
   EXPECT_EQ(d.manifest.known_gravity->amplitude_Nm(), 38.465);
   EXPECT_NEAR(d.manifest.known_gravity->q_peak_rad(), std::numbers::pi / 2, 1e-15);
   const std::string negative = with("amplitude_Nm = -1\nq_peak_deg = 90\n");
-  EXPECT_THROW((void)read_dataset(negative), InputError);
-  EXPECT_THROW((void)StatedGravity(1, NAN), std::invalid_argument);
-  EXPECT_THROW((void)StatedGravity(0, 1), std::invalid_argument);
+  EXPECT_THROW((void)ingest::dataset::read_dataset(negative), InputError);
+  EXPECT_THROW((void)joint::StatedGravity(1, NAN), std::invalid_argument);
+  EXPECT_THROW((void)joint::StatedGravity(0, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -35,22 +35,23 @@ std::string with(const std::string& piece, const std::string& replacement) {
 }
 
 std::string refusal(const std::string& text) {
-  return test::refusal_of<InputError>([&] { return parse_manifest(text, "m.toml"); });
+  return test::refusal_of<InputError>(
+      [&] { return ingest::manifest::parse_manifest(text, "m.toml"); });
 }
 
 TEST(Manifest, MinimalOneIsEnough) {
-  const ManifestFile m = parse_manifest(minimal, "m.toml");
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(minimal, "m.toml");
   EXPECT_EQ(m.manifest.robot, "R");
   EXPECT_EQ(m.manifest.joint, "J");
   EXPECT_EQ(m.manifest.drive.gear_ratio(), 100);
-  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::motor_torque);
-  EXPECT_EQ(m.manifest.drive.side(), Side::motor);
+  EXPECT_EQ(m.manifest.drive.kind(), joint::EffortKind::motor_torque);
+  EXPECT_EQ(m.manifest.drive.side(), joint::Side::motor);
   EXPECT_EQ(m.manifest.surrogate_distance_m, 0.5);
   EXPECT_EQ(m.manifest.gravity_m_s2, 9.81);
   EXPECT_EQ(m.effort_sign, 1.0);
   ASSERT_EQ(m.recordings.size(), 1U);
-  EXPECT_EQ(m.recordings[0].role, Role::oscillation);
-  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::joint);
+  EXPECT_EQ(m.recordings[0].role, joint::Role::oscillation);
+  EXPECT_EQ(m.recordings[0].columns.angle->side, joint::Side::joint);
   EXPECT_FALSE(m.recordings[0].columns.speed.has_value());
 }
 
@@ -58,7 +59,7 @@ TEST(Manifest, MinimalOneIsEnough) {
 std::string measured_on(const std::string& value) {
   const std::string name = "name = \"R\"\n";
   const std::string text = with(name, name + "measured_on = " + value + "\n");
-  return parse_manifest(text, "m.toml").manifest.measured_on;
+  return ingest::manifest::parse_manifest(text, "m.toml").manifest.measured_on;
 }
 
 TEST(Manifest, ADateNeedsNoQuotes) {
@@ -92,7 +93,8 @@ TEST(Manifest, NumbersOutOfEveryJointsRangeAreRefusedAtTheirPlace) {
 }
 
 TEST(Manifest, FullOneIsReadWhole) {
-  const ManifestFile m = parse_manifest(R"(schema = "tribolog-dataset-1"
+  const ingest::manifest::ManifestFile m =
+      ingest::manifest::parse_manifest(R"(schema = "tribolog-dataset-1"
 [robot]
 name = "Größe <b>"
 serial = "S1"
@@ -138,7 +140,7 @@ role = "constant_speed"
 file = "b.csv"
 columns = {angle = {name = "q1", unit = "rad"}}
 )",
-                                        "m.toml");
+                                       "m.toml");
   EXPECT_EQ(m.manifest.robot, "Größe <b>");
   EXPECT_EQ(m.manifest.serial, "S1");
   EXPECT_EQ(m.manifest.robot_description, "arms/one.toml");
@@ -155,13 +157,13 @@ columns = {angle = {name = "q1", unit = "rad"}}
   ASSERT_TRUE(m.manifest.reference);
   EXPECT_EQ(m.manifest.reference->name(), "waiboer");
   EXPECT_EQ(m.manifest.reference->named_parameters(),
-            named(WaiboerFriction::Parameters{1, 2, 0.5, 0.1, 0.6, 1e6}));
+            friction::named(friction::WaiboerFriction::Parameters{1, 2, 0.5, 0.1, 0.6, 1e6}));
   ASSERT_EQ(m.recordings.size(), 2U);
   EXPECT_EQ(m.recordings[0].from_s, 5.0);
   EXPECT_EQ(m.recordings[0].note, "warm");
-  EXPECT_EQ(m.recordings[0].columns.angle->side, Side::motor);
+  EXPECT_EQ(m.recordings[0].columns.angle->side, joint::Side::motor);
   EXPECT_EQ(m.recordings[1].columns.angle->name, "q1");
-  EXPECT_EQ(m.recordings[1].columns.angle->side, Side::joint);
+  EXPECT_EQ(m.recordings[1].columns.angle->side, joint::Side::joint);
   EXPECT_EQ(m.recordings[1].columns.effort->name, "i");
 }
 
@@ -262,7 +264,7 @@ TEST(Manifest, KnownCurveIsOneOfAnyModel) {
   const std::string dahl =
       "[reference.dahl]\nstiffness_Nm_rad = 400\ncoulomb_Nm = 0.6\n"
       "viscous_Nms_rad = 0.01\n";
-  const auto curve = parse_manifest(minimal + dahl, "m.toml").manifest.reference;
+  const auto curve = ingest::manifest::parse_manifest(minimal + dahl, "m.toml").manifest.reference;
   ASSERT_TRUE(curve);
   EXPECT_EQ(curve->name(), "dahl");
   EXPECT_DOUBLE_EQ(curve->torque_Nm(-10), -0.7);
@@ -275,7 +277,8 @@ TEST(Manifest, KnownCurveIsOneOfAnyModel) {
             "m.toml:17:1: key 'reference.dahl.coulomb_Nm' is missing; hint: Tc > 0");
   EXPECT_EQ(refusal(minimal + "[reference.waibor]\n"),
             "m.toml:17:1: unknown key 'reference.waibor'; hint: did you mean 'waiboer'?");
-  EXPECT_FALSE(parse_manifest(minimal + "[reference]\n", "m.toml").manifest.reference);
+  EXPECT_FALSE(
+      ingest::manifest::parse_manifest(minimal + "[reference]\n", "m.toml").manifest.reference);
 }
 
 TEST(Manifest, RefusesTextThatIsNotUtf8) {
@@ -297,15 +300,15 @@ TEST(Manifest, RefusesADescriptionThatIsNoFile) {
 }
 
 TEST(Manifest, IntervalsAreThoseStated) {
-  const ManifestFile none = parse_manifest(minimal, "m.toml");
+  const ingest::manifest::ManifestFile none = ingest::manifest::parse_manifest(minimal, "m.toml");
   EXPECT_FALSE(none.manifest.intervals.resamples);
   EXPECT_FALSE(none.manifest.intervals.seed);
-  const ManifestFile both = parse_manifest(
+  const ingest::manifest::ManifestFile both = ingest::manifest::parse_manifest(
       with("[columns]", "[intervals]\nresamples = 500\nseed = 42\n[columns]"), "m.toml");
   EXPECT_EQ(both.manifest.intervals.resamples, 500U);
   EXPECT_EQ(both.manifest.intervals.seed, 42U);
-  const ManifestFile off =
-      parse_manifest(with("[columns]", "[intervals]\nresamples = 0\n[columns]"), "m.toml");
+  const ingest::manifest::ManifestFile off = ingest::manifest::parse_manifest(
+      with("[columns]", "[intervals]\nresamples = 0\n[columns]"), "m.toml");
   EXPECT_EQ(off.manifest.intervals.resamples, 0U);
 }
 
@@ -318,7 +321,7 @@ TEST(Manifest, ResamplesThatGiveNoIntervalAreRefusedAtTheirPlace) {
 }
 
 TEST(ManifestLimits, AreReadWithTheirNumbers) {
-  const ManifestFile m = parse_manifest(
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
       minimal +
           "[[limit]]\nquantity = \"coulomb_joint_Nm\"\nmax = 15\nhalf_width_percent = 5\n"
           "[[limit]]\nquantity = \"q_peak_deg\"\nmin = -23\nmax = -21\n",
@@ -348,20 +351,21 @@ TEST(ManifestLimits, ThatCannotBeMeantAreRefused) {
 }
 
 TEST(ManifestEffort, MayBeOnlyProposed) {
-  EXPECT_TRUE(parse_manifest(with("", ""), "m.toml").manifest.effort_is_confirmed);
+  EXPECT_TRUE(
+      ingest::manifest::parse_manifest(with("", ""), "m.toml").manifest.effort_is_confirmed);
   const std::string text = with("side = \"motor\"", "side = \"motor\"\nconfirmed = false");
-  EXPECT_FALSE(parse_manifest(text, "m.toml").manifest.effort_is_confirmed);
+  EXPECT_FALSE(ingest::manifest::parse_manifest(text, "m.toml").manifest.effort_is_confirmed);
   EXPECT_NE(refusal(with("side = \"motor\"", "side = \"motor\"\nconfirmed = \"no\""))
                 .find("effort.confirmed"),
             std::string::npos);
 }
 
 TEST(ManifestEffort, OfAModelIsATorqueOnTheSideStated) {
-  const ManifestFile m =
-      parse_manifest(with("kind = \"motor_torque\"", "kind = \"target_torque\""), "m.toml");
-  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::target_torque);
-  EXPECT_EQ(m.manifest.drive.side(), Side::motor);
-  EXPECT_EQ(to_string(m.manifest.drive.kind()), "target_torque");
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(
+      with("kind = \"motor_torque\"", "kind = \"target_torque\""), "m.toml");
+  EXPECT_EQ(m.manifest.drive.kind(), joint::EffortKind::target_torque);
+  EXPECT_EQ(m.manifest.drive.side(), joint::Side::motor);
+  EXPECT_EQ(joint::to_string(m.manifest.drive.kind()), "target_torque");
   EXPECT_NE(
       refusal(with("kind = \"motor_torque\"", "kind = \"target_torque\"\ntorque_constant_Nm_A = 2"))
           .find("belongs to motor_current"),
@@ -373,8 +377,8 @@ TEST(ManifestEffort, MayBeNoneWhereNothingWasRecorded) {
   const std::string column = "effort = {name = \"tau\", unit = \"Nm\"}\n";
   EXPECT_NE(refusal(text).find("contradicts effort.kind"), std::string::npos);
   text.erase(text.find(column), column.size());
-  const ManifestFile m = parse_manifest(text, "m.toml");
-  EXPECT_EQ(m.manifest.drive.kind(), EffortKind::none);
+  const ingest::manifest::ManifestFile m = ingest::manifest::parse_manifest(text, "m.toml");
+  EXPECT_EQ(m.manifest.drive.kind(), joint::EffortKind::none);
   EXPECT_FALSE(m.recordings[0].columns.effort);
 }
 

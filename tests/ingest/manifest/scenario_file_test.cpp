@@ -28,7 +28,8 @@ std::string with(const std::string& piece, const std::string& replacement) {
 }
 
 std::string refusal(const std::string& text) {
-  return test::refusal_of<InputError>([&] { return parse_scenario(text, "s.toml"); });
+  return test::refusal_of<InputError>(
+      [&] { return ingest::manifest::parse_scenario(text, "s.toml"); });
 }
 
 /// What is said without the line, which moves with every comment in the example.
@@ -40,10 +41,10 @@ std::string refusal_without_line(const std::string& text) {
 
 // The paper prints 3.3, Table 2; its joint is the one in the example.
 TEST(PaperScenario, HasTheGravityTorqueBehindTheTable) {
-  const Scenario s = read_scenario(example("scenario.toml"));
+  const simulate::Scenario s = ingest::manifest::read_scenario(example("scenario.toml"));
   EXPECT_NEAR(s.load.amplitude_Nm() / s.gear_ratio, 3.88318571, 1e-12);
-  EXPECT_NEAR(surrogate_mass_kg(s.load.amplitude_Nm() / s.gear_ratio, s.gear_ratio,
-                                s.surrogate_distance_m, s.load.gravity_m_s2(), 1.0),
+  EXPECT_NEAR(joint::surrogate_mass_kg(s.load.amplitude_Nm() / s.gear_ratio, s.gear_ratio,
+                                       s.surrogate_distance_m, s.load.gravity_m_s2(), 1.0),
               79.1679, 5e-5);
   EXPECT_NEAR(s.load.q_peak_rad(), -0.388019, 5e-7);
   EXPECT_NEAR(s.arm_inertia_kgm2, s.load.mass_kg() * s.load.distance_m() * s.load.distance_m(),
@@ -51,8 +52,8 @@ TEST(PaperScenario, HasTheGravityTorqueBehindTheTable) {
 }
 
 TEST(PaperScenario, HasTheFrictionBehindTheTable) {
-  const Scenario s = read_scenario(example("scenario.toml"));
-  const auto& p = dynamic_cast<const LuGreFriction&>(*s.presliding).parameters();
+  const simulate::Scenario s = ingest::manifest::read_scenario(example("scenario.toml"));
+  const auto& p = dynamic_cast<const friction::LuGreFriction&>(*s.presliding).parameters();
   const double motor_amplitude = s.gear_ratio * s.oscillation->amplitude_rad;
   const double motor_speed = motor_amplitude * 2 * std::numbers::pi * s.oscillation->frequency_Hz;
   EXPECT_NEAR(p.bristle_stiffness_Nm_rad * motor_amplitude / p.static_Nm, 5.26269819, 1e-4);
@@ -63,7 +64,7 @@ TEST(PaperScenario, HasTheFrictionBehindTheTable) {
 }
 
 TEST(PaperScenario, HasTheExperimentsOfThePaper) {
-  const Scenario s = read_scenario(example("scenario.toml"));
+  const simulate::Scenario s = ingest::manifest::read_scenario(example("scenario.toml"));
   EXPECT_EQ(s.robot, "FANUC AM100iB");
   EXPECT_DOUBLE_EQ(s.rough_sweep->from_rad, -80 * rad_per_deg);
   EXPECT_DOUBLE_EQ(s.rough_sweep->speed_rad_s, 2 * rad_per_deg);
@@ -80,10 +81,10 @@ TEST(PaperScenario, HasTheExperimentsOfThePaper) {
 }
 
 TEST(PaperScenario, StaysWithinTheJointsRange) {
-  const Scenario s = read_scenario(example("scenario.toml"));
-  const auto recordings = simulate_joint(s);
+  const simulate::Scenario s = ingest::manifest::read_scenario(example("scenario.toml"));
+  const auto recordings = simulate::simulate_joint(s);
   EXPECT_EQ(recordings.size(), 23U);
-  for (const Recording& r : recordings) {
+  for (const joint::Recording& r : recordings) {
     for (const double q : r.q_rad) {
       ASSERT_GE(q, s.rough_sweep->from_rad - 1e-9) << r.name;
       ASSERT_LE(q, s.rough_sweep->to_rad + 1e-9) << r.name;
@@ -92,9 +93,10 @@ TEST(PaperScenario, StaysWithinTheJointsRange) {
 }
 
 TEST(PaperScenario, NoisyOnesDifferInTheDriveOnly) {
-  const Scenario ideal = read_scenario(example("scenario.toml"));
-  const Scenario noisy = read_scenario(example("scenario_noise.toml"));
-  const Scenario ripple = read_scenario(example("scenario_ripple.toml"));
+  const simulate::Scenario ideal = ingest::manifest::read_scenario(example("scenario.toml"));
+  const simulate::Scenario noisy = ingest::manifest::read_scenario(example("scenario_noise.toml"));
+  const simulate::Scenario ripple =
+      ingest::manifest::read_scenario(example("scenario_ripple.toml"));
   EXPECT_EQ(noisy.noise.torque_white_Nm, 0.02);
   EXPECT_EQ(noisy.noise.torque_step_Nm, 0.005);
   EXPECT_EQ(noisy.noise.encoder_counts_per_turn, 131072);
@@ -106,7 +108,7 @@ TEST(PaperScenario, NoisyOnesDifferInTheDriveOnly) {
   ASSERT_EQ(ripple.noise.ripple.size(), 2U);
   EXPECT_EQ(ripple.noise.ripple[0].periods_per_turn, 1);
   EXPECT_EQ(ripple.noise.ripple[1].periods_per_turn, 6);
-  for (const Scenario* s : {&noisy, &ripple}) {
+  for (const simulate::Scenario* s : {&noisy, &ripple}) {
     EXPECT_EQ(s->load.mass_kg(), ideal.load.mass_kg());
     EXPECT_EQ(s->presliding->named_parameters(), ideal.presliding->named_parameters());
     EXPECT_EQ(s->sliding->named_parameters(), ideal.sliding->named_parameters());
@@ -115,10 +117,10 @@ TEST(PaperScenario, NoisyOnesDifferInTheDriveOnly) {
 }
 
 TEST(ScenarioFile, ReadsSeveralOscillationsAndPositions) {
-  const Scenario spread =
-      parse_scenario(with("cycles = 5", "cycles = 5\npositions = 8"), "scenario.toml");
+  const simulate::Scenario spread = ingest::manifest::parse_scenario(
+      with("cycles = 5", "cycles = 5\npositions = 8"), "scenario.toml");
   EXPECT_EQ(spread.further_oscillations.size(), 7U);
-  const Scenario two = parse_scenario(
+  const simulate::Scenario two = ingest::manifest::parse_scenario(
       with("[oscillation]",
            "[[oscillation]]\ncentre_deg = 0\namplitude_rad = 1e-3\nfrequency_Hz = 2\ncycles = 3\n"
            "[[oscillation]]"),
@@ -168,7 +170,8 @@ TEST(ScenarioFile, RefusesExperimentsThatCannotBeCarriedOut) {
 }
 
 TEST(ScenarioFile, TakesAnAngleInOneUnit) {
-  const Scenario s = parse_scenario(with("q_peak_deg = -22.23187", "q_peak_rad = -0.4"), "s.toml");
+  const simulate::Scenario s = ingest::manifest::parse_scenario(
+      with("q_peak_deg = -22.23187", "q_peak_rad = -0.4"), "s.toml");
   EXPECT_EQ(s.load.q_peak_rad(), -0.4);
   EXPECT_EQ(refusal_without_line(with("q_peak_deg", "q_peak_rad = 1\nq_peak_deg")),
             "key 'load.q_peak_deg': is given as q_peak_rad too, expected one");
@@ -189,7 +192,7 @@ TEST(ScenarioFile, RefusesUnknownKeysAndNothingToDo) {
 
 TEST(ScenarioDescription, IsReadFromBesideTheScenario) {
   for (const char* name : {"scenario.toml", "scenario_noise.toml", "scenario_ripple.toml"}) {
-    const Scenario s = read_scenario(example(name));
+    const simulate::Scenario s = ingest::manifest::read_scenario(example(name));
     EXPECT_EQ(s.robot_description, "am100ib.toml");
     EXPECT_EQ(s.robot_description_text, read_file(example("am100ib.toml")));
   }
@@ -208,7 +211,7 @@ TEST(ScenarioDescription, IsRefusedWhereItIsMissingWrongOrInTheWay) {
   const test::TemporaryDirectory directory;
   const std::string path = directory.file("s.toml", with(key, "\"arm.toml\""));
   const auto said = [&] {
-    return test::refusal_of<InputError>([&] { return read_scenario(path); });
+    return test::refusal_of<InputError>([&] { return ingest::manifest::read_scenario(path); });
   };
   EXPECT_EQ(said(), directory.path("arm.toml") + ": cannot open: No such file or directory");
   (void)directory.file("arm.toml", "schema = \"tribolog-robot-1\"\n");

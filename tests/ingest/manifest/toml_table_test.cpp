@@ -7,7 +7,9 @@
 namespace tribolog {
 namespace {
 
-TomlTable parse(std::string_view text) { return TomlTable::parse(text, "m.toml"); }
+ingest::manifest::TomlTable parse(std::string_view text) {
+  return ingest::manifest::TomlTable::parse(text, "m.toml");
+}
 
 template <class Action>
 std::string refusal(const Action& action) {
@@ -15,7 +17,7 @@ std::string refusal(const Action& action) {
 }
 
 TEST(TomlTable, GivesTypedValues) {
-  const TomlTable table = parse(
+  const ingest::manifest::TomlTable table = parse(
       "text = \"Größe\"\nnumber = 1.5\nwhole = 3\nflag = true\nlist = [1, 2.5]\n"
       "[a.b]\nx = 1\n[[c]]\ny = 1\n[[c]]\ny = 2\n");
   EXPECT_EQ(table.text("text"), "Größe");
@@ -31,7 +33,7 @@ TEST(TomlTable, GivesTypedValues) {
 }
 
 TEST(TomlTable, GivesWhatIsLeftOutItsDefault) {
-  const TomlTable table = parse("");
+  const ingest::manifest::TomlTable table = parse("");
   EXPECT_EQ(table.text_or("a", "x"), "x");
   EXPECT_EQ(table.number_or("a", 2.5), 2.5);
   EXPECT_EQ(table.find_number("a"), std::nullopt);
@@ -41,23 +43,25 @@ TEST(TomlTable, GivesWhatIsLeftOutItsDefault) {
 }
 
 TEST(TomlTable, RefusesMissingKeysWithWhatMayHaveBeenMeant) {
-  const TomlTable table = parse("[joint]\nname = \"3\"\ngear_ration = 100\n").table("joint");
+  const ingest::manifest::TomlTable table =
+      parse("[joint]\nname = \"3\"\ngear_ration = 100\n").table("joint");
   EXPECT_EQ(
       refusal([&] { return table.number("gear_ratio"); }),
       "m.toml:1:1: key 'joint.gear_ratio' is missing; hint: is 'gear_ration' meant to be it?");
-  EXPECT_EQ(refusal([&] { return table.number("mass", Sign::any, "in kg"); }),
+  EXPECT_EQ(refusal([&] { return table.number("mass", ingest::manifest::Sign::any, "in kg"); }),
             "m.toml:1:1: key 'joint.mass' is missing; hint: in kg");
 }
 
 TEST(TomlTable, RefusesOtherTypesAndRanges) {
-  const TomlTable table = parse("a = \"100\"\nb = nan\nc = -1\nd = 0\ne = [1, \"x\"]\nf = 1.5\n");
+  const ingest::manifest::TomlTable table =
+      parse("a = \"100\"\nb = nan\nc = -1\nd = 0\ne = [1, \"x\"]\nf = 1.5\n");
   EXPECT_EQ(refusal([&] { return table.number("a"); }),
             "m.toml:1:5: key 'a': not usable, found the text '100', expected a finite number");
   EXPECT_EQ(refusal([&] { return table.number("b"); }),
             "m.toml:2:5: key 'b': not usable, found nan, expected a finite number");
-  EXPECT_EQ(refusal([&] { return table.number("c", Sign::not_negative); }),
+  EXPECT_EQ(refusal([&] { return table.number("c", ingest::manifest::Sign::not_negative); }),
             "m.toml:3:5: key 'c': not usable, found -1, expected a number >= 0");
-  EXPECT_EQ(refusal([&] { return table.number("d", Sign::positive); }),
+  EXPECT_EQ(refusal([&] { return table.number("d", ingest::manifest::Sign::positive); }),
             "m.toml:4:5: key 'd': not usable, found 0, expected a number > 0");
   EXPECT_EQ(refusal([&] { return table.numbers("e"); }),
             "m.toml:5:9: key 'e': not usable, found the text 'x', expected a finite number");
@@ -74,14 +78,14 @@ TEST(TomlTable, RefusesOtherTypesAndRanges) {
 }
 
 TEST(TomlTable, RefusesWordsThatAreNoChoice) {
-  const TomlTable table = parse("kind = \"motor_curent\"\n");
+  const ingest::manifest::TomlTable table = parse("kind = \"motor_curent\"\n");
   EXPECT_EQ(refusal([&] { return table.choice("kind", {"motor_current", "motor_torque"}); }),
             "m.toml:1:8: key 'kind': not known, found 'motor_curent', expected one of "
             "'motor_current', 'motor_torque'; hint: did you mean 'motor_current'?");
 }
 
 TEST(TomlTable, RefusesKeysThatNobodyAskedFor) {
-  const TomlTable table = parse("a = 1\ndistence = 2\n");
+  const ingest::manifest::TomlTable table = parse("a = 1\ndistence = 2\n");
   (void)table.has("a");
   EXPECT_EQ(refusal([&] {
               table.refuse_unknown_keys();
@@ -150,14 +154,14 @@ TEST(TomlTable, AnUnclosedBracketIsFoundWhereItsLineStands) {
 }
 
 TEST(TomlTable, TakesTextsWhereverTheyMayStand) {
-  const TomlTable table = parse(
+  const ingest::manifest::TomlTable table = parse(
       "a = [ # °\n  \"µ\", # one\n  '°'\n]\nb . \"c\" = {d = [[\"x\"], ['y', \"z\"]], e = 1.5}\n"
       "f = \"\"\"\"g\"\"\"\"\"\n[ h . 'i' ]\nj = 1979-05-27 07:32:00\n[[k]]\n\"l\" = 1 # °\n");
   EXPECT_EQ(table.text("f"), "\"g\"\"");
 }
 
 TEST(TomlTable, TakesCharactersBeyondAsciiWhereTextIs) {
-  const TomlTable table = parse(
+  const ingest::manifest::TomlTable table = parse(
       "\xef\xbb\xbf# Größe\na = \"°\" # µ\nb = '°\\'\nc = \"\"\"\n°\"µ\\\"\n\"\"\"\n"
       "d = '''°'''\n\"°\" = 1\n");
   EXPECT_EQ(table.text("a"), "°");

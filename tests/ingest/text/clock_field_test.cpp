@@ -8,17 +8,19 @@ namespace tribolog {
 namespace {
 
 double between(std::string_view from, std::string_view to,
-               std::optional<ClockReading> (*read)(std::string_view)) {
+               std::optional<ingest::text::ClockReading> (*read)(std::string_view)) {
   const auto a = read(from);
   const auto b = read(to);
   EXPECT_TRUE(a && b) << from << " " << to;
   return a && b ? b->since(*a) : 0;
 }
 
-double iso(std::string_view from, std::string_view to) { return between(from, to, read_iso_time); }
+double iso(std::string_view from, std::string_view to) {
+  return between(from, to, ingest::text::read_iso_time);
+}
 
 double number(std::string_view from, std::string_view to) {
-  return between(from, to, [](std::string_view f) { return read_clock_number(f); });
+  return between(from, to, [](std::string_view f) { return ingest::text::read_clock_number(f); });
 }
 
 TEST(ClockField, KeepsNanosecondsOfNumbersThatNoDoubleHolds) {
@@ -42,14 +44,14 @@ TEST(ClockField, TakesNothingElse) {
   for (const char* field : {"", "2026-03-01", "2026-02-30T00:00:00Z", "2026-03-01T24:00:00Z",
                             "2026-03-01T08:15:00.Z", "2026-03-01T08:15:00Zulu", "08:15:00",
                             "2026-03-01T08:15:00+1", "26-03-01T08:15:00", "\xff\xfe"}) {
-    EXPECT_FALSE(read_iso_time(field)) << field;
+    EXPECT_FALSE(ingest::text::read_iso_time(field)) << field;
   }
   for (const char* field :
        {"", "-", "1e9", "1.5.5", "1,5", "0x10", "12345678901234567890", "nan"}) {
-    EXPECT_FALSE(read_clock_number(field)) << field;
+    EXPECT_FALSE(ingest::text::read_clock_number(field)) << field;
   }
-  EXPECT_TRUE(read_clock_number("1,5", DecimalMark::comma));
-  EXPECT_FALSE(read_clock_number("1.5", DecimalMark::comma));
+  EXPECT_TRUE(ingest::text::read_clock_number("1,5", ingest::text::DecimalMark::comma));
+  EXPECT_FALSE(ingest::text::read_clock_number("1.5", ingest::text::DecimalMark::comma));
 }
 
 }  // namespace

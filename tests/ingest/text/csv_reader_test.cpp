@@ -11,22 +11,25 @@
 namespace tribolog {
 namespace {
 
-CsvTable read(std::string_view text, const std::vector<WantedColumn>& columns = {{"t"}, {"tau"}}) {
-  return read_csv(text, "run.csv", columns);
+ingest::text::CsvTable read(std::string_view text,
+                            const std::vector<ingest::log::WantedColumn>& columns = {{"t"},
+                                                                                     {"tau"}}) {
+  return ingest::text::read_csv(text, "run.csv", columns);
 }
 
 using Values = std::vector<double>;
 using Notes = std::vector<std::string>;
 
 void expect_two_rows(std::string_view text) {
-  const CsvTable table = read(text);
+  const ingest::text::CsvTable table = read(text);
   EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
   EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
   EXPECT_EQ(table.rows, 2U);
 }
 
 TEST(CsvReader, ReadsTheColumnsAskedForInTheOrderAskedFor) {
-  const CsvTable table = read("t,q,tau,text\n0,7,1.25,a\n0.5,8,-3,b\n", {{"tau"}, {"t"}});
+  const ingest::text::CsvTable table =
+      read("t,q,tau,text\n0,7,1.25,a\n0.5,8,-3,b\n", {{"tau"}, {"t"}});
   EXPECT_EQ(table.columns.at(0).values, (Values{1.25, -3}));
   EXPECT_EQ(table.columns.at(1).values, (Values{0, 0.5}));
   EXPECT_EQ(table.header, (std::vector<std::string>{"t", "q", "tau", "text"}));
@@ -51,7 +54,8 @@ TEST(CsvReader, TakesEveryDelimiterAndStatesIt) {
 }
 
 TEST(CsvReader, SkipsCommentsAndBlankLinesAndKeepsCountOfLines) {
-  const CsvTable table = read("# a log\n\nt,tau\n# units: s, Nm\n0,1.25\n\n  \n0.5,-3\n1,1\n");
+  const ingest::text::CsvTable table =
+      read("# a log\n\nt,tau\n# units: s, Nm\n0,1.25\n\n  \n0.5,-3\n1,1\n");
   EXPECT_EQ(table.rows, 3U);
   EXPECT_EQ(table.line_of(0), 5);
   EXPECT_EQ(table.line_of(1), 8);
@@ -59,7 +63,7 @@ TEST(CsvReader, SkipsCommentsAndBlankLinesAndKeepsCountOfLines) {
 }
 
 TEST(CsvReader, FindsColumnsByNameWithAndWithoutUnit) {
-  const CsvTable table = read("\"t [s]\",tau (Nm)\n0,1\n", {{"t"}, {"tau (Nm)"}});
+  const ingest::text::CsvTable table = read("\"t [s]\",tau (Nm)\n0,1\n", {{"t"}, {"tau (Nm)"}});
   EXPECT_EQ(table.columns.at(0).header.unit, "s");
   EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
   expect_two_rows("t [s] tau [Nm]\n0 1.25\n0.5 -3\n");  // blanks in the header only
@@ -71,7 +75,7 @@ TEST(CsvReader, FindsColumnsByNameWithAndWithoutUnit) {
 }
 
 TEST(CsvReader, CountsGapsByColumn) {
-  const CsvTable table = read("t,tau,x\n0,nan,\n1,,\n,3,\n3,inf,\n4,5,\n");
+  const ingest::text::CsvTable table = read("t,tau,x\n0,nan,\n1,,\n,3,\n3,inf,\n4,5,\n");
   EXPECT_EQ(table.columns.at(0).gaps, 1U);
   EXPECT_EQ(table.columns.at(1).gaps, 3U);
   EXPECT_TRUE(std::isnan(table.columns.at(1).values.at(3)));
@@ -93,7 +97,8 @@ TEST(CsvReader, IgnoresADelimiterAfterTheLastColumn) {
 
 TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
   for (const char* rest : {"2", "2,", "2,-", "2,1.5e", "2,\"1", "2,n"}) {
-    const CsvTable table = read(std::string("t,x,tau\n0,0,1.25\n0.5,0,-3\n2,") + rest);
+    const ingest::text::CsvTable table =
+        read(std::string("t,x,tau\n0,0,1.25\n0.5,0,-3\n2,") + rest);
     EXPECT_EQ(table.rows, 2U) << rest;
     EXPECT_EQ(table.cut_rows, 1U) << rest;
     ASSERT_EQ(table.notes.size(), 1U) << rest;
@@ -103,33 +108,36 @@ TEST(CsvReader, LeavesOutALastRowThatIsCutOff) {
   EXPECT_EQ(read("t,tau\n0,1\n2,3").cut_rows, 0U) << "only the line end is missing";
 }
 
-TextLogRules with_decimal_comma() {
-  TextLogRules rules;
-  rules.decimal_mark = DecimalMark::comma;
+ingest::text::TextLogRules with_decimal_comma() {
+  ingest::text::TextLogRules rules;
+  rules.decimal_mark = ingest::text::DecimalMark::comma;
   return rules;
 }
 
 TEST(CsvReader, ReadsDecimalCommasWhereTheyAreStated) {
   for (const char* text :
        {"t;tau\n0;1,25\n0,5;-3\n", "t\ttau\n0\t1,25\n0,5\t-3,0\n", "t tau\n0 1,25\n5e-1 -3\n"}) {
-    const CsvTable table = read_csv(text, "run.csv", {{"t"}, {"tau"}}, with_decimal_comma());
+    const ingest::text::CsvTable table =
+        ingest::text::read_csv(text, "run.csv", {{"t"}, {"tau"}}, with_decimal_comma());
     EXPECT_EQ(table.columns.at(0).values, (Values{0, 0.5})) << text;
     EXPECT_EQ(table.columns.at(1).values, (Values{1.25, -3})) << text;
   }
-  EXPECT_EQ(read_csv("tau\n1,25\n", "f", {{"tau"}}, with_decimal_comma()).columns[0].values,
-            Values{1.25});
+  EXPECT_EQ(
+      ingest::text::read_csv("tau\n1,25\n", "f", {{"tau"}}, with_decimal_comma()).columns[0].values,
+      Values{1.25});
 }
 
 TEST(CsvReader, TakesTheDelimiterThatIsStated) {
-  TextLogRules rules;
-  rules.delimiter = Delimiter::semicolon;
+  ingest::text::TextLogRules rules;
+  rules.delimiter = ingest::text::Delimiter::semicolon;
   // As many commas as semicolons: unstated, nobody can tell.
-  const CsvTable table = read_csv("a,b;tau\n1,2;3\n", "f", {{"tau"}}, rules);
+  const ingest::text::CsvTable table =
+      ingest::text::read_csv("a,b;tau\n1,2;3\n", "f", {{"tau"}}, rules);
   EXPECT_EQ(table.columns[0].values, Values{3});
 }
 
 TEST(CsvReader, TakesColumnsByTheirPosition) {
-  const CsvTable headless = read("0,7,1.25\n0.5,8,-3\n", {{"#3"}, {"#1"}});
+  const ingest::text::CsvTable headless = read("0,7,1.25\n0.5,8,-3\n", {{"#3"}, {"#1"}});
   EXPECT_EQ(headless.columns.at(0).values, (Values{1.25, -3}));
   EXPECT_EQ(headless.columns.at(1).values, (Values{0, 0.5}));
   EXPECT_EQ(headless.rows, 2U);
@@ -140,7 +148,7 @@ TEST(CsvReader, TakesColumnsByTheirPosition) {
 }
 
 TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
-  const CsvTable table = read("t,q,tau\n[ms],,Nm\n0,7,1.25\n", {{"t"}, {"tau"}});
+  const ingest::text::CsvTable table = read("t,q,tau\n[ms],,Nm\n0,7,1.25\n", {{"t"}, {"tau"}});
   EXPECT_EQ(table.columns.at(0).header.unit, "ms");
   EXPECT_EQ(table.columns.at(1).header.unit, "Nm");
   EXPECT_EQ(table.rows, 1U);
@@ -149,7 +157,7 @@ TEST(CsvReader, TakesUnitsFromARowUnderTheHeader) {
 }
 
 TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
-  const CsvTable table = read(
+  const ingest::text::CsvTable table = read(
       "when,state,q,empty,tau\n2026-03-01T08:15:00Z,run,1,,nan\n2026-03-01T08:15:01Z,stop,2,,3\n",
       {});
   ASSERT_EQ(table.columns.size(), 3U);
@@ -162,21 +170,23 @@ TEST(CsvReader, ReadsEveryColumnOfNumbersWhereNoneIsAskedFor) {
 }
 
 TEST(CsvReader, KeepsTheNanosecondsOfAClockThatCountsFrom1970) {
-  std::vector<WantedColumn> time = {{"t", "", ColumnReading::clock}};
-  const CsvTable ns = read("t\n1700000000123456789\n1700000000123456790\nnan\n", time);
+  std::vector<ingest::log::WantedColumn> time = {{"t", "", ingest::log::ColumnReading::clock}};
+  const ingest::text::CsvTable ns =
+      read("t\n1700000000123456789\n1700000000123456790\nnan\n", time);
   EXPECT_EQ(ns.columns[0].values[1] - ns.columns[0].values[0], 1);
   EXPECT_EQ(ns.columns[0].origin, 1700000000123456789.0);
   EXPECT_EQ(ns.columns[0].gaps, 1U);
-  const CsvTable s = read("t\n1700000000.25\n1.70000000075e9\n", time);
+  const ingest::text::CsvTable s = read("t\n1700000000.25\n1.70000000075e9\n", time);
   EXPECT_EQ(s.columns[0].values, (Values{0.25, 0.75}));
-  const CsvTable own = read("t\n0.1\n1.1\n", time);
+  const ingest::text::CsvTable own = read("t\n0.1\n1.1\n", time);
   EXPECT_EQ(own.columns[0].values, (Values{0.1, 1.1}));
   EXPECT_EQ(own.columns[0].origin, 0);
 }
 
 TEST(CsvReader, ReadsIsoTimes) {
-  const std::vector<WantedColumn> wanted = {{"t", "", ColumnReading::iso_time}, {"tau"}};
-  const CsvTable table =
+  const std::vector<ingest::log::WantedColumn> wanted = {
+      {"t", "", ingest::log::ColumnReading::iso_time}, {"tau"}};
+  const ingest::text::CsvTable table =
       read("t,tau\n2026-03-01T08:15:00.250Z,1\n,2\n2026-03-01T08:15:01Z,3\n2026-03-01T08:15:02Z,4",
            wanted);
   EXPECT_EQ(table.columns[0].values[0], 0.25);
@@ -184,14 +194,14 @@ TEST(CsvReader, ReadsIsoTimes) {
   EXPECT_EQ(table.columns[0].values[2], 1);
   EXPECT_EQ(table.columns[0].values[3], 2);
   EXPECT_EQ(read("2026-03-01T08:15:00Z,1\n2026-03-01T08:15:09Z,3\n",
-                 {{"#1", "", ColumnReading::iso_time}})
+                 {{"#1", "", ingest::log::ColumnReading::iso_time}})
                 .columns[0]
                 .values[1],
             9);
 }
 
 TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
-  TextLogRules rules;
+  ingest::text::TextLogRules rules;
   rules.skip_bad_rows = true;
   std::string text = "t,q,tau\n";
   for (int i = 0; i < 1000; ++i) text += std::to_string(i) + ",0,1\n";
@@ -201,7 +211,8 @@ TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
   };
   for (const char* bad : {"499.5,0\n", "499.5,0,1,2\n", "499.5,0,fault\n", "499.5,0,1e999\n",
                           "499.5,\"0,1\n", "t,q,tau\n"}) {
-    const CsvTable table = read_csv(with(bad), "f", {{"t"}, {"tau"}}, rules);
+    const ingest::text::CsvTable table =
+        ingest::text::read_csv(with(bad), "f", {{"t"}, {"tau"}}, rules);
     EXPECT_EQ(table.rows, 1000U) << bad;
     EXPECT_EQ(table.bad_rows, 1U) << bad;
     EXPECT_EQ(table.columns[0].values[500], 500) << bad;
@@ -215,24 +226,26 @@ TEST(CsvReader, LeavesOutBadRowsWhereThatIsStated) {
   std::string many;
   for (int i = 0; i < 11; ++i) many += "499.5,0\n";
   EXPECT_EQ(test::refusal_of<InputError>(
-                [&] { return read_csv(with(many), "f", {{"t"}, {"tau"}}, rules); }),
+                [&] { return ingest::text::read_csv(with(many), "f", {{"t"}, {"tau"}}, rules); }),
             "f:502: 11 of 1011 rows cannot be used, expected no more than 1 %; hint: the first: "
             "f:502: row has another number of fields than the header, found 2, expected 3");
 }
 
 TEST(CsvReader, ReadsNamesAndUnitsInLatin1WhereThatIsStated) {
-  TextLogRules rules;
-  rules.encoding = TextEncoding::latin1;
-  const CsvTable table = read_csv("t,\xe4ngle [\xb0]\n0,1\n", "f", {{"t"}, {"\u00e4ngle"}}, rules);
+  ingest::text::TextLogRules rules;
+  rules.encoding = ingest::text::TextEncoding::latin1;
+  const ingest::text::CsvTable table =
+      ingest::text::read_csv("t,\xe4ngle [\xb0]\n0,1\n", "f", {{"t"}, {"\u00e4ngle"}}, rules);
   EXPECT_EQ(table.columns[1].header.full, "\u00e4ngle [\u00b0]");
   EXPECT_EQ(table.columns[1].header.unit, "\u00b0");
-  const CsvTable below = read_csv("t,q\n\xb5s,\xb0\n0,1\n", "f", {{"t"}, {"q"}}, rules);
+  const ingest::text::CsvTable below =
+      ingest::text::read_csv("t,q\n\xb5s,\xb0\n0,1\n", "f", {{"t"}, {"q"}}, rules);
   EXPECT_EQ(below.columns[0].header.unit, "\u00b5s");
 }
 
 TEST(CsvReader, NamesThatStandTwiceMatterOnlyWhereTheyAreAskedFor) {
   const std::string log = "t,x,tau,x\n0,1,2,3\n";
-  const CsvTable table = read(log);
+  const ingest::text::CsvTable table = read(log);
   EXPECT_EQ(table.columns.at(1).values, Values{2});
   EXPECT_EQ(table.notes, (Notes{"column names that stand more than once: 'x'"}));
   EXPECT_EQ(read(log, {{"#4"}}).columns.at(0).values, Values{3});

@@ -24,8 +24,9 @@ const std::string damaged =
 class RefusedLog : public testing::TestWithParam<Case> {};
 
 TEST_P(RefusedLog, SaysWhereAndWhy) {
-  const std::string said = test::refusal_of<InputError>(
-      [] { return read_csv(GetParam().text, "run.csv", {{"t"}, {"tau", "it is needed"}}); });
+  const std::string said = test::refusal_of<InputError>([] {
+    return ingest::text::read_csv(GetParam().text, "run.csv", {{"t"}, {"tau", "it is needed"}});
+  });
   EXPECT_EQ(said, GetParam().said);
 }
 
@@ -117,29 +118,34 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(CsvReader, RefusesWhatContradictsTheStatedRules) {
-  TextLogRules comma;
-  comma.decimal_mark = DecimalMark::comma;
-  EXPECT_EQ(test::refusal_of<InputError>(
-                [&] { return read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma); }),
+  ingest::text::TextLogRules comma;
+  comma.decimal_mark = ingest::text::DecimalMark::comma;
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return ingest::text::read_csv("t;tau\n0;1\n1;1.25\n", "f", {{"t"}, {"tau"}}, comma);
+            }),
             "f:3:3: column 'tau', found '1.25', expected a number with a decimal comma; hint: " +
                 damaged);
-  EXPECT_EQ(test::refusal_of<InputError>(
-                [&] { return read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}}, comma); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] {
+              return ingest::text::read_csv("t;tau\n0;1\n1;1,234,5\n", "f", {{"t"}, {"tau"}},
+                                            comma);
+            }),
             "f:3:3: column 'tau', found '1,234,5', expected a number with a decimal comma; hint: " +
                 damaged);
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv("t,tau\n0,1\n", "f", {{"#3"}}); }),
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [&] { return ingest::text::read_csv("t,tau\n0,1\n", "f", {{"#3"}}); }),
             "f:1: there is no column '#3', found 2 columns");
   EXPECT_EQ(test::refusal_of<InputError>([&] {
-              return read_csv("t,tau\n12:30,1\n", "f", {{"t", "", ColumnReading::iso_time}});
+              return ingest::text::read_csv("t,tau\n12:30,1\n", "f",
+                                            {{"t", "", ingest::log::ColumnReading::iso_time}});
             }),
             "f:2:1: column 't', found '12:30', expected a time such as 2026-03-01T08:15:00.25Z; "
             "hint: a row of units under the header? put '#' in front of it");
 }
 
 TEST(CsvReader, RefusesAColumnAskedForTwice) {
-  EXPECT_EQ(
-      test::refusal_of<InputError>([] { return read_csv("t,tau\n0,1\n", "f", {{"t"}, {"t"}}); }),
-      "f:1:1: column 't' is asked for twice");
+  EXPECT_EQ(test::refusal_of<InputError>(
+                [] { return ingest::text::read_csv("t,tau\n0,1\n", "f", {{"t"}, {"t"}}); }),
+            "f:1:1: column 't' is asked for twice");
 }
 
 }  // namespace

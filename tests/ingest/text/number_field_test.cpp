@@ -18,8 +18,8 @@ namespace tribolog {
 namespace {
 
 void expect_number(const std::string& field, double value) {
-  const NumberField read = read_number(field);
-  EXPECT_EQ(read.kind, FieldKind::number) << field;
+  const ingest::text::NumberField read = ingest::text::read_number(field);
+  EXPECT_EQ(read.kind, ingest::text::FieldKind::number) << field;
   EXPECT_EQ(read.value, value) << field;
 }
 
@@ -32,21 +32,21 @@ TEST(NumberField, ReadsDecimalNumbersInEveryUsualForm) {
   expect_number("6E+2", 600);
   expect_number(" \t7 ", 7);
   expect_number("007", 7);
-  EXPECT_TRUE(std::signbit(read_number("-0").value));
+  EXPECT_TRUE(std::signbit(ingest::text::read_number("-0").value));
 }
 
 TEST(NumberField, TakesWordsForNothingAsGaps) {
   for (const char* gap : {"", " ", "nan", "NaN", "-nan", "-nan(ind)", "inf", "-Infinity", "1.#QNAN",
                           "-1.#IND", "1.#INF", "NULL", "N/A", "NaT", "None"}) {
-    EXPECT_EQ(read_number(gap).kind, FieldKind::gap) << gap;
-    EXPECT_TRUE(std::isnan(read_number(gap).value)) << gap;
+    EXPECT_EQ(ingest::text::read_number(gap).kind, ingest::text::FieldKind::gap) << gap;
+    EXPECT_TRUE(std::isnan(ingest::text::read_number(gap).value)) << gap;
   }
 }
 
 TEST(NumberField, RefusesEverythingElse) {
   for (const char* text : {"1,25", "1 234.5", "1\u00a0234", "0x1p3", "1d3", "1.2.3", "true", "--1",
                            "+-1", "++1", "1e", "e5", ".", "-", "+", "٣", "12abc", "1_000"}) {
-    EXPECT_EQ(read_number(text).kind, FieldKind::text) << text;
+    EXPECT_EQ(ingest::text::read_number(text).kind, ingest::text::FieldKind::text) << text;
   }
 }
 
@@ -55,7 +55,7 @@ TEST(NumberField, TellsTooLargeFromTooSmall) {
   for (const std::string& large :
        {std::string("1e400"), std::string("-1e400"), "1" + zeros, std::string("0.0001e999"),
         std::string("1e99999999999999999999")}) {
-    EXPECT_EQ(read_number(large).kind, FieldKind::overflow) << large;
+    EXPECT_EQ(ingest::text::read_number(large).kind, ingest::text::FieldKind::overflow) << large;
   }
   for (const std::string& small :
        {std::string("1e-400"), "0." + zeros + "1", std::string("-1000e-999"),
@@ -65,15 +65,15 @@ TEST(NumberField, TellsTooLargeFromTooSmall) {
 }
 
 TEST(NumberField, RecognisesDecimalCommasAndCutNumbers) {
-  EXPECT_TRUE(looks_like_decimal_comma("1,25"));
-  EXPECT_TRUE(looks_like_decimal_comma("-0,5e3"));
-  EXPECT_FALSE(looks_like_decimal_comma("1,2,3"));
-  EXPECT_FALSE(looks_like_decimal_comma(",5"));
-  EXPECT_FALSE(looks_like_decimal_comma("a,b"));
-  EXPECT_TRUE(looks_like_cut_number("-"));
-  EXPECT_TRUE(looks_like_cut_number("1.5e-"));
-  EXPECT_TRUE(looks_like_cut_number("na"));
-  EXPECT_FALSE(looks_like_cut_number("abc"));
+  EXPECT_TRUE(ingest::text::looks_like_decimal_comma("1,25"));
+  EXPECT_TRUE(ingest::text::looks_like_decimal_comma("-0,5e3"));
+  EXPECT_FALSE(ingest::text::looks_like_decimal_comma("1,2,3"));
+  EXPECT_FALSE(ingest::text::looks_like_decimal_comma(",5"));
+  EXPECT_FALSE(ingest::text::looks_like_decimal_comma("a,b"));
+  EXPECT_TRUE(ingest::text::looks_like_cut_number("-"));
+  EXPECT_TRUE(ingest::text::looks_like_cut_number("1.5e-"));
+  EXPECT_TRUE(ingest::text::looks_like_cut_number("na"));
+  EXPECT_FALSE(ingest::text::looks_like_cut_number("abc"));
 }
 
 /// Decimal comma and thousands dot, as in de_DE, whether that locale is installed or not.
@@ -90,8 +90,8 @@ TEST(NumberField, IsTheSameUnderEveryLocale) {
   std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is installed
   expect_number("3.14", 3.14);
   expect_number("1234567.5", 1234567.5);
-  EXPECT_EQ(read_number("3,14").kind, FieldKind::text);
-  EXPECT_EQ(read_number("1e400").kind, FieldKind::overflow);
+  EXPECT_EQ(ingest::text::read_number("3,14").kind, ingest::text::FieldKind::text);
+  EXPECT_EQ(ingest::text::read_number("1e400").kind, ingest::text::FieldKind::overflow);
   std::setlocale(LC_ALL, c_before.c_str());
   std::locale::global(cpp_before);
 }
@@ -101,8 +101,9 @@ RC_GTEST_PROP(NumberFieldProperty, ReadsBackWhatToCharsWrites, (double value)) {
   RC_PRE(std::isfinite(value));
   char text[32];
   const auto written = std::to_chars(text, text + sizeof text, value);
-  const NumberField read = read_number({text, static_cast<std::size_t>(written.ptr - text)});
-  RC_ASSERT(read.kind == FieldKind::number);
+  const ingest::text::NumberField read =
+      ingest::text::read_number({text, static_cast<std::size_t>(written.ptr - text)});
+  RC_ASSERT(read.kind == ingest::text::FieldKind::number);
   RC_ASSERT(read.value == value);
 }
 #endif
@@ -110,13 +111,13 @@ RC_GTEST_PROP(NumberFieldProperty, ReadsBackWhatToCharsWrites, (double value)) {
 TEST(Thousands, AreGroupsOfThreeDigits) {
   for (const char* text :
        {"1,234.5", "1 234.5", "1'234", "1\u00a0234", "-1,234,567", "12\u202f345.6"}) {
-    EXPECT_TRUE(looks_like_thousands(text)) << text;
+    EXPECT_TRUE(ingest::text::looks_like_thousands(text)) << text;
   }
   for (const char* text : {"1234.5", "1,25", "1,2345", "1.234", "a 123", "", ",", " 1 "}) {
-    EXPECT_FALSE(looks_like_thousands(text)) << text;
+    EXPECT_FALSE(ingest::text::looks_like_thousands(text)) << text;
   }
-  EXPECT_TRUE(looks_like_thousands("1.234,5", DecimalMark::comma));
-  EXPECT_FALSE(looks_like_thousands("1.25", DecimalMark::comma));
+  EXPECT_TRUE(ingest::text::looks_like_thousands("1.234,5", ingest::text::DecimalMark::comma));
+  EXPECT_FALSE(ingest::text::looks_like_thousands("1.25", ingest::text::DecimalMark::comma));
 }
 
 }  // namespace

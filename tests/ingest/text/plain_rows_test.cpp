@@ -21,7 +21,7 @@ void expect_same_as_from_chars(const std::string& text) {
   double expected = 0;
   const auto read = std::from_chars(text.data(), end, expected);
   double value = 0;
-  const char* const behind = read_plain_number(text.data(), end, '.', value);
+  const char* const behind = ingest::text::read_plain_number(text.data(), end, '.', value);
   if (read.ec != std::errc() || !std::isfinite(expected)) {
     EXPECT_EQ(behind, text.data()) << text;
     return;
@@ -89,7 +89,8 @@ TEST(PlainNumber, HasNoTroubleAtItsBounds) {
 TEST(PlainNumber, TakesTheMarkThatIsStated) {
   const std::string text = "-12,5;";
   double value = 0;
-  EXPECT_EQ(read_plain_number(text.data(), text.data() + text.size(), ',', value), text.data() + 5);
+  EXPECT_EQ(ingest::text::read_plain_number(text.data(), text.data() + text.size(), ',', value),
+            text.data() + 5);
   EXPECT_EQ(value, -12.5);
 }
 
@@ -125,7 +126,7 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
   for (const char* line_end : {"\n", "\r\n"}) {
     const LongLog log(150'000, line_end);
     ASSERT_GT(log.text.size(), std::size_t{4} << 20);
-    const CsvTable table = read_csv(log.text, "f", {{"tau"}, {"t"}});
+    const ingest::text::CsvTable table = ingest::text::read_csv(log.text, "f", {{"tau"}, {"t"}});
     ASSERT_EQ(table.rows, log.t.size());
     EXPECT_EQ(table.columns[1].values, log.t);
     EXPECT_EQ(table.columns[0].gaps, log.gaps);
@@ -140,10 +141,12 @@ TEST(PlainRows, LongLogsKeepEveryRowItsLineAndItsGaps) {
 
 /// The quote would swallow the delimiter, and the row would have as many fields as it should.
 TEST(PlainRows, AQuoteInFrontOfAFieldIsNoPlainRow) {
-  const PlainLayout layout{
-      Delimiter::comma, DecimalMark::point, {{0, {}, false}, {1, {}, false}, {2, {}, false}}, 3};
-  PlainRows rows;
-  read_plain_rows("1,2,3\n1,\"2\n", layout, rows);
+  const ingest::text::PlainLayout layout{ingest::text::Delimiter::comma,
+                                         ingest::text::DecimalMark::point,
+                                         {{0, {}, false}, {1, {}, false}, {2, {}, false}},
+                                         3};
+  ingest::text::PlainRows rows;
+  ingest::text::read_plain_rows("1,2,3\n1,\"2\n", layout, rows);
   EXPECT_EQ(rows.rows, 1U);
   EXPECT_FALSE(rows.is_whole);
 }
@@ -152,7 +155,7 @@ TEST(PlainRows, AFaultFarBehindIsRefusedAtItsLine) {
   LongLog log(120'000);
   log.text += "1,2,,fault\n";
   try {
-    (void)read_csv(log.text, "f", {{"t"}, {"tau"}});
+    (void)ingest::text::read_csv(log.text, "f", {{"t"}, {"tau"}});
     FAIL() << "not refused";
   } catch (const InputError& refused) {
     EXPECT_EQ(std::string(refused.what()),
@@ -168,7 +171,8 @@ TEST(PlainRows, BlanksBetweenColumnsAndClocksFrom1970) {
     text +=
         fmt::format(" 17000000{:02d}.{:09d}  {}\t{} \n", i / 1000, (i % 1000) * 1'000'001, i, -i);
   }
-  const CsvTable table = read_csv(text, "f", {{"t", "", ColumnReading::clock}, {"q"}, {"tau"}});
+  const ingest::text::CsvTable table = ingest::text::read_csv(
+      text, "f", {{"t", "", ingest::log::ColumnReading::clock}, {"q"}, {"tau"}});
   ASSERT_EQ(table.rows, 60'000U);
   for (std::size_t i = 0; i < table.rows; ++i) {
     const double t =
@@ -184,10 +188,11 @@ TEST(PlainRows, OfAWideLogTakeNoMoreRoomThanItsTextAsksFor) {
   for (int row = 0; row < 50; ++row) {
     for (std::size_t k = 0; k < columns; ++k) text += k + 1 < columns ? "0.125," : "0.125\n";
   }
-  PlainLayout layout{Delimiter::comma, DecimalMark::point, {}, columns};
+  ingest::text::PlainLayout layout{
+      ingest::text::Delimiter::comma, ingest::text::DecimalMark::point, {}, columns};
   for (std::size_t k = 0; k < columns; ++k) layout.columns.push_back({static_cast<int>(k), {}, {}});
-  PlainRows rows;
-  read_plain_rows(text, layout, rows);
+  ingest::text::PlainRows rows;
+  ingest::text::read_plain_rows(text, layout, rows);
   EXPECT_EQ(rows.rows, 50U);
   EXPECT_TRUE(rows.is_whole);
   std::size_t numbers = 0;

@@ -67,11 +67,11 @@ std::string log_of(const std::string& line_end, int rows) {
 TEST(TextWindow, ALogIsTheSameInPiecesOfAnySize) {
   for (const char* line_end : {"\n", "\r\n", "\r"}) {
     const std::string text = log_of(line_end, 3000);
-    const CsvTable whole = read_csv(text, "f", {{"t"}, {"tau"}});
+    const ingest::text::CsvTable whole = ingest::text::read_csv(text, "f", {{"t"}, {"tau"}});
     ASSERT_EQ(whole.rows, 3000U);
     for (const std::size_t most : {1U, 2U, 7U, 1000U, 100'000U}) {
       Trickle pieces(text, most, most);
-      const CsvTable table = read_csv(pieces, "f", {{"t"}, {"tau"}});
+      const ingest::text::CsvTable table = ingest::text::read_csv(pieces, "f", {{"t"}, {"tau"}});
       EXPECT_EQ(table.rows, whole.rows) << most;
       EXPECT_EQ(table.columns[0].values, whole.columns[0].values) << most;
       EXPECT_EQ(table.columns[1].gaps, whole.columns[1].gaps) << most;
@@ -84,7 +84,7 @@ TEST(TextWindow, ALogIsTheSameInPiecesOfAnySize) {
 TEST(TextWindow, ManyWindowsGiveEveryRowOnce) {
   // Some 40 MB; nothing is reserved, and no window holds more than a part.
   Endless log("t,tau\n", "1,2\n0.5,-0.25\n", 6 + 14 * std::uint64_t{2'900'000});
-  const CsvTable table = read_csv(log, "f", {{"t"}, {"tau"}});
+  const ingest::text::CsvTable table = ingest::text::read_csv(log, "f", {{"t"}, {"tau"}});
   ASSERT_EQ(table.rows, 5'800'000U);
   for (std::size_t i = 0; i < table.rows; ++i) {
     ASSERT_EQ(table.columns[0].values[i], i % 2 == 0 ? 1 : 0.5) << i;
@@ -96,16 +96,18 @@ TEST(TextWindow, ManyWindowsGiveEveryRowOnce) {
 TEST(TextWindow, ALineWithoutEndIsRefusedBeforeItFillsTheMemory) {
   constexpr std::uint64_t eight_hundred_MB = 800'000'000;
   Endless header("t,tau", "x", eight_hundred_MB);
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(header, "f", {{"t"}}); }),
-            "f:1: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
-            "end with line ends?");
+  EXPECT_EQ(
+      test::refusal_of<InputError>([&] { return ingest::text::read_csv(header, "f", {{"t"}}); }),
+      "f:1: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
+      "end with line ends?");
   EXPECT_LT(header.bytes_read(), 10'000'000U);
   Endless first_row("t,tau\n0,", "1", eight_hundred_MB);
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(first_row, "f", {{"t"}}); }),
-            "f:2: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
-            "end with line ends?");
+  EXPECT_EQ(
+      test::refusal_of<InputError>([&] { return ingest::text::read_csv(first_row, "f", {{"t"}}); }),
+      "f:2: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
+      "end with line ends?");
   Endless row("t,tau\n0,1\n0,", "1", eight_hundred_MB);
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(row, "f", {{"t"}}); }),
+  EXPECT_EQ(test::refusal_of<InputError>([&] { return ingest::text::read_csv(row, "f", {{"t"}}); }),
             "f:3: line is longer than 1 MiB, expected a text file of columns; hint: do its rows "
             "end with line ends?");
   EXPECT_LT(row.bytes_read(), 20'000'000U);
@@ -115,14 +117,15 @@ TEST(TextWindow, ANulByteFarBehindIsToldByItsPlace) {
   std::string text = log_of("\n", 400'000);
   ASSERT_GT(text.size(), 6'000'000U);
   text[5'000'000] = '\0';
-  EXPECT_EQ(test::refusal_of<InputError>([&] { return read_csv(text, "f", {{"t"}}); }),
-            "f: binary data at byte 5000000, expected a text file of columns");
+  EXPECT_EQ(
+      test::refusal_of<InputError>([&] { return ingest::text::read_csv(text, "f", {{"t"}}); }),
+      "f: binary data at byte 5000000, expected a text file of columns");
 }
 
 TEST(TextWindow, LinesThatEndWithCrAloneAreReadInLinearTime) {
   std::string text = "t,tau\r";
   for (int i = 0; i < 400'000; ++i) text += "0.5,1.25\r";
-  EXPECT_EQ(read_csv(text, "f", {{"t"}}).rows, 400'000U);
+  EXPECT_EQ(ingest::text::read_csv(text, "f", {{"t"}}).rows, 400'000U);
 }
 
 }  // namespace

@@ -33,12 +33,12 @@ std::string difference(const std::string& path) {
   std::getline(expected, mark);
   std::getline(expected, line);
   const std::vector<std::string> names = split(line, '\x1f');
-  TextLogRules rules;
-  if (mark == "comma") rules.decimal_mark = DecimalMark::comma;
-  std::vector<WantedColumn> wanted;
+  ingest::text::TextLogRules rules;
+  if (mark == "comma") rules.decimal_mark = ingest::text::DecimalMark::comma;
+  std::vector<ingest::log::WantedColumn> wanted;
   for (std::size_t k = 0; k < names.size(); ++k) wanted.push_back({fmt::format("#{}", k + 1)});
   InputFileSource bytes(path + ".csv");
-  const CsvTable table = read_csv(bytes, path, wanted, rules);
+  const ingest::text::CsvTable table = ingest::text::read_csv(bytes, path, wanted, rules);
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (table.header.at(k) != names[k]) return "name " + table.header[k] + " for " + names[k];
   }

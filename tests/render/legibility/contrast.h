@@ -7,10 +7,10 @@
 namespace tribolog::render::legibility {
 
 /// A colour laid on an opaque one.
-Colour laid_on(Colour ground, Colour colour);
+figure::Colour laid_on(figure::Colour ground, figure::Colour colour);
 
 /// Texts with less than 4.5 : 1 against what is filled below them, where it is worst.
-Findings faint_texts(const DrawList& list);
+Findings faint_texts(const figure::DrawList& list);
 
 /// Curves, markers, intervals and lines of drawings with less than 3 : 1 against white paper, each
 /// once. Excused are:
@@ -18,6 +18,6 @@ Findings faint_texts(const DrawList& list);
 ///   every colour blindness, they are light. Such a line must have dashes, a marker, or at least
 ///   the usual width;
 /// - what lies pale below a curve of the same panel that is not: samples under their fit.
-Findings faint_lines(const DrawList& list);
+Findings faint_lines(const figure::DrawList& list);
 
 }  // namespace tribolog::render::legibility

@@ -7,7 +7,7 @@ namespace tribolog::render::legibility {
 
 std::string in_words(const Finding& finding) {
   const auto pixel = [](double value) { return std::to_string(std::lround(value)); };
-  const PixelBox& at = finding.place;
+  const figure::PixelBox& at = finding.place;
   return finding.what + " at " + pixel(at.left) + ".." + pixel(at.right) + " x " + pixel(at.top) +
          ".." + pixel(at.bottom) + " px";
 }

@@ -11,7 +11,7 @@ namespace tribolog::render::legibility {
 /// `place` is in pixels of the figure.
 struct Finding {
   std::string what;
-  PixelBox place;
+  figure::PixelBox place;
 };
 
 using Findings = std::vector<Finding>;

@@ -15,12 +15,12 @@
 namespace tribolog::render::legibility {
 namespace {
 
-constexpr Colour dark{25, 25, 25};
-constexpr Colour paper{255, 255, 255};
+constexpr figure::Colour dark{25, 25, 25};
+constexpr figure::Colour paper{255, 255, 255};
 
-TextRun run(const std::string& text, const PixelBox& box, int index = 0) {
-  TextRun out;
-  out.owner = {Role::label_text, 0, index};
+figure::TextRun run(const std::string& text, const figure::PixelBox& box, int index = 0) {
+  figure::TextRun out;
+  out.owner = {figure::Role::label_text, 0, index};
   out.text = text;
   out.size = 26;
   out.colour = dark;
@@ -28,23 +28,28 @@ TextRun run(const std::string& text, const PixelBox& box, int index = 0) {
   return out;
 }
 
-Polygon ground(const PixelBox& box, Role role, Colour colour) {
+figure::Polygon ground(const figure::PixelBox& box, figure::Role role, figure::Colour colour) {
   return {
       {role, 0, 0},
       {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}},
       colour};
 }
 
-Polyline curve(PixelPoint from, PixelPoint to, Colour colour = palette::blue) {
-  return {{Role::series, 0, 0}, {from, to}, 4, colour, {}};
+figure::Polyline curve(figure::PixelPoint from, figure::PixelPoint to,
+                       figure::Colour colour = figure::palette::blue) {
+  return {{figure::Role::series, 0, 0}, {from, to}, 4, colour, {}};
 }
 
-Markers dots(std::vector<PixelPoint> centres) {
-  return {{Role::series_marker, 0, 0}, Marker::circle, std::move(centres), 12, palette::blue};
+figure::Markers dots(std::vector<figure::PixelPoint> centres) {
+  return {{figure::Role::series_marker, 0, 0},
+          figure::Marker::circle,
+          std::move(centres),
+          12,
+          figure::palette::blue};
 }
 
-DrawList list_of(std::vector<Primitive> primitives) {
-  DrawList list;
+figure::DrawList list_of(std::vector<figure::Primitive> primitives) {
+  figure::DrawList list;
   list.width = 1600;
   list.height = 1000;
   list.plots = {{100, 100, 1500, 900}};
@@ -52,7 +57,7 @@ DrawList list_of(std::vector<Primitive> primitives) {
   return list;
 }
 
-const PixelBox place{300, 300, 420, 330};
+const figure::PixelBox place{300, 300, 420, 330};
 
 TEST(Legibility, FindsTextsOverEachOther) {
   const auto found =
@@ -72,8 +77,9 @@ TEST(Legibility, FindsTextsOffThePicture) {
 }
 
 TEST(Legibility, FindsTextsOnDataUnlessTheyHaveABacking) {
-  const Polyline through = curve({200, 315}, {600, 315});
-  const Polygon backing = ground(place.grown(3), Role::text_backing, {255, 255, 255, 215});
+  const figure::Polyline through = curve({200, 315}, {600, 315});
+  const figure::Polygon backing =
+      ground(place.grown(3), figure::Role::text_backing, {255, 255, 255, 215});
   EXPECT_EQ(texts_on_data(list_of({through, run("A", place)})).size(), 1U);
   EXPECT_TRUE(texts_on_data(list_of({through, backing, run("A", place)})).empty());
   EXPECT_EQ(texts_on_data(list_of({backing, through, run("A", place)})).size(), 1U)
@@ -85,67 +91,72 @@ TEST(Legibility, FindsTextsOnDataUnlessTheyHaveABacking) {
 }
 
 TEST(Legibility, FindsSingleMarkersUnderATextButNotACloud) {
-  const Polygon backing = ground(place.grown(3), Role::text_backing, {255, 255, 255, 215});
+  const figure::Polygon backing =
+      ground(place.grown(3), figure::Role::text_backing, {255, 255, 255, 215});
   EXPECT_EQ(markers_under_texts(list_of({dots({{350, 332}}), backing, run("A", place)})).size(),
             1U);
   EXPECT_TRUE(markers_under_texts(list_of({dots({{350, 340}}), backing, run("A", place)})).empty());
-  const std::vector<PixelPoint> many(200, {350, 315});
+  const std::vector<figure::PixelPoint> many(200, {350, 315});
   EXPECT_TRUE(markers_under_texts(list_of({dots(many), backing, run("A", place)})).empty());
-  Polyline bar = curve({350, 100}, {350, 800});
-  bar.owner.role = Role::error_bar;
+  figure::Polyline bar = curve({350, 100}, {350, 800});
+  bar.owner.role = figure::Role::error_bar;
   EXPECT_EQ(markers_under_texts(list_of({bar, backing, run("A", place)})).size(), 1U);
 }
 
 TEST(Legibility, FindsDataUnderALegend) {
-  const Polygon legend = ground({200, 200, 400, 400}, Role::legend_box, paper);
+  const figure::Polygon legend = ground({200, 200, 400, 400}, figure::Role::legend_box, paper);
   EXPECT_EQ(data_under_legends(list_of({curve({100, 300}, {500, 300}), legend})).size(), 1U);
   EXPECT_TRUE(data_under_legends(list_of({curve({100, 500}, {500, 500}), legend})).empty());
 }
 
 TEST(Contrast, IsThatOfTheGuidelines) {
-  EXPECT_NEAR(contrast_ratio({0, 0, 0}, paper), 21, 1e-9);
-  EXPECT_NEAR(contrast_ratio(paper, paper), 1, 1e-9);
+  EXPECT_NEAR(figure::contrast_ratio({0, 0, 0}, paper), 21, 1e-9);
+  EXPECT_NEAR(figure::contrast_ratio(paper, paper), 1, 1e-9);
   // The two greys that every table of the guidelines has: just enough, and just not.
-  EXPECT_GE(contrast_ratio({118, 118, 118}, paper), 4.5);
-  EXPECT_LT(contrast_ratio({119, 119, 119}, paper), 4.5);
-  EXPECT_EQ(laid_on(paper, {0, 0, 0, 128}), (Colour{127, 127, 127}));
+  EXPECT_GE(figure::contrast_ratio({118, 118, 118}, paper), 4.5);
+  EXPECT_LT(figure::contrast_ratio({119, 119, 119}, paper), 4.5);
+  EXPECT_EQ(laid_on(paper, {0, 0, 0, 128}), (figure::Colour{127, 127, 127}));
 }
 
 TEST(Contrast, DarkensColoursUntilLettersInThemAreReadable) {
-  for (const Colour colour : {palette::orange, palette::sky_blue, palette::green, palette::yellow,
-                              palette::vermilion, palette::purple, palette::grey}) {
-    const Colour darker = readable_on_paper(colour);
-    EXPECT_GE(contrast_ratio(darker, paper), least_text_contrast);
-    EXPECT_LT(contrast_ratio(darker, paper), 5.2) << "no darker than needed";
+  for (const figure::Colour colour :
+       {figure::palette::orange, figure::palette::sky_blue, figure::palette::green,
+        figure::palette::yellow, figure::palette::vermilion, figure::palette::purple,
+        figure::palette::grey}) {
+    const figure::Colour darker = figure::readable_on_paper(colour);
+    EXPECT_GE(figure::contrast_ratio(darker, paper), figure::least_text_contrast);
+    EXPECT_LT(figure::contrast_ratio(darker, paper), 5.2) << "no darker than needed";
   }
-  EXPECT_EQ(readable_on_paper(palette::blue), palette::blue);
+  EXPECT_EQ(figure::readable_on_paper(figure::palette::blue), figure::palette::blue);
 }
 
 TEST(Legibility, FindsFaintTexts) {
-  TextRun orange = run("A", place);
-  orange.colour = palette::orange;
+  figure::TextRun orange = run("A", place);
+  orange.colour = figure::palette::orange;
   EXPECT_EQ(faint_texts(list_of({orange})).size(), 1U);
   EXPECT_TRUE(faint_texts(list_of({run("A", place)})).empty());
-  const Polygon shade = ground(place.grown(3), Role::block_fill, {60, 60, 60});
+  const figure::Polygon shade = ground(place.grown(3), figure::Role::block_fill, {60, 60, 60});
   EXPECT_EQ(faint_texts(list_of({shade, run("A", place)})).size(), 1U);
-  const Polygon backing = ground(place.grown(3), Role::text_backing, {255, 255, 255, 215});
+  const figure::Polygon backing =
+      ground(place.grown(3), figure::Role::text_backing, {255, 255, 255, 215});
   EXPECT_TRUE(faint_texts(list_of({shade, backing, run("A", place)})).empty());
 }
 
 TEST(Legibility, FindsFaintLines) {
-  constexpr Colour pale{200, 200, 200};
+  constexpr figure::Colour pale{200, 200, 200};
   EXPECT_EQ(faint_lines(list_of({curve({200, 200}, {400, 400}, pale)})).size(), 1U);
-  EXPECT_TRUE(faint_lines(list_of({curve({200, 200}, {400, 400}, palette::purple)})).empty());
+  EXPECT_TRUE(
+      faint_lines(list_of({curve({200, 200}, {400, 400}, figure::palette::purple)})).empty());
   EXPECT_TRUE(
       faint_lines(list_of({curve({200, 200}, {400, 400}, pale), curve({0, 0}, {9, 9})})).empty())
       << "samples under their fit";
-  Polyline thin = curve({200, 200}, {400, 400}, palette::orange);
+  figure::Polyline thin = curve({200, 200}, {400, 400}, figure::palette::orange);
   thin.width = 1;
   EXPECT_EQ(faint_lines(list_of({thin})).size(), 1U);
 }
 
 TEST(Legibility, FindsSmallLetters) {
-  TextRun small = run("A", place);
+  figure::TextRun small = run("A", place);
   small.size = 20;  // at 10 px to the millimetre
   EXPECT_EQ(small_letters(list_of({small}), 7).size(), 1U);
   EXPECT_TRUE(small_letters(list_of({run("A", place)}), 7).empty());
@@ -154,18 +165,18 @@ TEST(Legibility, FindsSmallLetters) {
 }
 
 TEST(Legibility, FindsPanelsWithoutData) {
-  Figure figure = examples::plain();
-  const Font font;
-  EXPECT_TRUE(empty_panels(lay_out(figure, font), figure).empty());
+  figure::Figure figure = examples::plain();
+  const text::Font font;
+  EXPECT_TRUE(empty_panels(composition::lay_out(figure, font), figure).empty());
   figure.panels.push_back(figure.panels.front());
   figure.panels.back().series.clear();
-  const auto found = empty_panels(lay_out(figure, font), figure);
+  const auto found = empty_panels(composition::lay_out(figure, font), figure);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].what, "panel 2 shows no data");
 }
 
 TEST(Legibility, FindsAxesWithoutUnit) {
-  Figure figure;
+  figure::Figure figure;
   figure.panels.resize(1);
   figure.panels[0].x.title = "time t [s]";
   figure.panels[0].y.title = "torque T";
@@ -183,7 +194,7 @@ TEST(Legibility, FindsDataOutsideTheAxes) {
 }
 
 TEST(Legibility, FindsInkAtTheBorderOfAPicture) {
-  Picture picture{4, 3, std::vector<std::uint8_t>(36, 255)};
+  figure::Picture picture{4, 3, std::vector<std::uint8_t>(36, 255)};
   EXPECT_TRUE(ink_at_border(picture).empty());
   picture.rgb[0] = 254;
   EXPECT_TRUE(ink_at_border(picture).empty()) << "white of a palette";

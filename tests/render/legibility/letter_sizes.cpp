@@ -6,7 +6,7 @@
 
 namespace tribolog::render::legibility {
 
-Findings small_letters(const DrawList& list, double least_pt) {
+Findings small_letters(const figure::DrawList& list, double least_pt) {
   constexpr double points_per_mm = 72 / 25.4;
   constexpr double rounding_px = 0.5;  // sizes are whole pixels
   Findings out;

@@ -8,6 +8,6 @@ namespace tribolog::render::legibility {
 
 /// Texts with letters of less than so many points where the figure has its width in print. Indices
 /// and exponents go with their letters.
-Findings small_letters(const DrawList& list, double least_pt);
+Findings small_letters(const figure::DrawList& list, double least_pt);
 
 }  // namespace tribolog::render::legibility

@@ -7,14 +7,14 @@ namespace tribolog::render::legibility {
 namespace {
 
 /// A PNG of few colours may stand for white with its neighbour.
-bool is_paper(Colour c) {
+bool is_paper(figure::Colour c) {
   constexpr int lightest_ink = 247;
   return std::min({c.red, c.green, c.blue}) > lightest_ink;
 }
 
 }  // namespace
 
-Findings ink_at_border(const Picture& picture) {
+Findings ink_at_border(const figure::Picture& picture) {
   Findings out;
   const auto look = [&](const char* edge, int from_x, int from_y, int step_x, int step_y,
                         int count) {
@@ -22,7 +22,7 @@ Findings ink_at_border(const Picture& picture) {
       const int x = from_x + i * step_x;
       const int y = from_y + i * step_y;
       if (is_paper(picture.at(x, y))) continue;
-      const PixelPoint p{static_cast<double>(x), static_cast<double>(y)};
+      const figure::PixelPoint p{static_cast<double>(x), static_cast<double>(y)};
       out.push_back({std::string("ink at the ") + edge + " edge", {p.x, p.y, p.x + 1, p.y + 1}});
       return;
     }

@@ -8,6 +8,6 @@ namespace tribolog::render::legibility {
 
 /// Ink in the outermost pixels: every figure has a white margin, so what reaches them goes on
 /// beyond. At most one finding for each edge.
-Findings ink_at_border(const Picture& picture);
+Findings ink_at_border(const figure::Picture& picture);
 
 }  // namespace tribolog::render::legibility

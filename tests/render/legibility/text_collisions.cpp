@@ -18,29 +18,30 @@ constexpr double graze_px = 1.0;    // what data may reach into a text's box: it
 constexpr std::size_t cloud = 150;  // markers from which on single ones do not matter
 constexpr double visible_share = 0.75;  // of a marker's size, that must stay free of a text
 
-bool is_data(Role role) {
-  static const std::set<Role> data{Role::series,          Role::series_marker, Role::error_bar,
-                                   Role::direction_arrow, Role::label_marker,  Role::label_leader,
-                                   Role::reference_line,  Role::wire,          Role::wire_head,
-                                   Role::branch_dot,      Role::shape,         Role::scene_line};
+bool is_data(figure::Role role) {
+  static const std::set<figure::Role> data{
+      figure::Role::series,          figure::Role::series_marker, figure::Role::error_bar,
+      figure::Role::direction_arrow, figure::Role::label_marker,  figure::Role::label_leader,
+      figure::Role::reference_line,  figure::Role::wire,          figure::Role::wire_head,
+      figure::Role::branch_dot,      figure::Role::shape,         figure::Role::scene_line};
   return data.count(role) > 0;
 }
 
-const char* words_for(Role role) {
+const char* words_for(figure::Role role) {
   switch (role) {
-    case Role::series:
+    case figure::Role::series:
       return "a curve";
-    case Role::series_marker:
+    case figure::Role::series_marker:
       return "a marker";
-    case Role::error_bar:
+    case figure::Role::error_bar:
       return "an interval";
-    case Role::direction_arrow:
+    case figure::Role::direction_arrow:
       return "an arrow of direction";
-    case Role::label_marker:
+    case figure::Role::label_marker:
       return "a point with a name";
-    case Role::label_leader:
+    case figure::Role::label_leader:
       return "a leader";
-    case Role::reference_line:
+    case figure::Role::reference_line:
       return "a reference line";
     default:
       return "a line of the drawing";
@@ -48,34 +49,34 @@ const char* words_for(Role role) {
 }
 
 /// "a marker of series 3 in panel 1"
-std::string named(const Owner& owner) {
+std::string named(const figure::Owner& owner) {
   return std::string(words_for(owner.role)) + " (" + std::to_string(owner.index + 1) +
          " of panel " + std::to_string(owner.panel + 1) + ")";
 }
 
-PixelBox around(const std::vector<PixelPoint>& outline) {
-  PixelBox box{1e9, 1e9, -1e9, -1e9};
-  for (const PixelPoint& p : outline) {
+figure::PixelBox around(const std::vector<figure::PixelPoint>& outline) {
+  figure::PixelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const figure::PixelPoint& p : outline) {
     box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x),
            std::max(box.bottom, p.y)};
   }
   return box;
 }
 
-PixelBox around(PixelPoint centre, double size) {
-  return PixelBox{centre.x, centre.y, centre.x, centre.y}.grown(size / 2);
+figure::PixelBox around(figure::PixelPoint centre, double size) {
+  return figure::PixelBox{centre.x, centre.y, centre.x, centre.y}.grown(size / 2);
 }
 
-bool enters(const Primitive& primitive, const PixelBox& box) {
-  if (const auto* line = std::get_if<Polyline>(&primitive)) {
-    return render::enters(line->points, box.grown(line->width / 2));
+bool enters(const figure::Primitive& primitive, const figure::PixelBox& box) {
+  if (const auto* line = std::get_if<figure::Polyline>(&primitive)) {
+    return layout::enters(line->points, box.grown(line->width / 2));
   }
-  if (const auto* polygon = std::get_if<Polygon>(&primitive)) {
-    return overlap_area(around(polygon->outline), box) > 0;
+  if (const auto* polygon = std::get_if<figure::Polygon>(&primitive)) {
+    return figure::overlap_area(around(polygon->outline), box) > 0;
   }
-  if (const auto* markers = std::get_if<Markers>(&primitive)) {
-    return std::any_of(markers->centres.begin(), markers->centres.end(), [&](PixelPoint c) {
-      return overlap_area(around(c, markers->size), box) > 0;
+  if (const auto* markers = std::get_if<figure::Markers>(&primitive)) {
+    return std::any_of(markers->centres.begin(), markers->centres.end(), [&](figure::PixelPoint c) {
+      return figure::overlap_area(around(c, markers->size), box) > 0;
     });
   }
   return false;
@@ -83,20 +84,21 @@ bool enters(const Primitive& primitive, const PixelBox& box) {
 
 /// The grounds that are painted below texts, each with its place in the list.
 struct Ground {
-  PixelBox box;
+  figure::PixelBox box;
   std::size_t painted{};
 };
 
-std::vector<Ground> grounds_of(const DrawList& list) {
+std::vector<Ground> grounds_of(const figure::DrawList& list) {
   std::vector<Ground> out;
   for (std::size_t i = 0; i < list.primitives.size(); ++i) {
-    const Role role = owner_of(list.primitives[i]).role;
-    if (role != Role::text_backing && role != Role::legend_box && role != Role::block_fill)
+    const figure::Role role = figure::owner_of(list.primitives[i]).role;
+    if (role != figure::Role::text_backing && role != figure::Role::legend_box &&
+        role != figure::Role::block_fill)
       continue;
     // In scenes the backing is the text itself, in white and moved a little each way.
-    if (const auto* polygon = std::get_if<Polygon>(&list.primitives[i])) {
+    if (const auto* polygon = std::get_if<figure::Polygon>(&list.primitives[i])) {
       out.push_back({around(polygon->outline), i});
-    } else if (const auto* run = std::get_if<TextRun>(&list.primitives[i])) {
+    } else if (const auto* run = std::get_if<figure::TextRun>(&list.primitives[i])) {
       out.push_back({run->box.grown(run->size * 0.25), i});
     }
   }
@@ -107,7 +109,7 @@ bool is_backed(const ShownText& text, std::size_t data_painted,
                const std::vector<Ground>& grounds) {
   return std::any_of(grounds.begin(), grounds.end(), [&](const Ground& one) {
     return one.painted > data_painted && one.painted < text.painted &&
-           overlap_area(one.box, text.box) > 0;
+           figure::overlap_area(one.box, text.box) > 0;
   });
 }
 
@@ -117,34 +119,35 @@ Finding found(const ShownText& text, const std::string& what) {
 
 }  // namespace
 
-Findings overlapping_texts(const DrawList& list) {
+Findings overlapping_texts(const figure::DrawList& list) {
   Findings out;
   const auto all = texts_of(list);
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if (overlap_area(all[i].box, all[j].box) <= touch_px2) continue;
+      if (figure::overlap_area(all[i].box, all[j].box) <= touch_px2) continue;
       out.push_back(found(all[j], "lies over '" + all[i].words + "'"));
     }
   }
   return out;
 }
 
-Findings texts_off_the_picture(const DrawList& list) {
+Findings texts_off_the_picture(const figure::DrawList& list) {
   Findings out;
-  const PixelBox picture{0, 0, static_cast<double>(list.width), static_cast<double>(list.height)};
+  const figure::PixelBox picture{0, 0, static_cast<double>(list.width),
+                                 static_cast<double>(list.height)};
   for (const ShownText& one : texts_of(list)) {
     if (!picture.contains(one.box)) out.push_back(found(one, "leaves the picture"));
   }
   return out;
 }
 
-Findings texts_on_data(const DrawList& list) {
+Findings texts_on_data(const figure::DrawList& list) {
   Findings out;
   const std::vector<Ground> grounds = grounds_of(list);
   for (const ShownText& text : texts_of(list)) {
-    const PixelBox letters = text.box.grown(-graze_px);
+    const figure::PixelBox letters = text.box.grown(-graze_px);
     for (std::size_t i = 0; i < list.primitives.size(); ++i) {
-      const Owner& owner = owner_of(list.primitives[i]);
+      const figure::Owner& owner = figure::owner_of(list.primitives[i]);
       if (!is_data(owner.role) || !enters(list.primitives[i], letters)) continue;
       if (i > text.painted) {
         out.push_back(found(text, "has " + named(owner) + " painted over it"));
@@ -156,24 +159,25 @@ Findings texts_on_data(const DrawList& list) {
   return out;
 }
 
-Findings markers_under_texts(const DrawList& list) {
+Findings markers_under_texts(const figure::DrawList& list) {
   Findings out;
   const std::vector<ShownText> texts = texts_of(list);
   for (std::size_t i = 0; i < list.primitives.size(); ++i) {
-    const Owner& owner = owner_of(list.primitives[i]);
-    const auto* markers = std::get_if<Markers>(&list.primitives[i]);
-    const auto* line = std::get_if<Polyline>(&list.primitives[i]);
-    const bool counts = (markers != nullptr && markers->centres.size() < cloud &&
-                         (owner.role == Role::series_marker || owner.role == Role::label_marker)) ||
-                        (line != nullptr && owner.role == Role::error_bar);
+    const figure::Owner& owner = figure::owner_of(list.primitives[i]);
+    const auto* markers = std::get_if<figure::Markers>(&list.primitives[i]);
+    const auto* line = std::get_if<figure::Polyline>(&list.primitives[i]);
+    const bool counts =
+        (markers != nullptr && markers->centres.size() < cloud &&
+         (owner.role == figure::Role::series_marker || owner.role == figure::Role::label_marker)) ||
+        (line != nullptr && owner.role == figure::Role::error_bar);
     if (!counts) continue;
     for (const ShownText& text : texts) {
-      if (text.owner.role == Role::legend_text || text.painted < i) continue;
+      if (text.owner.role == figure::Role::legend_text || text.painted < i) continue;
       bool hidden = false;
-      if (line != nullptr) hidden = render::enters(line->points, text.box);
+      if (line != nullptr) hidden = layout::enters(line->points, text.box);
       for (std::size_t k = 0; markers != nullptr && k < markers->centres.size(); ++k) {
-        const PixelBox core = around(markers->centres[k], visible_share * markers->size);
-        hidden = hidden || overlap_area(core, text.box) > touch_px2;
+        const figure::PixelBox core = around(markers->centres[k], visible_share * markers->size);
+        hidden = hidden || figure::overlap_area(core, text.box) > touch_px2;
       }
       if (hidden) out.push_back(found(text, "hides " + named(owner)));
     }
@@ -181,14 +185,14 @@ Findings markers_under_texts(const DrawList& list) {
   return out;
 }
 
-Findings data_under_legends(const DrawList& list) {
+Findings data_under_legends(const figure::DrawList& list) {
   Findings out;
   for (std::size_t i = 0; i < list.primitives.size(); ++i) {
-    const auto* legend = std::get_if<Polygon>(&list.primitives[i]);
-    if (legend == nullptr || legend->owner.role != Role::legend_box) continue;
-    const PixelBox box = around(legend->outline);
-    for (const Primitive& other : list.primitives) {
-      const Owner& owner = owner_of(other);
+    const auto* legend = std::get_if<figure::Polygon>(&list.primitives[i]);
+    if (legend == nullptr || legend->owner.role != figure::Role::legend_box) continue;
+    const figure::PixelBox box = around(legend->outline);
+    for (const figure::Primitive& other : list.primitives) {
+      const figure::Owner& owner = figure::owner_of(other);
       if (!is_data(owner.role) || !enters(other, box)) continue;
       out.push_back({"the legend of panel " + std::to_string(legend->owner.panel + 1) + " hides " +
                          named(owner),

@@ -7,21 +7,21 @@
 namespace tribolog::render::legibility {
 
 /// Two texts of different owners whose boxes share more than a pixel.
-Findings overlapping_texts(const DrawList& list);
+Findings overlapping_texts(const figure::DrawList& list);
 
 /// Texts that reach beyond the picture.
-Findings texts_off_the_picture(const DrawList& list);
+Findings texts_off_the_picture(const figure::DrawList& list);
 
 /// Texts with data under them and no backing between, or with data painted over them. Data are
 /// curves, markers, intervals, arrows of direction, points with a name, leaders and reference
 /// lines; in drawings wires, shapes and lines.
-Findings texts_on_data(const DrawList& list);
+Findings texts_on_data(const figure::DrawList& list);
 
 /// Markers and intervals, few enough to be looked at one by one, that the text before them or its
 /// backing hides. Of a cloud of markers no single one matters.
-Findings markers_under_texts(const DrawList& list);
+Findings markers_under_texts(const figure::DrawList& list);
 
 /// Data under a legend.
-Findings data_under_legends(const DrawList& list);
+Findings data_under_legends(const figure::DrawList& list);
 
 }  // namespace tribolog::render::legibility

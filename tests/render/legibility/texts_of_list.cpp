@@ -8,25 +8,25 @@
 namespace tribolog::render::legibility {
 namespace {
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
+figure::PixelBox around(const figure::PixelBox& a, const figure::PixelBox& b) {
   return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
           std::max(a.bottom, b.bottom)};
 }
 
 /// Lines of one drawing's block share their owner and stand apart from each other; a run with an
 /// index or an accent touches the one before it.
-bool continues(const ShownText& text, const TextRun& run) {
+bool continues(const ShownText& text, const figure::TextRun& run) {
   if (!(text.owner == run.owner)) return false;
-  return overlap_area(text.box.grown(0.4 * text.letter_px), run.box) > 0;
+  return figure::overlap_area(text.box.grown(0.4 * text.letter_px), run.box) > 0;
 }
 
 }  // namespace
 
-std::vector<ShownText> texts_of(const DrawList& list) {
+std::vector<ShownText> texts_of(const figure::DrawList& list) {
   std::vector<ShownText> out;
   for (std::size_t i = 0; i < list.primitives.size(); ++i) {
-    const auto* run = std::get_if<TextRun>(&list.primitives[i]);
-    if (run == nullptr || run->owner.role == Role::text_backing) continue;
+    const auto* run = std::get_if<figure::TextRun>(&list.primitives[i]);
+    if (run == nullptr || run->owner.role == figure::Role::text_backing) continue;
     // An accent follows the line of its letter, and other lines of the owner may stand between.
     auto before = out.rbegin();
     while (before != out.rend() && before->owner == run->owner && !continues(*before, *run)) {

@@ -10,15 +10,15 @@
 namespace tribolog::render::legibility {
 
 struct ShownText {
-  Owner owner;
+  figure::Owner owner;
   std::string words;
-  PixelBox box;           ///< Around all runs.
+  figure::PixelBox box;   ///< Around all runs.
   int letter_px{};        ///< Of the largest run: indices are smaller, and may be.
-  Colour colour;          ///< Of the first run.
+  figure::Colour colour;  ///< Of the first run.
   std::size_t painted{};  ///< Place of the first run in the list.
 };
 
 /// In the order in which they are painted. White outlines below a text are no texts.
-std::vector<ShownText> texts_of(const DrawList& list);
+std::vector<ShownText> texts_of(const figure::DrawList& list);
 
 }  // namespace tribolog::render::legibility

@@ -18,22 +18,23 @@
 namespace tribolog::render {
 namespace {
 
-DrawnExample with_picture(const ReportFigure& figure, const DrawnFigure& picture,
-                          const Font& font) {
+DrawnExample with_picture(const figures::ReportFigure& figure, const workers::DrawnFigure& picture,
+                          const text::Font& font) {
   if (!picture.error.empty()) throw std::runtime_error(picture.id + ": " + picture.error);
-  return {figure, lay_out(figure.figure, font), read_png(picture.png), {}};
+  return {figure, composition::lay_out(figure.figure, font), read_png(picture.png), {}};
 }
 
 }  // namespace
 
-std::vector<ReportFigure> paper_set() {
+std::vector<figures::ReportFigure> paper_set() {
   const std::string examples = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/";
-  const paper::PapersJoint joint(read_scenario(examples + "scenario.toml"),
-                                 read_robot(examples + "am100ib.toml"));
-  return paper_figures(joint);
+  const paper::checks::PapersJoint joint(
+      ingest::manifest::read_scenario(examples + "scenario.toml"),
+      ingest::manifest::read_robot(examples + "am100ib.toml"));
+  return paper::checks::paper_figures(joint);
 }
 
-std::vector<ReportFigure> history_set(std::size_t most_trends) {
+std::vector<figures::ReportFigure> history_set(std::size_t most_trends) {
   test::HistoryShape shape;
   shape.calibrations = 24;
   for (std::size_t k = 0; k < shape.calibrations; ++k) {
@@ -45,37 +46,37 @@ std::vector<ReportFigure> history_set(std::size_t most_trends) {
         return name == "coulomb_torque" && k >= 14 ? 1.08 : 1.0;
       },
       shape);
-  std::vector<ReportFigure> out = trend_figures(history::joint_trends(all, {}));
+  std::vector<figures::ReportFigure> out = figures::trend_figures(history::joint_trends(all, {}));
   if (out.size() > most_trends) out.resize(most_trends);
   const auto comparison = history::compare(all[0], all[20], {10, 2}, false);
-  for (ReportFigure& one :
-       comparison_figures(comparison, test::simple_curves(0), test::simple_curves(0.1))) {
+  for (figures::ReportFigure& one :
+       figures::comparison_figures(comparison, test::simple_curves(0), test::simple_curves(0.1))) {
     out.push_back(std::move(one));
   }
   return out;
 }
 
-std::vector<ReportFigure> publication_set() {
-  const Font font;
-  std::vector<ReportFigure> out;
-  for (ReportFigure& one : paper_set()) {
+std::vector<figures::ReportFigure> publication_set() {
+  const text::Font font;
+  std::vector<figures::ReportFigure> out;
+  for (figures::ReportFigure& one : paper_set()) {
     const bool wanted = one.number == 7 || one.number == 10 || one.number == 13 ||
                         one.number == 15 || one.number == 18;
     if (!wanted) continue;
-    one.figure = for_publication(one.figure, font);
+    one.figure = composition::for_publication(one.figure, font);
     out.push_back(std::move(one));
   }
   return out;
 }
 
-std::vector<ReportFigure> trouble_set() {
-  std::vector<Figure> figures = examples::nasty();
+std::vector<figures::ReportFigure> trouble_set() {
+  std::vector<figure::Figure> figures = examples::nasty();
   figures.push_back(examples::diagram());
   figures.push_back(examples::noisy_sweep());
   figures.push_back(examples::many_curves(12));
-  std::vector<ReportFigure> out;
-  for (Figure& one : figures) {
-    ReportFigure figure;
+  std::vector<figures::ReportFigure> out;
+  for (figure::Figure& one : figures) {
+    figures::ReportFigure figure;
     figure.id = one.id;
     figure.title = one.title;
     figure.figure = std::move(one);
@@ -84,19 +85,20 @@ std::vector<ReportFigure> trouble_set() {
   return out;
 }
 
-std::vector<DrawnExample> drawn(const std::vector<ReportFigure>& figures) {
-  std::vector<Figure> descriptions;
-  std::vector<Figure> scenes;
-  for (const ReportFigure& one : figures) {
+std::vector<DrawnExample> drawn(const std::vector<figures::ReportFigure>& figures) {
+  std::vector<figure::Figure> descriptions;
+  std::vector<figure::Figure> scenes;
+  for (const figures::ReportFigure& one : figures) {
     descriptions.push_back(one.figure);
     if (one.figure.scene) scenes.push_back(one.figure);
   }
-  FigureRenderer renderer(2, scenes.empty() ? Prepared::charts : Prepared::charts_and_scenes);
+  workers::FigureRenderer renderer(
+      2, scenes.empty() ? workers::Prepared::charts : workers::Prepared::charts_and_scenes);
   const auto pictures = renderer.draw(descriptions);
-  DrawOptions solid_only;
+  workers::DrawOptions solid_only;
   solid_only.solid_parts_only = true;
   const auto solid = renderer.draw(scenes, solid_only);
-  const Font font;
+  const text::Font font;
   std::vector<DrawnExample> out;
   std::size_t next_scene = 0;
   for (std::size_t i = 0; i < figures.size(); ++i) {

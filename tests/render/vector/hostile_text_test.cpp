@@ -38,8 +38,8 @@ std::vector<Hostile> hostile_texts() {
           {"ﬁne Ω≤∫ żółć", "ﬁne Ω≤∫ żółć"}};
 }
 
-Figure figure_with(const std::string& text) {
-  Figure figure = examples::plain();
+figure::Figure figure_with(const std::string& text) {
+  figure::Figure figure = examples::plain();
   figure.title = text;
   figure.panels[0].x.title = text;
   figure.panels[0].series[0].label = text;
@@ -47,10 +47,10 @@ Figure figure_with(const std::string& text) {
 }
 
 TEST(HostileTexts, AreTextInSvg) {
-  const Font font;
+  const text::Font font;
   for (const auto& [given, shown] : hostile_texts()) {
-    const DrawList list = lay_out(figure_with(given), font);
-    const std::string svg = svg_document(list, {"id\" onload=\"x", given, given}, font);
+    const figure::DrawList list = composition::lay_out(figure_with(given), font);
+    const std::string svg = vector::svg_document(list, {"id\" onload=\"x", given, given}, font);
     const std::vector<std::string> texts = texts_of_svg(svg);  // throws if not well-formed
     ASSERT_GT(texts.size(), 4U);
     EXPECT_EQ(texts[0], shown);
@@ -65,10 +65,10 @@ TEST(HostileTexts, AreTextInPdf) {
   if (!has_program("pdftotext") || !has_program("qpdf")) {
     GTEST_SKIP() << "poppler-utils or qpdf is not installed";
   }
-  const Font font;
+  const text::Font font;
   for (const auto& [given, shown] : hostile_texts()) {
-    const DrawList list = lay_out(figure_with(given), font);
-    const std::string pdf = pdf_document(list, {"id", given, given}, font);
+    const figure::DrawList list = composition::lay_out(figure_with(given), font);
+    const std::string pdf = vector::pdf_document(list, {"id", given, given}, font);
     EXPECT_EQ(complaints_of_qpdf(pdf), "") << shown;
     const std::string found = text_by_poppler(pdf);
     std::size_t times = 0;
@@ -81,12 +81,12 @@ TEST(HostileTexts, AreTextInPdf) {
 }
 
 TEST(HostileTexts, AreOrdinaryInEveryField) {
-  const Font font;
-  for (const Figure& figure : examples::nasty()) {
-    const DrawList list = lay_out(figure, font);
-    const DocumentTexts texts{figure.id, figure.title, figure.title};
-    EXPECT_NO_THROW(texts_of_svg(svg_document(list, texts, font))) << figure.id;
-    const std::string pdf = pdf_document(list, texts, font);
+  const text::Font font;
+  for (const figure::Figure& figure : examples::nasty()) {
+    const figure::DrawList list = composition::lay_out(figure, font);
+    const vector::DocumentTexts texts{figure.id, figure.title, figure.title};
+    EXPECT_NO_THROW(texts_of_svg(vector::svg_document(list, texts, font))) << figure.id;
+    const std::string pdf = vector::pdf_document(list, texts, font);
     if (has_program("qpdf")) {
       EXPECT_EQ(complaints_of_qpdf(pdf), "") << figure.id;
     }

@@ -15,18 +15,18 @@ namespace {
 using test::ProgramRun;
 using test::ScratchDirectory;
 
-void require_success(const ProgramRun& run, const std::string& what) {
+void require_success(const test::ProgramRun& run, const std::string& what) {
   if (run.status != 0) throw std::runtime_error(what + ": " + run.err.substr(0, 500));
 }
 
-Picture picture_in(const std::string& file) {
+figure::Picture picture_in(const std::string& file) {
   const std::string bytes = test::read_text(file);
   const auto* from = reinterpret_cast<const std::byte*>(bytes.data());
   return read_png({from, from + bytes.size()});
 }
 
-Picture pdf_by(const std::string& program, const std::string& pdf, int width, int height) {
-  const ScratchDirectory scratch;
+figure::Picture pdf_by(const std::string& program, const std::string& pdf, int width, int height) {
+  const test::ScratchDirectory scratch;
   const std::string file = scratch.write("figure.pdf", pdf);
   require_success(
       test::run_shell(fmt::format("{} -png -singlefile -scale-to-x {} -scale-to-y {} '{}' '{}'",
@@ -41,16 +41,16 @@ bool has_program(const std::string& name) {
   return test::run_shell("command -v " + name).status == 0;
 }
 
-Picture pdf_by_cairo(const std::string& pdf, int width, int height) {
+figure::Picture pdf_by_cairo(const std::string& pdf, int width, int height) {
   return pdf_by("pdftocairo", pdf, width, height);
 }
 
-Picture pdf_by_splash(const std::string& pdf, int width, int height) {
+figure::Picture pdf_by_splash(const std::string& pdf, int width, int height) {
   return pdf_by("pdftoppm", pdf, width, height);
 }
 
-Picture svg_by_librsvg(const std::string& svg, int width, int height) {
-  const ScratchDirectory scratch;
+figure::Picture svg_by_librsvg(const std::string& svg, int width, int height) {
+  const test::ScratchDirectory scratch;
   const std::string file = scratch.write("figure.svg", svg);
   const std::string picture = scratch.file("picture.png");
   require_success(test::run_shell(fmt::format("rsvg-convert -w {} -h {} -o '{}' '{}'", width,
@@ -59,8 +59,8 @@ Picture svg_by_librsvg(const std::string& svg, int width, int height) {
   return picture_in(picture);
 }
 
-Picture svg_by_chromium(const std::string& svg, int width, int height) {
-  const ScratchDirectory scratch;
+figure::Picture svg_by_chromium(const std::string& svg, int width, int height) {
+  const test::ScratchDirectory scratch;
   scratch.write("figure.svg", svg);
   const std::string page = scratch.write(
       "page.html",
@@ -78,14 +78,15 @@ Picture svg_by_chromium(const std::string& svg, int width, int height) {
 }
 
 std::string complaints_of_qpdf(const std::string& pdf) {
-  const ScratchDirectory scratch;
-  const ProgramRun run = test::run_shell("qpdf --check '" + scratch.write("figure.pdf", pdf) + "'");
+  const test::ScratchDirectory scratch;
+  const test::ProgramRun run =
+      test::run_shell("qpdf --check '" + scratch.write("figure.pdf", pdf) + "'");
   return run.status == 0 ? std::string() : run.out + run.err;
 }
 
 std::vector<std::string> fonts_by_poppler(const std::string& pdf) {
-  const ScratchDirectory scratch;
-  const ProgramRun run =
+  const test::ScratchDirectory scratch;
+  const test::ProgramRun run =
       test::run_shell("pdffonts '" + scratch.write("figure.pdf", pdf) + "' | tail -n +3");
   require_success(run, "pdffonts");
   std::vector<std::string> out;
@@ -95,8 +96,8 @@ std::vector<std::string> fonts_by_poppler(const std::string& pdf) {
 }
 
 std::string text_by_poppler(const std::string& pdf) {
-  const ScratchDirectory scratch;
-  const ProgramRun run =
+  const test::ScratchDirectory scratch;
+  const test::ProgramRun run =
       test::run_shell("pdftotext -raw '" + scratch.write("figure.pdf", pdf) + "' -");
   require_success(run, "pdftotext");
   return run.out;
@@ -112,8 +113,8 @@ found = [root.find(space + 'title'), root.find(space + 'desc')] + list(root.iter
 assert not list(root.iter(space + 'script'))
 sys.stdout.buffer.write('\n'.join(''.join(one.itertext()) for one in found).encode())
 )";
-  const ScratchDirectory scratch;
-  const ProgramRun run = test::run_shell(fmt::format(
+  const test::ScratchDirectory scratch;
+  const test::ProgramRun run = test::run_shell(fmt::format(
       "python3 '{}' '{}'", scratch.write("texts.py", program), scratch.write("figure.svg", svg)));
   require_success(run, "python3");
   std::vector<std::string> out;

@@ -11,12 +11,12 @@ namespace tribolog::render {
 bool has_program(const std::string& name);
 
 /// Drawn at so many pixels. @throw std::runtime_error with what the program said.
-Picture pdf_by_cairo(const std::string& pdf, int width, int height);
+figure::Picture pdf_by_cairo(const std::string& pdf, int width, int height);
 /// Poppler's own renderer, which widens thin lines to whole pixels.
-Picture pdf_by_splash(const std::string& pdf, int width, int height);
-Picture svg_by_librsvg(const std::string& svg, int width, int height);
+figure::Picture pdf_by_splash(const std::string& pdf, int width, int height);
+figure::Picture svg_by_librsvg(const std::string& svg, int width, int height);
 /// The only one that reads the font inside of the document.
-Picture svg_by_chromium(const std::string& svg, int width, int height);
+figure::Picture svg_by_chromium(const std::string& svg, int width, int height);
 
 /// Empty if the file is sound; else what qpdf complains of.
 std::string complaints_of_qpdf(const std::string& pdf);

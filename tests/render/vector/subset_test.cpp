@@ -62,17 +62,18 @@ class Face {
   FT_Face face_{};
 };
 
-std::map<char32_t, unsigned> glyphs_of(const Font& font, Weight weight) {
+std::map<char32_t, unsigned> glyphs_of(const text::Font& font, text::Weight weight) {
   std::map<char32_t, unsigned> out;
   for (const char32_t c : sample) out.emplace(c, font.glyph(weight, c));
   return out;
 }
 
 TEST(TrueTypeSubset, HasTheSameLettersAsTheFont) {
-  const Font font;
-  for (const Weight weight : {Weight::regular, Weight::bold}) {
-    const TrueTypeFile file(font.file(weight));
-    const TrueTypeSubset subset = true_type_subset(file, glyphs_of(font, weight), "T");
+  const text::Font font;
+  for (const text::Weight weight : {text::Weight::regular, text::Weight::bold}) {
+    const vector::TrueTypeFile file(font.file(weight));
+    const vector::TrueTypeSubset subset =
+        vector::true_type_subset(file, glyphs_of(font, weight), "T");
     Face whole(test::read_text(font.file(weight)));
     Face part(subset.bytes);
     for (const char32_t c : sample) {
@@ -94,39 +95,40 @@ TEST(TrueTypeSubset, HasTheSameLettersAsTheFont) {
 }
 
 TEST(TrueTypeSubset, IsTheSameEachTimeAndAddsUp) {
-  const Font font;
-  const TrueTypeFile file(font.file(Weight::regular));
-  const auto glyphs = glyphs_of(font, Weight::regular);
-  const std::string bytes = true_type_subset(file, glyphs, "T").bytes;
-  EXPECT_EQ(true_type_subset(file, glyphs, "T").bytes, bytes);
+  const text::Font font;
+  const vector::TrueTypeFile file(font.file(text::Weight::regular));
+  const auto glyphs = glyphs_of(font, text::Weight::regular);
+  const std::string bytes = vector::true_type_subset(file, glyphs, "T").bytes;
+  EXPECT_EQ(vector::true_type_subset(file, glyphs, "T").bytes, bytes);
   std::uint32_t sum = 0;
-  for (std::size_t i = 0; i < bytes.size(); i += 4) sum += u32_at(bytes, i);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) sum += vector::u32_at(bytes, i);
   EXPECT_EQ(sum, 0xB1B0AFBAU) << "of the whole file, as the format demands";
 }
 
 TEST(TrueTypeSubset, TakesCharactersOfEveryPlane) {
-  const Font font;
+  const text::Font font;
   constexpr char32_t beyond = 0x1D538;  // a double-struck A
-  if (!font.has(Weight::regular, beyond)) GTEST_SKIP() << "this version of the font has none";
-  const TrueTypeFile file(font.file(Weight::regular));
-  const TrueTypeSubset subset = true_type_subset(
-      file,
-      {{U'A', font.glyph(Weight::regular, U'A')}, {beyond, font.glyph(Weight::regular, beyond)}},
-      "T");
-  Face whole(test::read_text(font.file(Weight::regular)));
+  if (!font.has(text::Weight::regular, beyond)) GTEST_SKIP() << "this version of the font has none";
+  const vector::TrueTypeFile file(font.file(text::Weight::regular));
+  const vector::TrueTypeSubset subset =
+      vector::true_type_subset(file,
+                               {{U'A', font.glyph(text::Weight::regular, U'A')},
+                                {beyond, font.glyph(text::Weight::regular, beyond)}},
+                               "T");
+  Face whole(test::read_text(font.file(text::Weight::regular)));
   Face part(subset.bytes);
   EXPECT_EQ(part.outline(beyond), whole.outline(beyond));
 }
 
 TEST(TrueTypeFile, RefusesWhatIsNoUsableFont) {
-  const Font font;
-  const std::string whole = test::read_text(font.file(Weight::regular));
+  const text::Font font;
+  const std::string whole = test::read_text(font.file(text::Weight::regular));
   const test::ScratchDirectory scratch;
   const auto read = [&](const std::string& bytes) {
-    const TrueTypeFile file(scratch.write("font.ttf", bytes));
-    static_cast<void>(true_type_subset(file, glyphs_of(font, Weight::regular), "T"));
+    const vector::TrueTypeFile file(scratch.write("font.ttf", bytes));
+    static_cast<void>(vector::true_type_subset(file, glyphs_of(font, text::Weight::regular), "T"));
   };
-  EXPECT_THROW(TrueTypeFile("/nonexistent.ttf"), FigureError);
+  EXPECT_THROW(vector::TrueTypeFile("/nonexistent.ttf"), FigureError);
   EXPECT_THROW(read(""), FigureError);
   EXPECT_THROW(read("OTTO" + whole.substr(4)), FigureError);
   EXPECT_THROW(read("not a font at all"), FigureError);
@@ -137,8 +139,8 @@ TEST(TrueTypeFile, RefusesWhatIsNoUsableFont) {
 
 // No damage makes it read beyond its bytes (the sanitizers look on) or fail in another way.
 TEST(TrueTypeFile, SurvivesDamage) {
-  const Font font;
-  const std::string whole = test::read_text(font.file(Weight::regular));
+  const text::Font font;
+  const std::string whole = test::read_text(font.file(text::Weight::regular));
   const test::ScratchDirectory scratch;
   unsigned long long state = 1;
   int refused = 0;
@@ -151,8 +153,9 @@ TEST(TrueTypeFile, SurvivesDamage) {
       damaged[(state >> 20U) % reach] = static_cast<char>(state >> 56U);
     }
     try {
-      const TrueTypeFile file(scratch.write("font.ttf", damaged));
-      static_cast<void>(true_type_subset(file, glyphs_of(font, Weight::regular), "T"));
+      const vector::TrueTypeFile file(scratch.write("font.ttf", damaged));
+      static_cast<void>(
+          vector::true_type_subset(file, glyphs_of(font, text::Weight::regular), "T"));
     } catch (const FigureError&) {
       ++refused;
     }
@@ -161,14 +164,14 @@ TEST(TrueTypeFile, SurvivesDamage) {
 }
 
 TEST(TrueTypeFile, RefusesAFontThatForbidsEmbedding) {
-  const Font font;
-  std::string bytes = test::read_text(font.file(Weight::regular));
+  const text::Font font;
+  std::string bytes = test::read_text(font.file(text::Weight::regular));
   const std::size_t entry = bytes.find("OS/2");
   ASSERT_LT(entry, 400U);
-  bytes[u32_at(bytes, entry + 8) + 9] = 2;  // fsType: restricted licence
+  bytes[vector::u32_at(bytes, entry + 8) + 9] = 2;  // fsType: restricted licence
   const test::ScratchDirectory scratch;
   try {
-    const TrueTypeFile file(scratch.write("font.ttf", bytes));
+    const vector::TrueTypeFile file(scratch.write("font.ttf", bytes));
     FAIL();
   } catch (const FigureError& error) {
     EXPECT_NE(std::string(error.what()).find("forbids to be embedded"), std::string::npos);

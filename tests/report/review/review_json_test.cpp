@@ -23,12 +23,13 @@ using Json = nlohmann::json;
 
 constexpr double six_digits = 5e-6;  // rounding to six significant digits, relative
 
-const Calibration& noisy_joint() {
-  static const Calibration calibration = identify(simulated_dataset(noisy_paper_joint(3)));
+const calibration::Calibration& noisy_joint() {
+  static const calibration::Calibration calibration =
+      identify::identify(simulate::simulated_dataset(noisy_paper_joint(3)));
   return calibration;
 }
 
-Json data_of(const Calibration& calibration) {
+Json data_of(const calibration::Calibration& calibration) {
   return Json::parse(report::review_json(calibration));
 }
 
@@ -49,7 +50,7 @@ std::string cell_of(const std::string& text) {
 }
 
 TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
-  const LoopTrace& trace = noisy_joint().hysteresis.traces.front();
+  const method::hysteresis::LoopTrace& trace = noisy_joint().hysteresis.traces.front();
   const Json data = data_of(noisy_joint());
   ASSERT_EQ(data["loops"].size(), 1U);
   const Json& loop = data["loops"][0];
@@ -74,7 +75,7 @@ TEST(ReviewJson, ALoopsColumnsAreSamplesOfTheTrace) {
 }
 
 TEST(ReviewJson, ExtremesStay) {
-  const LoopTrace& trace = noisy_joint().hysteresis.traces.front();
+  const method::hysteresis::LoopTrace& trace = noisy_joint().hysteresis.traces.front();
   const Json data = data_of(noisy_joint());
   const auto extremes = [&](const std::vector<double>& signal, const char* name) {
     const auto shown = data["loops"][0][name].get<std::vector<double>>();
@@ -88,7 +89,7 @@ TEST(ReviewJson, ExtremesStay) {
 }
 
 TEST(ReviewJson, PointsAndMidlineAreThoseOfTheTables) {
-  const HysteresisResult& h = noisy_joint().hysteresis;
+  const method::hysteresis::HysteresisResult& h = noisy_joint().hysteresis;
   const Json data = data_of(noisy_joint());
   const std::string page = report_of(noisy_joint());
   const std::string tables = page.substr(0, page.find("<script type"));
@@ -111,7 +112,7 @@ TEST(ReviewJson, PointsAndMidlineAreThoseOfTheTables) {
 }
 
 TEST(ReviewJson, CandidatesHaveTheirCurvesErrorsAndTheTablesTexts) {
-  const Calibration& c = noisy_joint();
+  const calibration::Calibration& c = noisy_joint();
   const Json data = data_of(c);
   const std::string page = report_of(c);
   const std::string tables = page.substr(0, page.find("<script type"));
@@ -119,8 +120,8 @@ TEST(ReviewJson, CandidatesHaveTheirCurvesErrorsAndTheTablesTexts) {
   std::size_t recommended = 0;
   for (const Json& one : data["candidates"]) {
     const std::string name = one["name"];
-    const ViscousCurve* curve = c.viscous.find(name);
-    const QualityError* error = c.quality.find(name);
+    const method::viscous::ViscousCurve* curve = c.viscous.find(name);
+    const method::selection::QualityError* error = c.quality.find(name);
     ASSERT_TRUE(curve && error) << name;
     for (std::size_t i = 0; i < c.viscous.runs.size(); ++i) {
       expect_digits(one["f"][i], curve->friction_Nm[i], factor_of(data, "f"));
@@ -136,8 +137,8 @@ TEST(ReviewJson, CandidatesHaveTheirCurvesErrorsAndTheTablesTexts) {
 }
 
 TEST(ReviewJson, ManyLoopsShareTheRoom) {
-  Calibration c = noisy_joint();
-  HysteresisResult& h = c.hysteresis;
+  calibration::Calibration c = noisy_joint();
+  method::hysteresis::HysteresisResult& h = c.hysteresis;
   for (int k = 0; k < 19; ++k) {
     h.traces.push_back(h.traces.front());
     h.oscillations.push_back(h.oscillations.front());
@@ -155,7 +156,7 @@ TEST(ReviewJson, ManyLoopsShareTheRoom) {
 }
 
 TEST(ReviewJson, WithoutBristleThereIsNoneAndWithoutDataNoViewer) {
-  Calibration c = noisy_joint();
+  calibration::Calibration c = noisy_joint();
   c.hysteresis.lugre.reset();
   c.hysteresis.points.clear();
   c.hysteresis.steady_points.clear();
@@ -165,14 +166,14 @@ TEST(ReviewJson, WithoutBristleThereIsNoneAndWithoutDataNoViewer) {
   for (const char* name : {"z", "dz", "fit"}) EXPECT_FALSE(loop.contains(name)) << name;
   EXPECT_TRUE(data_of(c)["points"]["first"].empty());
 
-  EXPECT_EQ(report::review_json(Calibration{}), "");
-  const std::string page = report_of(Calibration{});
+  EXPECT_EQ(report::review_json(calibration::Calibration{}), "");
+  const std::string page = report_of(calibration::Calibration{});
   EXPECT_EQ(page.find("script-src"), std::string::npos);
   EXPECT_EQ(page.find("id=\"review\""), std::string::npos);
 }
 
 TEST(ReviewJson, NumbersThatAreNotFiniteAreNull) {
-  Calibration c = noisy_joint();
+  calibration::Calibration c = noisy_joint();
   c.hysteresis.traces.front().torque_Nm[0] = std::nan("");
   c.quality.errors.front().percent[0] = INFINITY;
   const Json data = data_of(c);
@@ -181,7 +182,7 @@ TEST(ReviewJson, NumbersThatAreNotFiniteAreNull) {
 }
 
 TEST(ReviewJson, TextsOfStrangersAreMadeVisible) {
-  Calibration c = noisy_joint();
+  calibration::Calibration c = noisy_joint();
   c.hysteresis.traces.front().recording = hostile;
   c.viscous.runs.front().recording = hostile;
   const std::string json = report::review_json(c);

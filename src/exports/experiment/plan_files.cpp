@@ -1,0 +1,181 @@
+#include "exports/experiment/plan_files.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/shown_text.h"
+#include "exports/experiment/plan_table.h"
+#include "ingest/manifest/toml_text.h"
+#include "plan/simulated_plan.h"
+
+namespace tribolog::exports::experiment {
+
+std::string plan_dataset_toml(const plan::ExperimentPlan& plan) {
+  const joint::JointFacts& f = plan.joint.facts;
+  std::string text = fmt::format(
+      "# The log that is recorded while the joint follows setpoints.csv: name it {} or correct\n"
+      "# the name below. Its clock starts with the set points; where it does not, every from_s "
+      "and\n"
+      "# to_s shifts by the difference. Columns and units are to be corrected to the log's own.\n"
+      "schema = \"tribolog-dataset-1\"\n\n[robot]\nname = {}\n",
+      plan::planned_log_name, ingest::manifest::toml_text(f.robot));
+  if (!f.serial.empty())
+    text += fmt::format("serial = {}\n", ingest::manifest::toml_text(f.serial));
+  text +=
+      fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n", ingest::manifest::toml_text(f.joint),
+                  ingest::manifest::toml_number(f.gear_ratio));
+  text += fmt::format(
+      "\n[effort]  # what the log's effort is: correct it if it is not this\n"
+      "kind = \"{}\"\nside = \"{}\"\n",
+      joint::to_string(f.effort_kind), joint::to_string(f.effort_side));
+  if (f.torque_constant_Nm_A) {
+    text += fmt::format("torque_constant_Nm_A = {}\n",
+                        ingest::manifest::toml_number(*f.torque_constant_Nm_A));
+  }
+  const bool is_current = f.effort_kind == joint::EffortKind::motor_current;
+  text += fmt::format(
+      "\n[columns]\ntime = {{name = \"t_s\", unit = \"s\"}}\n"
+      "angle = {{name = \"q_rad\", unit = \"rad\"}}\n"
+      "speed = {{name = \"dq_rad_s\", unit = \"rad/s\"}}  # leave out where there is none\n"
+      "effort = {{name = \"{}\", unit = \"{}\"}}\n",
+      is_current ? "current_A" : "torque_Nm", is_current ? "A" : "Nm");
+  for (const plan::PlannedSegment& s : plan.segments) {
+    if (!s.role) continue;
+    text += fmt::format(
+        "\n[[recording]]\nrole = \"{}\"\nfile = {}\nfrom_s = {}\nto_s = {}\n"
+        "note = {}\n",
+        joint::to_string(*s.role), ingest::manifest::toml_text(plan::planned_log_name),
+        ingest::manifest::toml_number(s.from_s), ingest::manifest::toml_number(s.to_s),
+        ingest::manifest::toml_text(s.name));
+  }
+  return text;
+}
+
+namespace {
+
+void append_row(const plan::ExperimentPlan& plan, double t_s, std::string& csv) {
+  append_number(csv, t_s);
+  csv += ',';
+  append_number(csv, plan.angle_rad(t_s));
+  csv += ',';
+  append_number(csv, plan.speed_rad_s(t_s));
+  const plan::PlannedSegment& s = plan.segments[plan.segment_at(t_s)];
+  const bool torque_leads = s.ramp && t_s >= s.from_s && t_s < s.to_s;
+  csv += torque_leads ? ",1," : ",0,";
+  append_number(csv, torque_leads ? s.ramp->direction * s.ramp->rate_Nm_s * (t_s - s.from_s) : 0.0);
+  csv += '\n';
+}
+
+}  // namespace
+
+std::string set_points_csv(const plan::ExperimentPlan& plan) {
+  std::string csv = "t_s,q_rad,dq_rad_s,torque_mode,ramp_torque_Nm\n";
+  if (plan.segments.empty()) return csv;
+  const double rate = plan.joint.set_point_rate_Hz;
+  const double end = plan.duration_s();
+  const auto rows = static_cast<std::size_t>(std::floor(end * rate));
+  constexpr std::size_t usual_row_bytes = 56;
+  csv.reserve(rows * usual_row_bytes);
+  double t_s = 0;
+  for (std::size_t i = 0; i <= rows; ++i) {
+    t_s = static_cast<double>(i) / rate;
+    append_row(plan, std::min(t_s, end), csv);
+  }
+  if (t_s < end) append_row(plan, end, csv);
+  return csv;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json part_json(const plan::PlannedPart& part) {
+  return {{"role", joint::to_string(part.role)}, {"state", plan::to_string(part.state)},
+          {"recordings", part.recordings},       {"duration_s", number(part.duration_s)},
+          {"motion", text_or_null(part.motion)}, {"gives", part.gives},
+          {"why", text_or_null(part.why)},       {"help", text_or_null(part.help)}};
+}
+
+Json segment_json(const plan::PlannedSegment& s) {
+  Json made{{"name", s.name},
+            {"role", s.role ? Json(joint::to_string(*s.role)) : Json(nullptr)},
+            {"start_s", number(s.start_s)},
+            {"end_s", number(s.end_s())}};
+  if (s.role) {
+    made["from_s"] = number(s.from_s);
+    made["to_s"] = number(s.to_s);
+  }
+  if (s.ramp) {
+    made["ramp"] = {{"direction", s.ramp->direction},
+                    {"rate_Nm_s", number(s.ramp->rate_Nm_s)},
+                    {"largest_change_Nm", number(s.ramp->largest_change_Nm)},
+                    {"largest_travel_joint_rad", number(s.ramp->largest_travel_rad)}};
+  }
+  return made;
+}
+
+Json expectation_json(const plan::ExpectedInterval& e) {
+  return {{"name", e.name},
+          {"unit", truth::unit_of(e.quantity)},
+          {"assumed_truth", number(e.truth)},
+          {"half_width", number(e.half_width)},
+          {"scatter", number(e.scatter)},
+          {"runs", e.runs},
+          {"identified_in", e.found},
+          {"held_by_interval_in", e.inside}};
+}
+
+template <class List, class ToJson>
+Json list_json(const List& list, const ToJson& to_json) {
+  Json all = Json::array();
+  for (const auto& one : list) all.push_back(to_json(one));
+  return all;
+}
+
+}  // namespace
+
+std::string plan_json(const plan::ExperimentPlan& plan, const plan::ExpectedIntervals& expected,
+                      const calibration::Provenance& provenance) {
+  const joint::JointFacts& f = plan.joint.facts;
+  const Json all{{"schema", "tribolog-plan-1"},
+                 {"tool", provenance.tool_version},
+                 {"created_utc", provenance.created_utc},
+                 {"robot", f.robot},
+                 {"joint", f.joint},
+                 {"gear_ratio", f.gear_ratio},
+                 {"sentence", plan_sentence(plan)},
+                 {"duration_s", number(plan.duration_s())},
+                 {"effort", plan.effort},
+                 {"first_of_two", plan.is_first_of_two()},
+                 {"parts", list_json(plan.parts, part_json)},
+                 {"remarks", plan.remarks},
+                 {"instructions", plan_instructions(plan)},
+                 {"positions_joint_rad", plan.positions_rad},
+                 {"ripple_left_share", number(plan.ripple_left_share)},
+                 {"amplitude_joint_rad", number(plan.amplitude_rad)},
+                 {"frequency_Hz", number(plan.frequency_Hz)},
+                 {"motor_speeds_rad_s", plan.motor_speeds_rad_s},
+                 {"segments", list_json(plan.segments, segment_json)},
+                 {"assumptions", list_json(plan.joint.assumptions,
+                                           [](const plan::Assumption& a) {
+                                             return Json{{"what", a.what},
+                                                         {"value", number(a.value)},
+                                                         {"unit", text_or_null(a.unit)},
+                                                         {"source", a.source},
+                                                         {"known", a.is_known}};
+                                           })},
+                 {"expected",
+                  {{"runs", expected.runs},
+                   {"seed", expected.seed},
+                   {"quantities", list_json(expected.quantities, expectation_json)}}}};
+  return json_without_hidden(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+}  // namespace tribolog::exports::experiment

@@ -1,0 +1,163 @@
+#include "exports/experiment/plan_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/requirements.h"
+#include "joint/degrees.h"
+
+namespace tribolog::exports::experiment {
+namespace {
+
+std::size_t count_in(const plan::ExperimentPlan& plan, plan::PartState state) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.parts.begin(), plan.parts.end(),
+                    [&](const plan::PlannedPart& p) { return p.state == state; }));
+}
+
+/// Decimals that show a size with so many digits.
+int decimals_for(double size, int digits) {
+  if (!(size > 0)) return 0;
+  constexpr int most = 9;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, most);
+}
+
+std::string with_minus(std::string text) {
+  if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+  return text;
+}
+
+}  // namespace
+
+std::string part_title(joint::Role role) {
+  switch (role) {
+    case joint::Role::rough_sweep:
+      return "rough sweep";
+    case joint::Role::precise_sweep:
+      return "precise sweep";
+    case joint::Role::oscillation:
+      return "micro-oscillations";
+    case joint::Role::constant_speed:
+      return "runs at constant speed";
+    case joint::Role::break_away:
+      break;
+  }
+  return "break-away ramps";
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  return fmt::format("{} min {} s", whole / 60, whole % 60);
+}
+
+std::string next_plan_words() {
+  return "parts about the gravity peak wait for its angle: record this plan, identify it, and plan "
+         "again with --calibration and the calibration";
+}
+
+std::string plan_sentence(const plan::ExperimentPlan& plan) {
+  if (plan.segments.empty()) return "nothing can be measured within these limits";
+  std::size_t recordings = 0;
+  for (const plan::PlannedPart& part : plan.parts) recordings += part.recordings;
+  std::string text =
+      fmt::format("{} recordings in {}", recordings, duration_text(plan.duration_s()));
+  if (plan.is_first_of_two()) {
+    text += fmt::format("; {} parts follow once the rough sweep has shown the gravity peak",
+                        count_in(plan, plan::PartState::later));
+  }
+  if (const std::size_t n = count_in(plan, plan::PartState::impossible); n > 0) {
+    text +=
+        fmt::format("; {} of 5 parts {} not possible within the limits", n, n == 1 ? "is" : "are");
+  }
+  return text;
+}
+
+std::vector<std::string> plan_lines(const plan::ExperimentPlan& plan) {
+  std::vector<std::string> lines;
+  for (const plan::PlannedPart& part : plan.parts) {
+    const bool is_there = part.recordings > 0;
+    lines.push_back(
+        fmt::format("  {:<24} {}", part_title(part.role),
+                    is_there ? fmt::format("{}: {}", duration_text(part.duration_s), part.motion)
+                             : plan::to_string(part.state)));
+    if (part.why.empty() || part.state == plan::PartState::later) continue;
+    lines.push_back(fmt::format("  {:<24} {}{}; what would help: {}", "",
+                                is_there ? plan::to_string(part.state) + ": " : "", part.why,
+                                part.help));
+  }
+  if (plan.is_first_of_two()) lines.push_back("  note: " + next_plan_words());
+  for (const std::string& remark : plan.remarks) lines.push_back("  note: " + remark);
+  return lines;
+}
+
+std::string quantity_text(double value_si, truth::ReadingKind quantity, int digits) {
+  if (!std::isfinite(value_si)) return "–";
+  const bool is_angle = quantity == truth::ReadingKind::peak_angle;
+  const double value = is_angle ? value_si * joint::degrees_per_rad : value_si;
+  const std::string text =
+      with_minus(fmt::format("{:.{}f}", value, decimals_for(std::abs(value), digits)));
+  if (is_angle) return text + "°";
+  const std::string unit = truth::unit_of(quantity);
+  return text + (unit.empty() ? "" : " " + unit);
+}
+
+std::string interval_text(double value_si, double half_width_si, truth::ReadingKind quantity) {
+  if (!(half_width_si > 0) || !std::isfinite(value_si)) return "–";
+  const bool is_angle = quantity == truth::ReadingKind::peak_angle;
+  const double factor = is_angle ? joint::degrees_per_rad : 1;
+  const double half_width = half_width_si * factor;
+  const int decimals = decimals_for(half_width, 2);
+  const std::string value = with_minus(fmt::format("{:.{}f}", value_si * factor, decimals));
+  const std::string width = fmt::format("{:.{}f}", half_width, decimals);
+  if (is_angle) return value + "° ± " + width + "°";
+  const std::string unit = truth::unit_of(quantity);
+  return value + " ± " + width + (unit.empty() ? "" : " " + unit);
+}
+
+std::vector<std::string> expectation_lines(const plan::ExpectedIntervals& expected) {
+  std::vector<std::string> lines;
+  for (const plan::ExpectedInterval& e : expected.quantities) {
+    const std::string found =
+        e.found == e.runs ? "" : fmt::format(", identified in {} of {} runs", e.found, e.runs);
+    lines.push_back(fmt::format("  {:<38} {}{}", e.words,
+                                interval_text(e.truth, e.half_width, e.quantity), found));
+  }
+  return lines;
+}
+
+std::vector<std::string> plan_instructions(const plan::ExperimentPlan& plan) {
+  if (plan.segments.empty()) return {};
+  std::vector<std::string> all;
+  all.push_back(fmt::format(
+      "Before the first set point move the joint to {} and let it rest; the other joints stand, in "
+      "a pose in which this joint's axis is horizontal.",
+      quantity_text(plan.angle_rad(0), truth::ReadingKind::peak_angle, 5)));
+  all.push_back(
+      fmt::format("The drive follows setpoints.csv, {:.4g} set points a second, and interpolates "
+                  "between them. No set point leaves the stated limits of angle, speed and "
+                  "acceleration; that the way is free has to be seen to at the machine.",
+                  plan.joint.set_point_rate_Hz));
+  all.push_back(
+      fmt::format("Log time, joint angle, speed and torque or current at {:.4g} Hz as log.csv, the "
+                  "clock starting "
+                  "with the first set point; then run tribolog report dataset.toml -o report.html.",
+                  plan.joint.sample_rate_Hz));
+  all.emplace_back("Warm the joint up first: friction of a cold gear drifts.");
+  const auto ramp = std::find_if(plan.segments.begin(), plan.segments.end(),
+                                 [](const plan::PlannedSegment& s) { return s.ramp.has_value(); });
+  if (ramp != plan.segments.end()) {
+    all.push_back(fmt::format(
+        "Where torque_mode is 1 the torque leads: the motor torque that holds the arm at that "
+        "moment, plus ramp_torque_Nm (at the motor). When the joint has slid {:.2g}° the drive "
+        "takes the angle over, holds it there until torque_mode is 0, and returns to the set "
+        "point within the rest that follows. A drive that cannot be led by torque leaves the ramps "
+        "out, with their entries in dataset.toml.",
+        present(ramp->ramp).largest_travel_rad * joint::degrees_per_rad));
+  }
+  return all;
+}
+
+}  // namespace tribolog::exports::experiment

@@ -1,0 +1,74 @@
+#include "exports/results/json_document.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/shown_text.h"
+#include "calibration/gear_side.h"
+#include "exports/results/archived_joint.h"
+#include "exports/results/friction_table.h"
+
+namespace tribolog::exports::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json json_of(const calibration::SidedQuantity& sided) {
+  const calibration::Quantity& q = sided.quantity;
+  const auto& e = q.estimate;
+  return {{"quantity", q.name},
+          {"words", q.words},
+          {"value", e ? Json(e->value) : Json()},
+          {"low", e ? Json(e->low) : Json()},
+          {"high", e ? Json(e->high) : Json()},
+          {"unit", q.unit},
+          {"side", joint::to_string(sided.side)},
+          {"verdict", calibration::to_string(q.verdict)},
+          {"conversion", calibration::conversion_words(sided.gear_power)}};
+}
+
+Json rows_of(const FrictionTable& table) {
+  Json rows = Json::array();
+  for (const FrictionRow& row : table.rows) {
+    rows.push_back(Json::array({row.speed_rad_s, row.friction_Nm}));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string json_document(const ArchivedJoint& joint) {
+  const calibration::Facts& f = joint.entry.facts;
+  Json json{{"schema", "tribolog-export-1"},
+            {"comment", comment_lines(joint)},
+            {"id", joint.entry.id},
+            {"robot", text_or_null(f.of.robot)},
+            {"serial", text_or_null(f.of.serial)},
+            {"joint", text_or_null(f.of.joint)},
+            {"measured_at", f.measured_at},
+            {"time_is_stated", f.time_is_stated},
+            {"temperature_C", number_or_null(f.temperature_C)},
+            {"payload_kg", number_or_null(f.payload_kg)},
+            {"gear_ratio", f.gear_ratio},
+            {"verdict", calibration::to_string(f.verdict)},
+            {"tool_version", f.tool_version}};
+  json["quantities"] = Json::array();
+  for (const calibration::SidedQuantity& sided :
+       calibration::on_both_sides(joint.quantities, f.gear_ratio)) {
+    json["quantities"].push_back(json_of(sided));
+  }
+  const FrictionTable curve = friction_table(joint);
+  json["friction_curve"] = nullptr;
+  if (!curve.rows.empty()) {
+    json["friction_curve"] = {{"columns", {"speed_rad_s", "friction_Nm"}},
+                              {"source", curve.source},
+                              {"motor", rows_of(curve)},
+                              {"joint", rows_of(at_joint(curve, f.gear_ratio))}};
+  }
+  return json_without_hidden(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+}  // namespace tribolog::exports::results

@@ -1,0 +1,170 @@
+#include "exports/results/result_tables.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/shown_text.h"
+#include "base/utf8.h"
+#include "calibration/gear_side.h"
+#include "exports/results/archived_joint.h"
+#include "wording/rounding.h"
+
+namespace tribolog::exports::results {
+
+namespace {
+
+constexpr std::string_view formula_starts = "=+-@";
+
+std::string cell(const std::string& text) {
+  std::string safe = one_line(text);
+  if (!safe.empty() && formula_starts.find(safe.front()) != std::string_view::npos) {
+    safe.insert(0, 1, '\'');
+  }
+  if (safe.find_first_of(",;\"") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// A spreadsheet splits a comment at separators like any line: what follows one is no formula.
+std::string comment(const std::string& line) {
+  std::string text = "# ";
+  bool starts_cell = false;
+  for (const char c : line) {
+    if (starts_cell && formula_starts.find(c) != std::string_view::npos) text += '\'';
+    starts_cell = c == ',' || c == ';' || (starts_cell && (c == ' ' || c == '"'));
+    text += c;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string csv_table(const ArchivedJoint& joint) {
+  std::string text;
+  for (const std::string& line : comment_lines(joint)) text += comment(line);
+  text += comment("low and high: 95 % interval; empty: not identified");
+  text += "quantity,value,low,high,unit,side,verdict,conversion\n";
+  for (const calibration::SidedQuantity& row :
+       calibration::on_both_sides(joint.quantities, joint.entry.facts.gear_ratio)) {
+    const calibration::Quantity& q = row.quantity;
+    text += cell(q.name) + ",";
+    if (q.estimate) append_number(text, q.estimate->value);
+    text += ",";
+    if (q.estimate) append_number(text, q.estimate->low);
+    text += ",";
+    if (q.estimate) append_number(text, q.estimate->high);
+    text += fmt::format(",{},{},{},{}\n", cell(q.unit), joint::to_string(row.side),
+                        calibration::to_string(q.verdict),
+                        calibration::conversion_words(row.gear_power));
+  }
+  return text;
+}
+
+namespace {
+
+std::string latex_character(char32_t c) {
+  switch (c) {
+    case U'\\':
+      return "\\textbackslash{}";
+    case U'^':
+      return "\\textasciicircum{}";
+    case U'~':
+      return "\\textasciitilde{}";
+    case U'<':
+      return "\\ensuremath{<}";
+    case U'>':
+      return "\\ensuremath{>}";
+    case U'|':
+      return "\\ensuremath{|}";
+    case U'·':
+      return "\\ensuremath{\\cdot}";
+    case U'²':
+      return "\\ensuremath{^2}";
+    case U'°':
+      return "\\ensuremath{^\\circ}";
+    case U'−':
+      return "\\ensuremath{-}";
+    case U'×':
+      return "\\ensuremath{\\times}";
+    case U'⁻':
+      return "\\ensuremath{^-}";
+    case U'¹':
+      return "\\ensuremath{^1}";
+    case U'³':
+      return "\\ensuremath{^3}";
+    default:
+      break;
+  }
+  if (c != U'⁰' && (c < U'⁴' || c > U'⁹')) return "";
+  return fmt::format("\\ensuremath{{^{}}}", static_cast<std::uint32_t>(c - U'⁰'));
+}
+
+bool is_plain_letter(char32_t c) {
+  const bool is_missing_in_plain_fonts = c == U'Ð' || c == U'ð' || c == U'Þ' || c == U'þ';
+  return c >= U'À' && c <= U'ÿ' && c != U'÷' && !is_missing_in_plain_fonts;
+}
+
+std::string latex_text(const std::string& text) {
+  constexpr std::string_view escaped = "#$%&_{}";
+  std::string latex;
+  const std::string line = one_line(text);
+  for (std::size_t i = 0; i < line.size();) {
+    const Utf8Character c = first_utf8_character(std::string_view(line).substr(i));
+    const std::string bytes = line.substr(i, c.bytes);
+    const std::string special = latex_character(c.code_point);
+    if (!special.empty()) {
+      latex += special;
+    } else if (c.code_point < 0x80) {
+      if (escaped.find(bytes) != std::string_view::npos) latex += '\\';
+      // "--" and "``" would be set as one other character.
+      if (latex.ends_with(bytes) && (c.code_point == U'-' || c.code_point == U'`' ||
+                                     c.code_point == U'\'' || c.code_point == U',')) {
+        latex += "{}";
+      }
+      latex += bytes;
+    } else {
+      latex += is_plain_letter(c.code_point)
+                   ? bytes
+                   : fmt::format("[U+{:04X}]", static_cast<std::uint32_t>(c.code_point));
+    }
+    i += c.bytes;
+  }
+  return latex;
+}
+
+std::string number_or_dash(const std::string& number) {
+  return number.empty() ? "--" : latex_text(number);
+}
+
+std::string row_of(const calibration::SidedQuantity& sided) {
+  const calibration::Quantity& q = sided.quantity;
+  wording::RoundedEstimate shown;
+  if (q.estimate) shown = wording::round_by_interval(*q.estimate, {1.0, q.unit});
+  std::string verdict = calibration::to_string(q.verdict);
+  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  const std::string mark = q.verdict == calibration::Verdict::usable ? "" : "\\textsuperscript{*}";
+  return fmt::format("{}{} & {} & {} & {} & {} & {} & {} \\\\\n", latex_text(q.words), mark,
+                     number_or_dash(shown.estimate), number_or_dash(shown.low),
+                     number_or_dash(shown.high), latex_text(q.unit), joint::to_string(sided.side),
+                     verdict);
+}
+
+}  // namespace
+
+std::string latex_table(const ArchivedJoint& joint) {
+  std::string text;
+  for (const std::string& line : comment_lines(joint)) text += "% " + line + "\n";
+  text += "% Low and high are the 95 % interval; * marks what is not usable as it is.\n";
+  text += "\\begin{tabular}{lrrrlll}\n\\hline\n";
+  text += "Quantity & Value & Low & High & Unit & Side & Verdict \\\\\n\\hline\n";
+  for (const calibration::SidedQuantity& row :
+       calibration::on_both_sides(joint.quantities, joint.entry.facts.gear_ratio)) {
+    text += row_of(row);
+  }
+  return text + "\\hline\n\\end{tabular}\n";
+}
+
+}  // namespace tribolog::exports::results

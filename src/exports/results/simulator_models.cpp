@@ -1,0 +1,272 @@
+#include "exports/results/simulator_models.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/requirements.h"
+#include "base/shown_text.h"
+#include "calibration/gear_side.h"
+#include "exports/results/archived_joint.h"
+#include "exports/results/friction_table.h"
+
+namespace tribolog::exports::results {
+
+// Which archived numbers may go into a simulator's model.
+
+namespace {
+
+/// Empty: it can be used.
+std::string objection(const ArchivedJoint& joint, std::string_view name, bool doubtful_too,
+                      bool is_number) {
+  for (const calibration::Quantity& q : joint.quantities) {
+    if (q.name != name) continue;
+    const std::string words = printable(q.words);
+    if (is_number && !q.estimate) return words + " was not identified";
+    const std::string shown =
+        is_number ? fmt::format(" of {:.4g} {} (95 %: {:.4g} to {:.4g})", q.estimate->value,
+                                printable(q.unit), q.estimate->low, q.estimate->high)
+                  : "";
+    if (is_number && q.estimate->value < 0) return words + shown + " is below zero";
+    if (q.verdict == calibration::Verdict::usable || doubtful_too) return "";
+    return fmt::format("{}{} is {}; --doubtful-too exports it all the same", words, shown,
+                       calibration::to_string(q.verdict));
+  }
+  return "the calibration has no " + printable(std::string(name));
+}
+
+std::string shown_id(const ArchivedJoint& joint) {
+  return joint.entry.id.substr(0, calibration::shown_digits);
+}
+
+/// A quantity that the format cannot do without.
+/// @throw UsageError: it was not identified; or its verdict is not usable and `doubtful_too` was
+///        not given; or it is below zero, which no simulator takes.
+const calibration::Quantity& needed(const ArchivedJoint& joint, std::string_view name,
+                                    bool doubtful_too) {
+  const std::string why = objection(joint, name, doubtful_too, true);
+  if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
+  return *joint.found(name);
+}
+
+/// What the format can do without. @param why_not receives why it is left out.
+const calibration::Quantity* if_usable(const ArchivedJoint& joint, std::string_view name,
+                                       bool doubtful_too, std::string& why_not) {
+  why_not = objection(joint, name, doubtful_too, true);
+  return why_not.empty() ? joint.found(name) : nullptr;
+}
+
+/// @throw UsageError as needed(), for a quantity that is no number: the viscous curve.
+void refuse_doubtful(const ArchivedJoint& joint, std::string_view name, bool doubtful_too) {
+  const std::string why = objection(joint, name, doubtful_too, false);
+  if (!why.empty()) throw UsageError(shown_id(joint) + ": not exported: " + why);
+}
+
+}  // namespace
+
+// Text of any origin inside XML.
+
+namespace {
+
+/// For an attribute in double quotes: what hides becomes visible, the rest is escaped. Never empty:
+/// `instead` stands where there is no text.
+std::string xml_attribute(const std::string& text, const std::string& instead) {
+  std::string escaped;
+  for (const char c : one_line(text.empty() ? instead : text)) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&apos;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/// A comment of several lines. "--", which would end it, becomes "- -".
+std::string xml_comment(const std::vector<std::string>& lines, const std::string& indent) {
+  std::string text = indent + "<!--\n";
+  for (const std::string& line : lines) {
+    text += indent + "  ";
+    for (const char c : one_line(line)) {
+      if (c == '-' && text.back() == '-') text += ' ';
+      text += c;
+    }
+    text += '\n';
+  }
+  return text + indent + "-->\n";
+}
+
+/// The shortest that reads back to the same double.
+std::string shortest(double number) {
+  std::string text;
+  append_number(text, number);
+  return text;
+}
+
+}  // namespace
+
+std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const calibration::Quantity& viscous = needed(joint, "viscous_coefficient", options.doubtful_too);
+  const calibration::Quantity& coulomb = needed(joint, "coulomb_torque", options.doubtful_too);
+  std::vector<std::string> lines = comment_lines(joint);
+  lines.emplace_back(
+      "Copy <dynamics> into your joint. The links and the type of the joint are there to make "
+      "this file complete; they were not identified.");
+  const std::vector<std::string> numbers{
+      "damping: " + estimate_line(viscous, f.gear_ratio, joint::Side::joint),
+      "friction: " + estimate_line(coulomb, f.gear_ratio, joint::Side::joint)};
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
+         "<robot name=\"" + xml_attribute(f.of.robot, "robot") +
+         "\">\n"
+         "  <link name=\"before_the_joint\"/>\n"
+         "  <link name=\"behind_the_joint\"/>\n"
+         "  <joint name=\"" +
+         xml_attribute(f.of.joint, "joint") +
+         "\" type=\"continuous\">\n"
+         "    <parent link=\"before_the_joint\"/>\n"
+         "    <child link=\"behind_the_joint\"/>\n" +
+         xml_comment(numbers, "    ") + "    <dynamics damping=\"" +
+         shortest(calibration::at_joint(viscous, f.gear_ratio).value) + "\" friction=\"" +
+         shortest(calibration::at_joint(coulomb, f.gear_ratio).value) +
+         "\"/>\n"
+         "  </joint>\n"
+         "</robot>\n";
+}
+
+namespace {
+
+struct Armature {
+  std::optional<double> kgm2;
+  std::string words;
+};
+
+Armature armature_of(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  std::string why_not;
+  const calibration::Quantity* const inertia =
+      if_usable(joint, "inertia", options.doubtful_too, why_not);
+  if (inertia == nullptr) return {{}, "armature is left out: " + why_not};
+  const double n = joint.entry.facts.gear_ratio;
+  const std::string found = estimate_line(*inertia, n, joint::Side::joint);
+  if (!options.arm_inertia_kgm2) {
+    return {{},
+            "armature is left out: what was identified is of rotor, gear and arm together, and the "
+            "arm's inertia is in the bodies of a model; --arm-inertia takes it off. " +
+                found};
+  }
+  const statistics::Estimate all = calibration::at_joint(*inertia, n);
+  const double arm_kgm2 = *options.arm_inertia_kgm2;
+  if (!(all.low > arm_kgm2)) {
+    return {{},
+            fmt::format("armature is left out: the data do not show it beside the arm's stated "
+                        "{:.6g} kg·m². {}",
+                        arm_kgm2, found)};
+  }
+  return {
+      all.value - arm_kgm2,
+      fmt::format("armature: {:.6g} kg·m² (95 %: {:.6g} to {:.6g}), less the arm's stated "
+                  "{:.6g} kg·m². {}",
+                  all.value - arm_kgm2, all.low - arm_kgm2, all.high - arm_kgm2, arm_kgm2, found)};
+}
+
+}  // namespace
+
+std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const calibration::Quantity& viscous = needed(joint, "viscous_coefficient", options.doubtful_too);
+  const calibration::Quantity& coulomb = needed(joint, "coulomb_torque", options.doubtful_too);
+  const Armature armature = armature_of(joint, options);
+  std::vector<std::string> lines = comment_lines(joint);
+  lines.emplace_back(
+      "Copy the attributes of <joint> into your joint. The body is there to make this file "
+      "complete; its mass and inertia were not identified.");
+  const std::vector<std::string> numbers{
+      "damping: " + estimate_line(viscous, f.gear_ratio, joint::Side::joint),
+      "frictionloss: " + estimate_line(coulomb, f.gear_ratio, joint::Side::joint), armature.words};
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + xml_comment(lines, "") +
+         "<mujoco model=\"" + xml_attribute(f.of.robot, "robot") +
+         "\">\n"
+         "  <compiler angle=\"radian\"/>\n"
+         "  <worldbody>\n"
+         "    <body>\n"
+         "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>\n" +
+         xml_comment(numbers, "      ") + "      <joint name=\"" +
+         xml_attribute(f.of.joint, "joint") + "\" type=\"hinge\" damping=\"" +
+         shortest(calibration::at_joint(viscous, f.gear_ratio).value) + "\" frictionloss=\"" +
+         shortest(calibration::at_joint(coulomb, f.gear_ratio).value) + "\"" +
+         (armature.kgm2 ? " armature=\"" + shortest(*armature.kgm2) + "\"" : "") +
+         "/>\n"
+         "    </body>\n"
+         "  </worldbody>\n"
+         "</mujoco>\n";
+}
+
+std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options) {
+  const calibration::Facts& f = joint.entry.facts;
+  const bool at_motor = options.side == joint::Side::motor;
+  refuse_doubtful(joint, "viscous_curve", options.doubtful_too);
+  FrictionTable table = friction_table(joint);
+  if (table.rows.empty()) {
+    throw UsageError(joint.entry.id.substr(0, calibration::shown_digits) +
+                     ": not exported: " + table.source);
+  }
+  if (!at_motor) table = at_joint(table, f.gear_ratio);
+  const std::string source = table.source;
+
+  std::vector<std::string> lines = comment_lines(joint);
+  lines.push_back(fmt::format("tau_pos: friction [N·m] against speed [rad/s] at the {}{}. From {}.",
+                              joint::to_string(options.side),
+                              at_motor ? ", as archived" : ": archived torques × n, speeds / n",
+                              source));
+  for (const char* const name : {"coulomb_torque", "viscous_coefficient"}) {
+    const calibration::Quantity* const quantity = joint.found(name);
+    if (quantity != nullptr) lines.push_back(estimate_line(*quantity, f.gear_ratio, options.side));
+  }
+  double peak = 1;
+  std::string why_not;
+  const calibration::Quantity* const break_away =
+      if_usable(joint, "break_away_torque", options.doubtful_too, why_not);
+  if (break_away != nullptr) {
+    const double static_Nm = at_motor ? present(break_away->estimate).value
+                                      : calibration::at_joint(*break_away, f.gear_ratio).value;
+    peak = std::max(peak, static_Nm / table.rows.front().friction_Nm);
+    lines.push_back("peak: break-away torque by the torque of the first row, at least 1. " +
+                    estimate_line(*break_away, f.gear_ratio, options.side));
+  } else {
+    lines.push_back("peak is 1: " + why_not);
+  }
+
+  std::string text;
+  for (const std::string& line : lines) text += "// " + one_line(line) + "\n";
+  text += fmt::format(
+      "model JointFriction \"Friction of a joint as identified, at the {}\"\n"
+      "  extends Modelica.Mechanics.Rotational.Components.BearingFriction(\n"
+      "    peak = {},\n"
+      "    tau_pos = [\n",
+      joint::to_string(options.side), shortest(peak));
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    text += "      " + shortest(table.rows[k].speed_rad_s) + ", " +
+            shortest(table.rows[k].friction_Nm) + (k + 1 < table.rows.size() ? ";\n" : "]);\n");
+  }
+  return text + "end JointFriction;\n";
+}
+
+}  // namespace tribolog::exports::results

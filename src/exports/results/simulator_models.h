@@ -1,0 +1,37 @@
+#pragma once
+// The joint's friction for simulators: URDF, MJCF (MuJoCo) and Modelica.
+
+#include <string>
+
+#include "exports/results/archived_joint.h"
+
+namespace tribolog::exports::results {
+
+/// A robot of two links with the joint between them, which a parser of URDF loads; its `<dynamics>`
+/// is to be copied. Joint side: `damping` is the viscous coefficient [N·m·s/rad], `friction` the
+/// Coulomb torque [N·m].
+/// @throw UsageError: one of the two is missing, or not usable.
+std::string urdf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+// The joint's friction as MJCF, MuJoCo's format.
+
+/// A model of one body on one hinge, which MuJoCo loads; its `<joint>` is to be copied. Joint side:
+/// `damping` is the viscous coefficient [N·m·s/rad], `frictionloss` the Coulomb torque [N·m].
+///
+/// `armature` is the rotor's inertia [kg·m²] as the joint feels it. The loop and the sweep show the
+/// inertia of rotor, gear and arm together, and a model has the arm's in its bodies: it is the
+/// identified one less `arm_inertia_kgm2`, and left out, with a comment, where that is not known or
+/// the difference is not above zero.
+/// @throw UsageError: viscous coefficient or Coulomb torque is missing, or not usable.
+std::string mjcf_joint(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+// The joint's friction curve for Modelica.
+
+/// A model `JointFriction` that extends Modelica.Mechanics.Rotational.Components.BearingFriction
+/// with `tau_pos = [w, tau; ...]`, friction [N·m] against speed [rad/s] from 0 on, and `peak`, the
+/// break-away torque by the friction at rest, where that is above 1. On the side that the options
+/// say: the bearing stands behind the gear (joint) or before it (motor).
+/// @throw UsageError: there is no curve, or it is not usable.
+std::string modelica_friction(const ArchivedJoint& joint, const SimulatorOptions& options);
+
+}  // namespace tribolog::exports::results

@@ -1,0 +1,271 @@
+#include "exports/simulation/simulation_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/shown_text.h"
+#include "ingest/manifest/toml_text.h"
+
+namespace tribolog::exports::simulation {
+
+namespace {
+
+std::string toml_value(double value) { return ingest::manifest::toml_number(value); }
+
+std::string toml_value(std::uint64_t value) { return fmt::format("{}", value); }
+
+std::string toml_value(const std::vector<friction::MaxwellElement>& elements) {
+  std::string text = "[";
+  for (const friction::MaxwellElement& one : elements) {
+    text += fmt::format("\n  {{stiffness_Nm_rad = {}, share = {}}},",
+                        ingest::manifest::toml_number(one.stiffness_Nm_rad),
+                        ingest::manifest::toml_number(one.share));
+  }
+  return text += "\n]";
+}
+
+std::string reference(const friction::StaticFriction* friction) {
+  if (friction == nullptr) {
+    return "\n# No known curve: the simulated friction depends on the rest before the motion "
+           "too.\n";
+  }
+  std::string text = "\n# The friction that was simulated: sweeps and runs at constant speed.\n";
+  text += fmt::format("[reference.{}]\n", friction->name());
+  for (const friction::NamedParameter& one : friction->named_parameters()) {
+    const auto value = [](const auto& known) { return toml_value(known); };
+    text += fmt::format("{} = {}\n", one.key, std::visit(value, one.value));
+  }
+  return text;
+}
+
+constexpr const char* speed_column = R"(speed = {name = "dq_rad_s", unit = "rad/s"})";
+
+/// Columns that not every recording has.
+std::string own_columns(const joint::Recording& recording, bool speed_is_common) {
+  std::string columns;
+  const auto add = [&](bool is_there, const char* column) {
+    if (!is_there) return;
+    if (!columns.empty()) columns += ", ";
+    columns += column;
+  };
+  add(!recording.dq_rad_s.empty() && !speed_is_common, speed_column);
+  add(!recording.z_rad.empty(), R"(bristle = {name = "z_rad", unit = "rad"})");
+  add(!recording.dz_rad_s.empty(), R"(bristle_rate = {name = "dz_rad_s", unit = "rad/s"})");
+  return columns;
+}
+
+}  // namespace
+
+std::string description_beside(const simulate::Scenario& scenario) {
+  return std::filesystem::path(scenario.robot_description).filename().string();
+}
+
+std::string dataset_toml(const simulate::Scenario& scenario,
+                         const std::vector<joint::Recording>& recordings) {
+  std::string text = "schema = \"tribolog-dataset-1\"\n\n[robot]\n";
+  text += fmt::format("name = {}\n", ingest::manifest::toml_text(scenario.robot));
+  if (!scenario.serial.empty())
+    text += fmt::format("serial = {}\n", ingest::manifest::toml_text(scenario.serial));
+  if (!scenario.robot_description.empty()) {
+    text += fmt::format("description = {}\n",
+                        ingest::manifest::toml_text(description_beside(scenario)));
+  }
+  text += fmt::format("note = {}\n", ingest::manifest::toml_text("simulated: " + scenario.name));
+  text += fmt::format("\n[joint]\nname = {}\ngear_ratio = {}\n",
+                      ingest::manifest::toml_text(scenario.joint),
+                      ingest::manifest::toml_number(scenario.gear_ratio));
+  const bool is_current = scenario.log.torque_constant_Nm_A > 0;
+  text += fmt::format("\n[effort]\nkind = \"{}\"\nside = \"motor\"\n",
+                      is_current ? "motor_current" : "motor_torque");
+  if (is_current) {
+    text += fmt::format("torque_constant_Nm_A = {}\n",
+                        ingest::manifest::toml_number(scenario.log.torque_constant_Nm_A));
+  }
+  text += fmt::format("\n[surrogate]\ndistance_m = {}\ngravity_m_s2 = {}\n",
+                      ingest::manifest::toml_number(scenario.surrogate_distance_m),
+                      ingest::manifest::toml_number(scenario.load.gravity_m_s2()));
+  text +=
+      "\n[columns]\n"
+      "time = {name = \"t_s\", unit = \"s\"}\n"
+      "angle = {name = \"q_rad\", unit = \"rad\", side = \"joint\"}\n"
+      "effort = ";
+  text +=
+      is_current ? "{name = \"i_A\", unit = \"A\"}\n" : "{name = \"torque_Nm\", unit = \"Nm\"}\n";
+  const bool speed_is_common =
+      std::all_of(recordings.begin(), recordings.end(),
+                  [](const joint::Recording& recording) { return !recording.dq_rad_s.empty(); });
+  if (speed_is_common) text += fmt::format("{}\n", speed_column);
+  text += reference(scenario.known_curve().get());
+  for (const joint::Recording& recording : recordings) {
+    text +=
+        fmt::format("\n[[recording]]\nrole = \"{}\"\nfile = {}\n", joint::to_string(recording.role),
+                    ingest::manifest::toml_text(recording.name));
+    const std::string columns = own_columns(recording, speed_is_common);
+    if (!columns.empty()) text += fmt::format("columns = {{{}}}\n", columns);
+  }
+  return text;
+}
+
+namespace {
+
+void append(std::string& text, double value, const simulate::LogForm& form) {
+  if (form.decimals) {
+    fmt::format_to(std::back_inserter(text), "{:.{}f}", value, *form.decimals);
+  } else {
+    append_number(text, value);
+  }
+}
+
+std::vector<double> currents_A(const std::vector<double>& torque_Nm, double constant_Nm_A) {
+  std::vector<double> currents(torque_Nm.size());
+  std::transform(torque_Nm.begin(), torque_Nm.end(), currents.begin(),
+                 [&](double torque) { return torque / constant_Nm_A; });
+  return currents;
+}
+
+}  // namespace
+
+std::string recording_csv(const joint::Recording& recording, const simulate::LogForm& form) {
+  std::vector<const double*> signals;
+  std::string csv;
+  const auto add = [&](const char* name, const std::vector<double>& signal, bool is_optional) {
+    if (signal.empty() && is_optional) return;
+    if (signal.size() != recording.size()) {
+      throw std::invalid_argument(std::string(name) + " is not as long as t_s");
+    }
+    if (!signals.empty()) csv += ',';
+    csv += name;
+    signals.push_back(signal.data());
+  };
+  add("t_s", recording.t_s, false);
+  add("q_rad", recording.q_rad, false);
+  add("dq_rad_s", recording.dq_rad_s, true);
+  const bool is_current = form.torque_constant_Nm_A > 0;
+  const std::vector<double> currents =
+      is_current ? currents_A(recording.torque_Nm, form.torque_constant_Nm_A)
+                 : std::vector<double>();
+  add(is_current ? "i_A" : "torque_Nm", is_current ? currents : recording.torque_Nm, false);
+  add("z_rad", recording.z_rad, true);
+  add("dz_rad_s", recording.dz_rad_s, true);
+  csv += '\n';
+  constexpr std::size_t usual_field_bytes = 20;
+  csv.reserve(csv.size() + recording.size() * signals.size() * usual_field_bytes);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+      if (k > 0) csv += ',';
+      append(csv, signals[k][i], form);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<friction::MaxwellElement>& elements) {
+  Json list = Json::array();
+  for (const friction::MaxwellElement& one : elements) {
+    list.push_back(Json{{"stiffness_Nm_rad", one.stiffness_Nm_rad}, {"share", one.share}});
+  }
+  return list;
+}
+
+template <class Number>
+Json json_of(Number number) {
+  return number;
+}
+
+Json friction(const friction::FrictionModel& model) {
+  Json json;
+  json["model"] = model.name();
+  for (const friction::NamedParameter& one : model.named_parameters()) {
+    json[one.key] = std::visit([](const auto& value) { return json_of(value); }, one.value);
+  }
+  return json;
+}
+
+Json noise(const simulate::Noise& n) {
+  Json ripple = Json::array();
+  for (const simulate::Noise::Ripple& r : n.ripple) {
+    ripple.push_back(Json{{"amplitude_Nm", r.amplitude_Nm},
+                          {"periods_per_turn", r.periods_per_turn},
+                          {"phase_rad", r.phase_rad}});
+  }
+  return {{"torque_white_Nm", n.torque_white_Nm},
+          {"torque_step_Nm", n.torque_step_Nm},
+          {"encoder_counts_per_turn", n.encoder_counts_per_turn},
+          {"speed_filter_Hz", n.speed_filter_Hz},
+          {"ripple", ripple},
+          {"clock_jitter_s", n.clock_jitter_s},
+          {"lost_percent", n.lost_percent},
+          {"seed", n.seed}};
+}
+
+}  // namespace
+
+std::string truth_json(const simulate::Scenario& scenario) {
+  const joint::GravityLoad& load = scenario.load;
+  const double motor_torque_Nm = load.amplitude_Nm() / scenario.gear_ratio;
+  const Json truth = {
+      {"schema", "tribolog-truth-1"},
+      {"scenario", scenario.name},
+      {"robot", scenario.robot},
+      {"serial", scenario.serial},
+      {"joint", scenario.joint},
+      {"gear_ratio", scenario.gear_ratio},
+      {"q_peak_rad", load.q_peak_rad()},
+      {"q_c_rad", -load.q_peak_rad()},
+      {"mass_kg", load.mass_kg()},
+      {"distance_m", load.distance_m()},
+      {"gravity_m_s2", load.gravity_m_s2()},
+      {"gravity_torque_joint_Nm", load.amplitude_Nm()},
+      {"gravity_torque_motor_Nm", motor_torque_Nm},
+      {"surrogate_distance_m", scenario.surrogate_distance_m},
+      {"surrogate_mass_kg",
+       joint::surrogate_mass_kg(motor_torque_Nm, scenario.gear_ratio, scenario.surrogate_distance_m,
+                                load.gravity_m_s2(), 1.0)},
+      {"motor_inertia_kgm2", scenario.motor_inertia_kgm2},
+      {"arm_inertia_kgm2", scenario.arm_inertia_kgm2},
+      {"presliding", friction(*scenario.presliding)},
+      {"sliding", friction(scenario.sliding_model())},
+      {"noise", noise(scenario.noise)}};
+  return json_without_hidden(truth.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+void write_simulation(const simulate::Scenario& scenario,
+                      const std::vector<joint::Recording>& recordings, const std::string& directory,
+                      const std::vector<std::string>& inputs) {
+  const std::filesystem::path folder(directory);
+  for (const joint::Recording& recording : recordings) {
+    if (recording.name.empty() || recording.name.find('/') != std::string::npos) {
+      throw std::invalid_argument("'" + recording.name + "' is not a plain file name");
+    }
+  }
+  AtomicFiles files;
+  files.make_directory(directory);
+  const auto add = [&](const std::string& name, const std::string& content) {
+    const std::string path = (folder / name).string();
+    check_output_can_be_written(path, inputs);
+    files.add(path, content);
+  };
+  for (const joint::Recording& recording : recordings) {
+    add(recording.name, recording_csv(recording, scenario.log));
+  }
+  if (!scenario.robot_description.empty()) {
+    add(description_beside(scenario), scenario.robot_description_text);
+  }
+  add("truth.json", truth_json(scenario));
+  add("dataset.toml", dataset_toml(scenario, recordings));
+  files.commit();
+}
+
+}  // namespace tribolog::exports::simulation

@@ -1,0 +1,102 @@
+// URDF and MJCF as urdfdom and MuJoCo understand them.
+
+#include <gtest/gtest.h>
+
+#include "base/temporary_directory.h"
+#include "exports/export_sample.h"
+#include "exports/results/simulator_models.h"
+
+#ifdef TRIBOLOG_URDFDOM
+#include <urdf_parser/urdf_parser.h>
+#endif
+#ifdef TRIBOLOG_MUJOCO
+#include <mujoco/mujoco.h>
+#endif
+
+namespace tribolog::archive {
+namespace {
+
+using test::export_sample;
+using test::hostile_export_sample;
+
+TEST(ExportParsers, UrdfdomReadsTheDynamics) {
+#ifdef TRIBOLOG_URDFDOM
+  for (const exports::results::ArchivedJoint& sample :
+       {test::export_sample(), test::hostile_export_sample()}) {
+    const auto model = urdf::parseURDF(exports::results::urdf_joint(sample, {}));
+    ASSERT_TRUE(model);
+    ASSERT_EQ(model->joints_.size(), 1U);
+    EXPECT_EQ(model->links_.size(), 2U);
+    const auto& joint = model->joints_.begin()->second;
+    ASSERT_TRUE(joint->dynamics);
+    EXPECT_NEAR(joint->dynamics->damping, 0.002 * 50 * 50, 1e-12);
+    EXPECT_NEAR(joint->dynamics->friction, 0.31 * 50, 1e-12);
+  }
+  const auto model = urdf::parseURDF(exports::results::urdf_joint(test::export_sample(), {}));
+  EXPECT_EQ(model->getName(), "R1");
+  EXPECT_EQ(model->joints_.begin()->first, "J2");
+  exports::results::ArchivedJoint sample = test::export_sample();
+  sample.entry.facts.of.joint = "<J & \"2'>";
+  EXPECT_EQ(urdf::parseURDF(exports::results::urdf_joint(sample, {}))->joints_.begin()->first,
+            "<J & \"2'>");
+#else
+  GTEST_SKIP() << "liburdfdom-dev is not installed";
+#endif
+}
+
+#ifdef TRIBOLOG_MUJOCO
+/// MuJoCo's dry friction is a soft constraint: it creeps. Without friction it would be 3 rad/s.
+constexpr double creep_rad_s = 0.03;
+
+struct MujocoModel {
+  explicit MujocoModel(const std::string& xml) {
+    const test::TemporaryDirectory directory;
+    char error[1000] = "";
+    model = mj_loadXML(directory.file("a.xml", xml).c_str(), nullptr, error, sizeof error);
+    if (model == nullptr) throw std::runtime_error(error);
+    data = mj_makeData(model);
+  }
+  MujocoModel(const MujocoModel&) = delete;
+  MujocoModel& operator=(const MujocoModel&) = delete;
+  ~MujocoModel() {
+    mj_deleteData(data);
+    mj_deleteModel(model);
+  }
+  /// Speed after a while under a torque.
+  [[nodiscard]] double speed_rad_s(double torque_Nm) const {
+    mj_resetData(model, data);
+    data->qfrc_applied[0] = torque_Nm;
+    for (int k = 0; k < 2000; ++k) mj_step(model, data);
+    return data->qvel[0];
+  }
+  mjModel* model{};
+  mjData* data{};
+};
+#endif
+
+TEST(ExportParsers, MujocoMovesAsTheJointWould) {
+#ifdef TRIBOLOG_MUJOCO
+  exports::results::SimulatorOptions options;
+  options.arm_inertia_kgm2 = 4.5;
+  for (const exports::results::ArchivedJoint& sample :
+       {test::export_sample(), test::hostile_export_sample()}) {
+    const MujocoModel loaded(exports::results::mjcf_joint(sample, options));
+    const mjModel& model = *loaded.model;
+    ASSERT_EQ(model.nv, 1);
+    EXPECT_NEAR(model.dof_damping[0], 5, 1e-12);
+    EXPECT_NEAR(model.dof_frictionloss[0], 15.5, 1e-12);
+    EXPECT_NEAR(model.dof_armature[0], 0.5, 1e-12);
+    // Coulomb torque holds it; beyond, the viscous one grows by 5 N·m for each rad/s.
+    EXPECT_NEAR(loaded.speed_rad_s(15.0), 0, creep_rad_s);
+    EXPECT_NEAR(loaded.speed_rad_s(15.5 + 5 * 2.0), 2.0, creep_rad_s);
+  }
+  const MujocoModel plain(exports::results::mjcf_joint(test::export_sample(), {}));
+  EXPECT_EQ(plain.model->dof_armature[0], 0);
+  EXPECT_STREQ(mj_id2name(plain.model, mjOBJ_JOINT, 0), "J2");
+#else
+  GTEST_SKIP() << "libmujoco-dev is not installed (Debian 12 has it, Ubuntu 22.04 has not)";
+#endif
+}
+
+}  // namespace
+}  // namespace tribolog::archive

@@ -1,0 +1,242 @@
+// Formats of simulators: what is refused, and Modelica by its grammar. URDF and MJCF are loaded by
+// their own parsers in export_parsers_test.cpp.
+
+#include <algorithm>
+#include <cctype>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/temporary_directory.h"
+#include "exports/export_sample.h"
+#include "exports/results/simulator_models.h"
+
+namespace tribolog::archive {
+namespace {
+
+using test::export_sample;
+using test::hostile_export_sample;
+using test::quantity_of;
+using test::refusal_of;
+
+TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  test::quantity_of(joint, "coulomb_torque").verdict = calibration::Verdict::doubtful;
+  for (auto* const make : {exports::results::urdf_joint, exports::results::mjcf_joint}) {
+    const std::string refusal = test::refusal_of<UsageError>([&] { return make(joint, {}); });
+    EXPECT_EQ(refusal,
+              "aaaaaaaaaa: not exported: Coulomb torque of 0.31 N·m (95 %: 0.3 to 0.32) is "
+              "doubtful; --doubtful-too exports it all the same");
+    exports::results::SimulatorOptions options;
+    options.doubtful_too = true;
+    EXPECT_NE(make(joint, options).find("(95 %: 15 to 16), doubtful; archived × n"),
+              std::string::npos);
+    // What is not there, and what no simulator takes, cannot be asked for.
+    exports::results::ArchivedJoint none = test::export_sample();
+    test::quantity_of(none, "viscous_coefficient").estimate.reset();
+    EXPECT_NE(test::refusal_of<UsageError>([&] {
+                return make(none, options);
+              }).find("Viscous coefficient was not identified"),
+              std::string::npos);
+    exports::results::ArchivedJoint negative = test::export_sample();
+    test::quantity_of(negative, "viscous_coefficient").estimate =
+        statistics::Estimate{-1, -2, 0.1, ""};
+    EXPECT_NE(
+        test::refusal_of<UsageError>([&] { return make(negative, options); }).find("is below zero"),
+        std::string::npos);
+  }
+}
+
+TEST(ExportForSimulators, ModelicaRefusesADoubtfulCurveAndNone) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  test::quantity_of(joint, "viscous_curve").verdict = calibration::Verdict::doubtful;
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
+              return exports::results::modelica_friction(joint, {});
+            }).find("Viscous curve is doubtful"),
+            std::string::npos);
+  exports::results::ArchivedJoint none = test::export_sample();
+  none.calibration = "{}";
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
+              return exports::results::modelica_friction(none, {});
+            }).find("holds no friction curve"),
+            std::string::npos);
+  exports::results::ArchivedJoint negative = test::export_sample();
+  negative.calibration.replace(negative.calibration.find("0.70"), 4, "-0.7");
+  EXPECT_NE(test::refusal_of<UsageError>([&] {
+              return exports::results::modelica_friction(negative, {});
+            }).find("not above zero"),
+            std::string::npos);
+}
+
+/// Reads `model JointFriction` by the grammar of the Modelica language (3.4, appendix A), as far as
+/// an `extends` with modifications needs it. Throws where a compiler would refuse.
+class ModelicaReader {
+ public:
+  explicit ModelicaReader(const std::string& text) : text_(text) {
+    word("model");
+    const std::string name = identifier();
+    string();
+    word("extends");
+    base = identifier();
+    while (accept('.')) base += "." + identifier();
+    expect('(');
+    do {
+      const std::string parameter = identifier();
+      expect('=');
+      if (parameter == "peak") {
+        peak = number();
+      } else if (parameter == "tau_pos") {
+        matrix();
+      } else {
+        throw std::runtime_error("no parameter " + parameter);
+      }
+    } while (accept(','));
+    expect(')');
+    expect(';');
+    word("end");
+    word(name);
+    expect(';');
+    skip();
+    if (at_ != text_.size()) throw std::runtime_error("text behind the model");
+  }
+
+  std::string base;
+  double peak{1};
+  std::vector<std::pair<double, double>> tau_pos;
+
+ private:
+  void skip() {
+    for (;;) {
+      while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+      if (text_.compare(at_, 2, "//") == 0) {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else {
+        return;
+      }
+    }
+  }
+  bool accept(char c) {
+    skip();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) {
+    if (!accept(c)) throw std::runtime_error(std::string("expected ") + c + rest());
+  }
+  std::string rest() const { return " at: " + text_.substr(at_, 40); }
+  std::string identifier() {
+    skip();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() &&
+           (std::isalnum(static_cast<unsigned char>(text_[at_])) || text_[at_] == '_')) {
+      ++at_;
+    }
+    if (begin == at_ || std::isdigit(static_cast<unsigned char>(text_[begin]))) {
+      throw std::runtime_error("expected a name" + rest());
+    }
+    return text_.substr(begin, at_ - begin);
+  }
+  void word(const std::string& wanted) {
+    if (identifier() != wanted) throw std::runtime_error("expected " + wanted + rest());
+  }
+  void string() {
+    expect('"');
+    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
+    expect('"');
+  }
+  double number() {
+    skip();
+    const std::size_t begin = at_;
+    const auto digits = [&] {
+      const std::size_t first = at_;
+      while (std::isdigit(static_cast<unsigned char>(text_[at_]))) ++at_;
+      if (at_ == first) throw std::runtime_error("expected digits" + rest());
+    };
+    digits();
+    if (text_[at_] == '.') {
+      ++at_;
+      if (std::isdigit(static_cast<unsigned char>(text_[at_]))) digits();
+    }
+    if (text_[at_] == 'e' || text_[at_] == 'E') {
+      ++at_;
+      if (text_[at_] == '+' || text_[at_] == '-') ++at_;
+      digits();
+    }
+    return std::stod(text_.substr(begin, at_ - begin));
+  }
+  void matrix() {
+    expect('[');
+    do {
+      const double speed = number();
+      expect(',');
+      tau_pos.emplace_back(speed, number());
+    } while (accept(';'));
+    expect(']');
+  }
+
+  const std::string text_;
+  std::size_t at_{};
+};
+
+TEST(ModelicaFriction, IsWhatTheBearingOfTheLibraryTakes) {
+  for (const exports::results::ArchivedJoint& joint :
+       {test::export_sample(), test::hostile_export_sample()}) {
+    for (const joint::Side side : {joint::Side::joint, joint::Side::motor}) {
+      exports::results::SimulatorOptions options;
+      options.side = side;
+      const ModelicaReader read(exports::results::modelica_friction(joint, options));
+      EXPECT_EQ(read.base, "Modelica.Mechanics.Rotational.Components.BearingFriction");
+      ASSERT_EQ(read.tau_pos.size(), 4U);
+      EXPECT_EQ(read.tau_pos[0].first, 0.0);
+      for (std::size_t k = 1; k < 4; ++k) {
+        EXPECT_GT(read.tau_pos[k].first, read.tau_pos[k - 1].first);
+      }
+      const double n = side == joint::Side::joint ? 50 : 1;
+      EXPECT_NEAR(read.tau_pos[3].first, 200 / n, 1e-9);
+      EXPECT_NEAR(read.tau_pos[3].second, 0.70 * n, 1e-9);
+      // The largest torque at rest is peak times the first row: the break-away torque.
+      EXPECT_NEAR(read.peak * read.tau_pos[0].second, 0.45 * n, 1e-9);
+    }
+  }
+}
+
+TEST(ModelicaFriction, HasNoPeakBelowOneAndNoneThatIsNotUsable) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  test::quantity_of(joint, "break_away_torque").estimate = statistics::Estimate{0.2, 0.1, 0.3, ""};
+  EXPECT_EQ(ModelicaReader(exports::results::modelica_friction(joint, {})).peak, 1);
+  joint = test::export_sample();
+  test::quantity_of(joint, "break_away_torque").verdict = calibration::Verdict::doubtful;
+  const std::string text = exports::results::modelica_friction(joint, {});
+  EXPECT_EQ(ModelicaReader(text).peak, 1);
+  EXPECT_NE(text.find("// peak is 1: Break-away torque of 0.45 N·m"), std::string::npos) << text;
+}
+
+TEST(ModelicaFriction, TakesTheLineWhereThereAreNoRuns) {
+  exports::results::ArchivedJoint joint = test::export_sample();
+  joint.calibration.replace(joint.calibration.find("false"), 5, "true");
+  exports::results::SimulatorOptions options;
+  options.side = joint::Side::motor;
+  const ModelicaReader read(exports::results::modelica_friction(joint, options));
+  ASSERT_EQ(read.tau_pos.size(), 2U);
+  EXPECT_NEAR(read.tau_pos[0].second, 0.31, 1e-12);
+  EXPECT_NEAR(read.tau_pos[1].first, 200, 1e-12);
+  EXPECT_NEAR(read.tau_pos[1].second, 0.31 + 0.002 * 200, 1e-12);
+}
+
+TEST(MjcfJoint, HasAnArmatureOnlyWhereItIsKnown) {
+  // Identified: 0.002 kg·m² · 50² = 5 kg·m² ± 0.25 of rotor, gear and arm.
+  const exports::results::ArchivedJoint joint = test::export_sample();
+  exports::results::SimulatorOptions options;
+  EXPECT_EQ(exports::results::mjcf_joint(joint, options).find("armature=\""), std::string::npos);
+  EXPECT_NE(exports::results::mjcf_joint(joint, options).find("armature is left out"),
+            std::string::npos);
+  options.arm_inertia_kgm2 = 4.5;
+  EXPECT_NE(exports::results::mjcf_joint(joint, options).find(" armature=\"0.5\"/>"),
+            std::string::npos);
+  options.arm_inertia_kgm2 = 4.8;  // within the interval: nothing is shown
+  EXPECT_EQ(exports::results::mjcf_joint(joint, options).find("armature=\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tribolog::archive
