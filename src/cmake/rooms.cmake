@@ -46,5 +46,4 @@ function(tribolog_room room)
   target_compile_options(${target} PRIVATE ${TRIBOLOG_CONVERSION_WARNINGS})
   target_link_libraries(${target} PUBLIC tribolog_flags ${public} ${R_PUBLIC_LIBRARIES}
                         PRIVATE ${private} ${R_LIBRARIES})
-  set_property(GLOBAL APPEND PROPERTY TRIBOLOG_ROOMS ${room})
 endfunction()

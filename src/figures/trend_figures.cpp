@@ -202,14 +202,6 @@ render::figure::Panel sum_panel(const history::QuantityTrend& trend) {
   return panel;
 }
 
-}  // namespace
-
-namespace {
-
-using history::FoundChange;
-using history::HistoryPoint;
-using history::LeftOut;
-using history::QuantityTrend;
 using wording::AxisScale;
 
 std::string change_words(const history::FoundChange& change, const wording::AxisScale& scale) {

@@ -174,8 +174,6 @@ std::vector<std::string> comparison_notes(const history::Comparison& c) {
 }
 
 namespace {
-using history::ChangeWord;
-using history::Comparison;
 
 void fill_verdict(const history::Comparison& c, TemplateValues& values) {
   TemplateValues& verdict = values.add_include("VERDICT", "verdict.tpl");

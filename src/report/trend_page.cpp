@@ -234,8 +234,6 @@ std::string chart_words(const history::JointTrend& t) {
 }
 
 namespace {
-using history::JointTrend;
-using history::TrendState;
 
 history::TrendState worst_of(const std::vector<history::JointTrend>& trends) {
   history::TrendState worst = history::TrendState::too_few;

@@ -182,8 +182,6 @@ figures::ReportFigure static_friction_figure(const friction::StribeckFriction& f
 
 namespace {
 
-using wording::AxisScale;
-using wording::prefixed;
 using wording::with_unit;
 
 constexpr double shown_falls = 8;

@@ -92,9 +92,6 @@ std::string paper_json(const RegeneratedPaper& paper) {
   return whole.dump();
 }
 
-}  // namespace
-
-namespace {
 using checks::ItemKind;
 using checks::PaperItem;
 using checks::PaperSection;
