@@ -137,8 +137,10 @@ esac
 # A build directory made for the tests keeps them: switching goals would rebuild for nothing.
 [ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_TESTS:BOOL=ON' "$build/CMakeCache.txt" && tests=ON
 [ -f "$build/CMakeCache.txt" ] && grep -q '^TRIBOLOG_BENCH:BOOL=ON' "$build/CMakeCache.txt" && bench=ON
+# Sources of a room are compiled together: in half the time.
 # shellcheck disable=SC2086
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRIBOLOG_TESTS=$tests \
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 -DTRIBOLOG_TESTS=$tests \
   -DTRIBOLOG_BENCH=$bench ${TRIBOLOG_CMAKE:-} >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 rm -f "$build.log"

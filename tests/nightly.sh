@@ -34,10 +34,12 @@ export LSAN_OPTIONS=exitcode=$finding:suppressions=$suppressions:print_suppressi
 
 say() { printf 'nightly: %s\n' "$*"; }
 
+# Each source by itself: so one that lacks an include is found.
 sanitized_build() {
   [ -x build-sanitize/src/tribolog ] && [ "${1:-}" = program ] && return
   TRIBOLOG_BUILD=build-sanitize \
-    TRIBOLOG_CMAKE="-DTRIBOLOG_SANITIZE=address;undefined -DCMAKE_BUILD_TYPE=RelWithDebInfo" \
+    TRIBOLOG_CMAKE="-DTRIBOLOG_SANITIZE=address;undefined -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+      -DCMAKE_UNITY_BUILD=OFF" \
     ./setup.sh nightly || exit 1
 }
 

@@ -39,7 +39,8 @@ case $what in
       units=("${changed[@]:0:$3}")
       echo "clang-tidy: ${#units[@]} of ${#changed[@]} changed files"
     fi
+    commands=$(python3 tests/style/single_units.py "$build")
     [ ${#units[@]} -eq 0 ] || printf '%s\n' "${units[@]}" |
-      xargs -P "$(nproc)" -n 4 clang-tidy-19 -p "$build" --quiet --extra-arg=-stdlib=libc++
+      xargs -P "$(nproc)" -n 4 clang-tidy-19 -p "$commands" --quiet --extra-arg=-stdlib=libc++
     ;;
 esac

@@ -13,10 +13,10 @@
 namespace tribolog::render::check {
 namespace {
 
-constexpr int least_contrast = 16;     // of 255, in the strongest channel
-constexpr double least_tint = 0.4;     // of the way from the background to the colour
-constexpr double most_hue_error = 48;  // of 255
-constexpr double least_share = 0.5;    // of the pixels that must show a series
+constexpr int least_contrast = 16;            // of 255, in the strongest channel
+constexpr double least_tint = 0.4;            // of the way from the background to the colour
+constexpr double most_series_hue_error = 48;  // of 255
+constexpr double least_series_share = 0.5;    // of the pixels that must show a series
 constexpr double white = 255.0;
 
 struct Ink {
@@ -42,7 +42,7 @@ bool shows(figure::Colour pixel, figure::Colour colour) {
   const double error = std::max({std::abs(found.red - tint * wanted.red),
                                  std::abs(found.green - tint * wanted.green),
                                  std::abs(found.blue - tint * wanted.blue)});
-  return error <= most_hue_error;
+  return error <= most_series_hue_error;
 }
 
 bool contrasts(figure::Colour colour) {
@@ -147,7 +147,8 @@ void check_series(const figure::DrawList& list, const figure::Figure& figure,
       if (seen.insert(curve(subjects[i])).second) {
         findings.warnings.push_back(name + " is hidden under what is drawn after it");
       }
-    } else if (static_cast<double>(found[i]) < least_share * static_cast<double>(expected[i])) {
+    } else if (static_cast<double>(found[i]) <
+               least_series_share * static_cast<double>(expected[i])) {
       findings.error = name + " is not visible in the picture: " + std::to_string(found[i]) +
                        " of " + std::to_string(expected[i]) + " pixels show it";
     }

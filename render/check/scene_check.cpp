@@ -12,9 +12,9 @@ namespace tribolog::render::check {
 namespace {
 
 constexpr std::size_t least_visible_px = 30;  // for a picture of any size: a dot
-constexpr double least_share = 0.5;           // of the pixels that must show a part
+constexpr double least_part_share = 0.5;      // of the pixels that must show a part
 constexpr double darkest_shade = 0.2;         // of a part's colour
-constexpr double most_hue_error = 40;         // of 255
+constexpr double most_part_hue_error = 40;    // of 255
 constexpr int edge_px = 4;                    // outlines and antialiasing reach that far
 
 /// Whether a pixel is the colour in some light.
@@ -31,7 +31,7 @@ bool shows_shaded(figure::Colour pixel, figure::Colour colour) {
   if (light < darkest_shade) return false;
   double error = 0;
   for (int i = 0; i < 3; ++i) error = std::max(error, std::abs(found[i] - light * wanted[i]));
-  return error <= most_hue_error;
+  return error <= most_part_hue_error;
 }
 
 struct Count {
@@ -70,7 +70,7 @@ void check_parts(const figure::DrawList& list, const figure::Picture& picture,
     if (counts[i].visible < least_visible_px) {
       findings.warnings.push_back(name + " is hidden by others, or outside of the picture");
     } else if (static_cast<double>(counts[i].found) <
-               least_share * static_cast<double>(counts[i].expected)) {
+               least_part_share * static_cast<double>(counts[i].expected)) {
       findings.error = name + " is not visible in the picture: " + std::to_string(counts[i].found) +
                        " of " + std::to_string(counts[i].expected) + " pixels show it";
       return;

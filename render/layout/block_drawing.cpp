@@ -160,11 +160,11 @@ void draw_block(DiagramCanvas& canvas, const figure::Block& block, int index) {
 
 namespace {
 
-constexpr double line_pitch = 1.32;       // of an em
-constexpr double clearance_mm = 0.35;     // between text and outline
-constexpr double sign_inset_mm = 2.2;     // of a sign's centre from the side, in a rectangle
-constexpr double sign_share = 0.56;       // of the radius, in a summing junction
-constexpr double gain_text_share = 0.37;  // of the width, from the base
+constexpr double block_line_pitch = 1.32;  // of an em
+constexpr double clearance_mm = 0.35;      // between text and outline
+constexpr double sign_inset_mm = 2.2;      // of a sign's centre from the side, in a rectangle
+constexpr double sign_share = 0.56;        // of the radius, in a summing junction
+constexpr double gain_text_share = 0.37;   // of the width, from the base
 constexpr double frame_inset_mm = 1.4;
 constexpr double integral_growth = 1.75;
 
@@ -254,7 +254,7 @@ void draw_block_texts(DiagramCanvas& canvas, const figure::Block& block, int ind
     canvas.text(owner, sign, at, figure::TextPlace::centre, "∫", index);
   } else {
     const bool frame = block.kind == figure::BlockKind::frame;
-    const double pitch = canvas.length(line_pitch * letter::block_mm);
+    const double pitch = canvas.length(block_line_pitch * letter::block_mm);
     at.y -= pitch * (static_cast<double>(block.lines.size()) - 1) / 2;
     if (frame) {
       at.y = box.top + canvas.length(frame_inset_mm) + 0.365 * canvas.length(letter::block_mm);

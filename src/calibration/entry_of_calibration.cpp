@@ -14,7 +14,7 @@
 namespace tribolog::calibration {
 namespace {
 
-using Json = nlohmann::json;
+using ReadJson = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what,
                          const std::string& expected) {
@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 /// Reads members, and names the one that is missing or of another type.
 class Members {
  public:
-  Members(const Json& object, std::string path, const std::string& file)
+  Members(const ReadJson& object, std::string path, const std::string& file)
       : object_(object), path_(std::move(path)), file_(file) {
     if (!object.is_object()) refuse(file_, path_ + " is missing", "an object");
   }
@@ -33,20 +33,20 @@ class Members {
   [[nodiscard]] Members object(const char* key) const {
     return {member(key), path_ + "." + key, file_};
   }
-  [[nodiscard]] const Json& list(const char* key) const {
-    const Json& value = member(key);
+  [[nodiscard]] const ReadJson& list(const char* key) const {
+    const ReadJson& value = member(key);
     if (!value.is_array()) refuse(file_, path_ + "." + key + " is missing", "a list");
     return value;
   }
   /// Empty for null.
   [[nodiscard]] std::string text(const char* key) const {
-    const Json& value = member(key);
+    const ReadJson& value = member(key);
     if (value.is_null()) return "";
     if (!value.is_string()) refuse(file_, path_ + "." + key, "a text");
     return value.get<std::string>();
   }
   [[nodiscard]] std::optional<double> number(const char* key) const {
-    const Json& value = member(key);
+    const ReadJson& value = member(key);
     if (value.is_null()) return std::nullopt;
     if (!value.is_number() || !std::isfinite(value.get<double>())) {
       refuse(file_, path_ + "." + key, "a number");
@@ -74,20 +74,20 @@ class Members {
   }
 
  private:
-  [[nodiscard]] const Json& member(const char* key) const {
-    static const Json none;
+  [[nodiscard]] const ReadJson& member(const char* key) const {
+    static const ReadJson none;
     const auto at = object_.find(key);
     return at == object_.end() ? none : *at;
   }
 
-  const Json& object_;
+  const ReadJson& object_;
   std::string path_;
   const std::string& file_;
 };
 
 std::optional<double> sampling_rate(const Members& top, const std::string& file) {
   std::vector<double> rates_Hz;
-  for (const Json& speed : top.list("speeds")) {
+  for (const ReadJson& speed : top.list("speeds")) {
     const Members of_recording(speed, "speeds", file);
     const auto samples = of_recording.number("window_samples");
     const auto seconds = of_recording.number("window_s");
@@ -137,7 +137,7 @@ Facts facts_of(const Members& top, const std::string& file) {
   f.sampling_Hz = sampling_rate(top, file);
   f.verdict = verdict.verdict("verdict");
   f.sentence = verdict.text("sentence");
-  for (const Json& setting : provenance.list("configuration")) {
+  for (const ReadJson& setting : provenance.list("configuration")) {
     const Members one(setting, "provenance.configuration", file);
     f.configuration += one.text("name") + ": " + one.text("text") + "\n";
   }
@@ -148,7 +148,7 @@ Facts facts_of(const Members& top, const std::string& file) {
 }
 
 /// A text for the tables must not hold NUL, which PostgreSQL has no place for.
-void refuse_nul(const Json& value, const std::string& file) {
+void refuse_nul(const ReadJson& value, const std::string& file) {
   if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();
     if (text.find('\0') != std::string::npos) {
@@ -157,12 +157,12 @@ void refuse_nul(const Json& value, const std::string& file) {
     return;  // the elements of a text that is not structured would be itself
   }
   if (!value.is_structured()) return;
-  for (const Json& inner : value) refuse_nul(inner, file);
+  for (const ReadJson& inner : value) refuse_nul(inner, file);
 }
 
 std::vector<Quantity> quantities_of(const Members& verdict, const std::string& file) {
   std::vector<Quantity> quantities;
-  for (const Json& listed : verdict.list("quantities")) {
+  for (const ReadJson& listed : verdict.list("quantities")) {
     const Members one(listed, "verdict.quantities", file);
     quantities.push_back({one.text("key"), one.text("words"), one.text("unit"),
                           one.verdict("verdict"), one.estimate("estimate")});
@@ -173,7 +173,7 @@ std::vector<Quantity> quantities_of(const Members& verdict, const std::string& f
 std::vector<Input> inputs_of(const Members& top, const std::string& file) {
   constexpr double largest = 9e15;  // whole in a double
   std::vector<Input> inputs;
-  for (const Json& listed : top.list("inputs")) {
+  for (const ReadJson& listed : top.list("inputs")) {
     const Members one(listed, "inputs", file);
     Input input{one.text("name"), one.text("role"), 0, one.text("sha256")};
     const double bytes = one.number("bytes").value_or(-1);
@@ -189,10 +189,10 @@ std::vector<Input> inputs_of(const Members& top, const std::string& file) {
   return inputs;
 }
 
-Json parsed(const std::string& json, const std::string& file) {
+ReadJson parsed(const std::string& json, const std::string& file) {
   try {
-    return Json::parse(json);
-  } catch (const Json::exception& error) {
+    return ReadJson::parse(json);
+  } catch (const ReadJson::exception& error) {
     throw InputError({file, 0, 0}, {"is no JSON", error.what(), "a calibration",
                                     "tribolog identify writes a file that can be archived"});
   }
@@ -223,7 +223,7 @@ double seconds_of_utc(const std::string& utc) {
 }
 
 NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {
-  const Json whole = parsed(json, file);
+  const ReadJson whole = parsed(json, file);
   const Members top(whole, "the file", file);
   if (top.text("schema") != "tribolog-calibration-1") {
     refuse(file, "is no calibration", "schema \"tribolog-calibration-1\"");

@@ -14,7 +14,7 @@
 namespace tribolog::cli {
 namespace {
 
-struct Options {
+struct AddOptions {
   std::vector<std::string> calibrations;
   std::string report;
   std::string inputs;
@@ -22,7 +22,7 @@ struct Options {
   bool json{false};
 };
 
-void check(const Options& options) {
+void check(const AddOptions& options) {
   const bool of_one = !options.report.empty() || !options.inputs.empty();
   if (of_one && options.calibrations.size() > 1) {
     throw UsageError("--report and --inputs belong to one calibration; add them one by one");
@@ -32,7 +32,7 @@ void check(const Options& options) {
 }  // namespace
 
 Run add_add(CLI::App& archive) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AddOptions>();
   CLI::App& command = *archive.add_subcommand("add", "keep calibrations that identify wrote");
   command.add_option("CALIBRATION", options->calibrations, "calibration files (JSON)")->required();
   command.add_option("--report", options->report, "its report (HTML), kept as it is");

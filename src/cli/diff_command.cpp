@@ -11,7 +11,7 @@
 namespace tribolog::cli {
 namespace {
 
-struct Options {
+struct DiffOptions {
   std::vector<std::string> ids;
   std::string output;
   history::AllowedDifference allowed;
@@ -42,7 +42,7 @@ std::string missing_curves(const history::RecordedCurves& a, const history::Reco
   return words;
 }
 
-ExitStatus write_page(const Options& options, const history::Comparison& comparison,
+ExitStatus write_page(const DiffOptions& options, const history::Comparison& comparison,
                       const history::RecordedCurves& first, const history::RecordedCurves& second,
                       const Invocation& call) {
   const auto figures = figures::comparison_figures(comparison, first, second);
@@ -67,7 +67,7 @@ void tell(const history::Comparison& comparison, Console& console) {
 }  // namespace
 
 Run add_diff(CLI::App& archive) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiffOptions>();
   CLI::App& command = *archive.add_subcommand("diff", "two calibrations: what changed");
   command.add_option("ID", options->ids, "the first digits of both ids")->required()->expected(2);
   command.add_option("-o,--output", options->output, "page (HTML) to write");

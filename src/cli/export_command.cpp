@@ -11,7 +11,7 @@
 namespace tribolog::cli {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string id;
   std::string format;
   std::string output;
@@ -19,7 +19,7 @@ struct Options {
   exports::results::SimulatorOptions simulator;
 };
 
-void check(Options& options) {
+void check(ExportOptions& options) {
   if (!options.side.empty() && options.format != "modelica") {
     throw UsageError(
         "archive export: --side is for modelica; tables have both sides, URDF and "
@@ -31,7 +31,7 @@ void check(Options& options) {
   options.simulator.side = options.side == "motor" ? joint::Side::motor : joint::Side::joint;
 }
 
-std::string text_of(const Options& options, const exports::results::ArchivedJoint& joint) {
+std::string text_of(const ExportOptions& options, const exports::results::ArchivedJoint& joint) {
   if (options.format == "csv") return exports::results::csv_table(joint);
   if (options.format == "json") return exports::results::json_document(joint);
   if (options.format == "latex") return exports::results::latex_table(joint);
@@ -43,7 +43,7 @@ std::string text_of(const Options& options, const exports::results::ArchivedJoin
 }  // namespace
 
 Run add_export(CLI::App& archive) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportOptions>();
   CLI::App& command = *archive.add_subcommand("export", "one calibration for where it is used");
   command.add_option("ID", options->id, "the first digits of its id")->required();
   command.add_option("--format", options->format, "csv, json, latex, urdf, mjcf or modelica")

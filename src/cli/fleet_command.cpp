@@ -14,7 +14,7 @@
 namespace tribolog::cli {
 namespace {
 
-struct Options {
+struct FleetOptions {
   archive::store::Filter filter;
   std::string output;
   std::string reports;
@@ -22,7 +22,7 @@ struct Options {
   wording::Language language{wording::Language::english};
 };
 
-void check(const Options& options) {
+void check(const FleetOptions& options) {
   if (options.output.empty() && !options.json) {
     throw UsageError("archive fleet: -o PAGE or --json is needed");
   }
@@ -45,7 +45,7 @@ std::string shown_name(const std::string& archive) {
 }
 
 /// The report of each joint's latest calibration, if the archive has it.
-report::FleetLinks add_reports(const history::Fleet& fleet, const Options& options,
+report::FleetLinks add_reports(const history::Fleet& fleet, const FleetOptions& options,
                                archive::store::CalibrationArchive& kept, AtomicFiles& files,
                                Console& console) {
   report::FleetLinks links{{}, directory_from(options.output, options.reports)};
@@ -68,7 +68,7 @@ report::FleetLinks add_reports(const history::Fleet& fleet, const Options& optio
 }  // namespace
 
 Run add_fleet(CLI::App& archive) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FleetOptions>();
   CLI::App& command =
       *archive.add_subcommand("fleet", "all robots and joints on one page, outliers first");
   command.add_option("-o,--output", options->output, "page (HTML) to write");

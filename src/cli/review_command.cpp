@@ -17,7 +17,7 @@
 namespace tribolog::cli {
 namespace {
 
-struct Options {
+struct ReviewOptions {
   std::string report;
   std::string reviewer;
   std::string note;
@@ -61,7 +61,7 @@ calibration::Entry entry_of_report(archive::store::CalibrationArchive& kept,
 }  // namespace
 
 std::function<Run()> add_review(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReviewOptions>();
   CLI::App& command = *app.add_subcommand("review", "approve or reject a report that is archived");
   command.add_option("REPORT", options->report, "the report (HTML), or the id of its calibration")
       ->required();

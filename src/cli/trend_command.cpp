@@ -20,7 +20,7 @@ using history::TrendState;
 /// A page of more would be slow to draw and to read.
 constexpr std::size_t most_joints_of_a_page = 12;
 
-struct Options {
+struct TrendOptions {
   archive::store::Filter filter;
   std::string output;
   history::Baseline baseline;
@@ -43,7 +43,7 @@ void tell(const history::JointTrend& trend, Console& console) {
   if (changes.empty()) console.say(fmt::format("outcome: {}", history::to_string(trend.state())));
 }
 
-ExitStatus write_page(const Options& options, const std::vector<history::JointTrend>& trends,
+ExitStatus write_page(const TrendOptions& options, const std::vector<history::JointTrend>& trends,
                       const Invocation& call) {
   if (trends.empty()) throw UsageError("no calibration is of that robot, serial number and joint");
   if (trends.size() > most_joints_of_a_page) {
@@ -63,7 +63,7 @@ ExitStatus write_page(const Options& options, const std::vector<history::JointTr
 }  // namespace
 
 Run add_trend(CLI::App& archive) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrendOptions>();
   options->filter.latest_revisions = true;
   CLI::App& command =
       *archive.add_subcommand("trend", "joints over time: what moved, and from when on");

@@ -7,7 +7,7 @@
 namespace tribolog::friction {
 namespace {
 
-enum Member : std::size_t { deflection, sliding };
+enum ResetMember : std::size_t { bristle_deflection, slip_direction };
 
 }  // namespace
 
@@ -29,24 +29,24 @@ ResetIntegratorFriction::ResetIntegratorFriction(const Parameters& parameters) :
 
 void ResetIntegratorFriction::rates(std::span<const double> state, double speed_rad_s,
                                     std::span<double> rates) const {
-  rates[deflection] = state[sliding] == 0.0 ? speed_rad_s : 0.0;
-  rates[sliding] = 0;
+  rates[bristle_deflection] = state[slip_direction] == 0.0 ? speed_rad_s : 0.0;
+  rates[slip_direction] = 0;
 }
 
 void ResetIntegratorFriction::settle(std::span<double> state, double speed_rad_s) const {
   const double direction = direction_of(speed_rad_s);
-  if (state[sliding] != direction) state[sliding] = 0;
+  if (state[slip_direction] != direction) state[slip_direction] = 0;
   const double bound = p_.largest_deflection_rad;
-  if (direction * state[deflection] < bound || direction == 0.0) return;
-  state[deflection] = direction * bound;
-  state[sliding] = direction;
+  if (direction * state[bristle_deflection] < bound || direction == 0.0) return;
+  state[bristle_deflection] = direction * bound;
+  state[slip_direction] = direction;
 }
 
 double ResetIntegratorFriction::torque_Nm(std::span<const double> state, double speed_rad_s) const {
-  const bool is_bonded = std::abs(state[deflection]) < p_.largest_deflection_rad;
+  const bool is_bonded = std::abs(state[bristle_deflection]) < p_.largest_deflection_rad;
   const double gain = is_bonded ? 1 + p_.stiction_gain : 1.0;
-  const double rate = state[sliding] == 0.0 ? speed_rad_s : 0.0;
-  return gain * p_.stiffness_Nm_rad * state[deflection] + p_.damping_Nms_rad * rate +
+  const double rate = state[slip_direction] == 0.0 ? speed_rad_s : 0.0;
+  return gain * p_.stiffness_Nm_rad * state[bristle_deflection] + p_.damping_Nms_rad * rate +
          p_.viscous_Nms_rad * speed_rad_s;
 }
 
@@ -56,19 +56,19 @@ double ResetIntegratorFriction::steady_torque_Nm(double speed_rad_s) const {
 }
 
 void ResetIntegratorFriction::advance(std::span<double> state, const SpeedStep& step) const {
-  state[deflection] += step.path_rad();
+  state[bristle_deflection] += step.path_rad();
   settle(state, step.direction());
 }
 
 void ResetIntegratorFriction::state_scales(std::span<double> scales) const {
-  scales[deflection] = p_.largest_deflection_rad;
-  scales[sliding] = 1;
+  scales[bristle_deflection] = p_.largest_deflection_rad;
+  scales[slip_direction] = 1;
 }
 
 void ResetIntegratorFriction::event_values(std::span<const double> state, double /*speed_rad_s*/,
                                            std::span<double> values) const {
-  const bool is_bonded = state[sliding] == 0.0;
-  values[0] = is_bonded ? std::abs(state[deflection]) - p_.largest_deflection_rad : 1.0;
+  const bool is_bonded = state[slip_direction] == 0.0;
+  values[0] = is_bonded ? std::abs(state[bristle_deflection]) - p_.largest_deflection_rad : 1.0;
 }
 
 }  // namespace tribolog::friction

@@ -12,25 +12,26 @@
 namespace tribolog::history {
 namespace {
 
-using Json = nlohmann::json;
+using Recorded = nlohmann::json;
 using calibration::member;
 
-double number(const Json& value) {
+double number(const Recorded& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<double> numbers(const Json& list) {
+std::vector<double> numbers(const Recorded& list) {
   std::vector<double> values;
   if (!list.is_array()) return values;
-  for (const Json& value : list) values.push_back(number(value));
+  for (const Recorded& value : list) values.push_back(number(value));
   return values;
 }
 
-RecordedFriction friction_of(const Json& top) {
-  const Json& viscous = calibration::member(top, "viscous");
-  const Json& runs = calibration::member(viscous, "runs");
-  const Json& chosen = calibration::member(calibration::member(top, "selection"), "recommended");
-  const Json& curves = calibration::member(viscous, "curves");
+RecordedFriction friction_of(const Recorded& top) {
+  const Recorded& viscous = calibration::member(top, "viscous");
+  const Recorded& runs = calibration::member(viscous, "runs");
+  const Recorded& chosen =
+      calibration::member(calibration::member(top, "selection"), "recommended");
+  const Recorded& curves = calibration::member(viscous, "curves");
   if (!runs.is_array() || !chosen.is_string()) return {};
   const std::vector<double> friction =
       numbers(calibration::member(curves, chosen.get<std::string>()));
@@ -47,13 +48,13 @@ RecordedFriction friction_of(const Json& top) {
   return made;
 }
 
-std::vector<RecordedLoop> loops_of(const Json& top) {
+std::vector<RecordedLoop> loops_of(const Recorded& top) {
   std::vector<RecordedLoop> loops;
-  const Json& oscillations =
+  const Recorded& oscillations =
       calibration::member(calibration::member(top, "hysteresis"), "oscillations");
   if (!oscillations.is_array()) return loops;
-  for (const Json& oscillation : oscillations) {
-    const Json& steady = calibration::member(oscillation, "steady_loop");
+  for (const Recorded& oscillation : oscillations) {
+    const Recorded& steady = calibration::member(oscillation, "steady_loop");
     RecordedLoop loop;
     loop.centre_rad = number(calibration::member(steady, "centre_rad"));
     loop.from_centre_rad = numbers(calibration::member(steady, "angle_from_centre_rad"));
@@ -68,7 +69,7 @@ std::vector<RecordedLoop> loops_of(const Json& top) {
 }  // namespace
 
 RecordedCurves recorded_curves(const std::string& json) {
-  const Json top = Json::parse(json, nullptr, false);
+  const Recorded top = Recorded::parse(json, nullptr, false);
   if (top.is_discarded()) return {};
   return {friction_of(top), loops_of(top)};
 }

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double margin_share = 0.01;  // of the range, at either end
 constexpr double largest_margin_rad = 1 * joint::rad_per_degree;
-constexpr double usable_torque = 0.95;  // of the limit
-constexpr double travel_share = 0.5;    // of the speed limit
+constexpr double travel_share = 0.5;  // of the speed limit
 constexpr double acceleration_share = 0.5;
 constexpr double least_acceleration_share = 1e-3;
 constexpr double same_place_rad = 1e-12;

@@ -19,6 +19,9 @@ struct WorkingRange {
   [[nodiscard]] double with_room(double angle_rad, double room_rad) const;
 };
 
+/// Of the drive's torque limit, what a plan uses.
+inline constexpr double usable_torque = 0.95;
+
 /// Limits less a margin, and of that the stretch over which the drive can hold gravity and
 /// friction. What the torque takes away becomes a remark.
 WorkingRange working_range(const AssumedJoint& joint, std::vector<std::string>& remarks);

@@ -22,7 +22,6 @@ constexpr double shortest_plateau_s = 0.2;
 constexpr double largest_travel_rad = 60 * joint::rad_per_degree;
 constexpr double slowest_over_stribeck = 0.2;
 constexpr double fastest_share = 0.95;  // of the speed limit
-constexpr double usable_torque = 0.95;
 /// Below this multiple of the Stribeck velocity the curve's rise is not seen.
 constexpr double fastest_over_stribeck = 3;
 constexpr double least_ratio_of_speeds = 2;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int few_digits = 3;
 
-struct Words {
+struct LuGreWords {
   const char* quantity;
   int torque_powers;  ///< Factors n from motor to joint.
   wording::Scale (*scale)(double);
@@ -23,7 +23,7 @@ wording::Scale weakening_scale(double) { return wording::plain_scale("N·m·s²/
 wording::Scale speed_scale(double) { return wording::plain_scale("rad/s"); }
 wording::Scale inertia_scale(double) { return wording::plain_scale("kg·m²"); }
 
-const std::map<std::string, Words> words{
+const std::map<std::string, LuGreWords> words{
     {"bristle_stiffness_Nm_rad", {"Bristle stiffness σ₀", 2, wording::stiffness_scale}},
     {"bristle_damping_Nms_rad", {"Bristle damping σ₁", 2, wording::viscous_scale}},
     {"viscous_Nms_rad", {"Viscous coefficient σ₂", 2, wording::viscous_scale}},
@@ -48,7 +48,7 @@ Table shown_table(const method::hysteresis::LuGreFit& f, double n, const Section
   table.caption = "LuGre model, fitted to the hysteresis loops alone";
   table.columns = estimate_columns();
   for (const method::hysteresis::LuGreParameter& p : f.parameters) {
-    const Words& w = words.at(p.name);
+    const LuGreWords& w = words.at(p.name);
     if (p.estimate) {
       add_both_sides(w.quantity, *p.estimate, n, w.torque_powers, w.scale, table);
     } else {

@@ -12,7 +12,7 @@
 #include "archive/sample_calibration.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::altered_columns_test {
 namespace {
 
 using test::AnyArchive;
@@ -217,4 +217,4 @@ TEST_P(AnyArchive, VerifyNoticesRowsThatAreGoneTwiceOrSwapped) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::altered_columns_test

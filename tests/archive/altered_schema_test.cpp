@@ -10,7 +10,7 @@
 #include "archive/sqlite_place.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::altered_schema_test {
 namespace {
 
 const std::string edited = "PRAGMA writable_schema=1; UPDATE sqlite_master SET ";
@@ -75,4 +75,4 @@ TEST(AlteredSchema, StatisticsAndFreePagesAreNone) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::altered_schema_test

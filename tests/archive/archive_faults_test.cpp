@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::archive_faults_test {
 namespace {
 
 using test::refusal_of;
@@ -112,4 +112,4 @@ TEST_F(ArchiveOnASmallDisk, ReadOnlyIsReadAndNotWritten) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::archive_faults_test

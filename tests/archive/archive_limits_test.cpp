@@ -9,7 +9,7 @@
 #include "archive/sample_calibration.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::archive_limits_test {
 namespace {
 
 using test::AnyArchive;
@@ -114,4 +114,4 @@ TEST_P(AnyArchive, ManyAtOnceMakeOneArchiveAndLoseNothing) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::archive_limits_test

@@ -6,7 +6,7 @@
 #include "archive/sample_calibration.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::calibration_archive_test {
 namespace {
 
 using test::AnyArchive;
@@ -196,4 +196,4 @@ TEST_P(AnyArchive, ImpossibleNumbersAreRefusedAndNothingIsKept) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::calibration_archive_test

@@ -15,7 +15,7 @@
 #include "base/temporary_directory.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::killed_writers_test {
 namespace {
 
 const std::string now = "2026-12-24T12:00:00Z";
@@ -102,4 +102,4 @@ TEST(KilledWriters, LoseNothingThatWasAcknowledged) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::killed_writers_test

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::postgres_archive_test {
 namespace {
 
 using test::AnyArchive;
@@ -287,4 +287,4 @@ TEST_F(PostgresArchive, BackupIsLeftToPgDump) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::postgres_archive_test

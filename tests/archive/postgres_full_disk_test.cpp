@@ -10,7 +10,7 @@
 #include "archive/postgres_archive.h"
 #include "archive/sample_calibration.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::postgres_full_disk_test {
 namespace {
 
 using test::PostgresArchive;
@@ -98,4 +98,4 @@ TEST_F(PostgresDisk, ADiskThatBecomesFullKeepsWhatWasAcknowledged) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::postgres_full_disk_test

@@ -14,7 +14,7 @@
 #include "cli/small_dataset.h"
 #include "support/postgres_server.h"
 
-namespace tribolog::test {
+namespace tribolog::test::postgres_program_test {
 namespace {
 
 class PostgresProgram : public testing::Test {
@@ -142,4 +142,4 @@ TEST_F(PostgresProgram, KilledAtAnyMomentItLosesNothingItAcknowledged) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::postgres_program_test

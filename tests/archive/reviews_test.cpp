@@ -5,7 +5,7 @@
 #include "base/encodings.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::reviews_test {
 namespace {
 
 using test::AnyArchive;
@@ -92,4 +92,4 @@ TEST_P(AnyArchive, RefusesTextsOfDecisionsThatItCannotKeep) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::reviews_test

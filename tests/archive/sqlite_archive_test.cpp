@@ -6,7 +6,7 @@
 #include "archive/sqlite_place.h"
 #include "base/error.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::sqlite_archive_test {
 namespace {
 
 using test::sample_calibration;
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(Sqlite, AnyArchive,
                          }));
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::sqlite_archive_test

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::upgrade_test {
 namespace {
 
 const std::string now = "2026-12-24T12:00:00Z";
@@ -145,4 +145,4 @@ TEST_F(OldArchive, IsCoveredWhereItsDigestsSayNothing) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::upgrade_test

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -336,4 +336,4 @@ TEST(CreateDirectory, MakesThoseAboveToo) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::atomic_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::closest_match_test {
 namespace {
 
 TEST(ClosestMatch, FindsSlipsCaseAndParts) {
@@ -32,4 +32,4 @@ TEST(ListOfNames, StopsSomewhere) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::closest_match_test

@@ -14,7 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::early_end_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -111,4 +111,4 @@ TEST(EarlyEnd, LeavesASignalThatIsIgnoredIgnored) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::early_end_test

@@ -4,7 +4,7 @@
 
 #include "base/shown_text.h"
 
-namespace tribolog {
+namespace tribolog::error_test {
 namespace {
 
 std::string message(const Location& where, const InputError::Problem& problem) {
@@ -82,4 +82,4 @@ TEST(Printable, CutsLongTextBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::error_test

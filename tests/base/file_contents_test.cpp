@@ -9,7 +9,7 @@
 #include "base/input_file.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::file_contents_test {
 namespace {
 
 using test::refusal_of;
@@ -99,4 +99,4 @@ TEST(InputFileSource, RefusesAFileThatBecomesShorterWhileItReads) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::file_contents_test

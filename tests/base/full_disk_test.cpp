@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::full_disk_test {
 namespace {
 
 using test::refusal_of;
@@ -82,4 +82,4 @@ TEST_F(SmallDisk, ReadOnlyIsFoundBeforeTheComputation) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::full_disk_test

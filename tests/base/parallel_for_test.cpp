@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::parallel_for_test {
 namespace {
 
 TEST(ParallelFor, DoesEachPieceOnce) {
@@ -54,4 +54,4 @@ TEST(ParallelFor, ThrowsOnWhatAPieceThrows) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::parallel_for_test

@@ -6,7 +6,7 @@
 
 #include "base/requirements.h"
 
-namespace tribolog {
+namespace tribolog::present_test {
 namespace {
 
 TEST(Present, IsTheValueItself) {
@@ -27,4 +27,4 @@ TEST(Present, IsAFaultOfTheProgramWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::present_test

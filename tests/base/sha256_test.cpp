@@ -2,7 +2,7 @@
 
 #include "base/encodings.h"
 
-namespace tribolog {
+namespace tribolog::sha256_test {
 namespace {
 
 // Vectors of FIPS 180-4 as published by NIST.
@@ -16,4 +16,4 @@ TEST(Sha256, GivesThePublishedFingerprints) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::sha256_test

@@ -12,7 +12,7 @@
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
-namespace tribolog::test {
+namespace tribolog::test::calibration_json_test {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ TEST(CalibrationJson, SameCalibrationSameBytesInAFixedOrder) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::calibration_json_test

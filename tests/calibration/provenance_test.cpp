@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::provenance_test {
 namespace {
 
 TEST(CreationTime, FollowsSourceDateEpoch) {
@@ -52,4 +52,4 @@ TEST(Provenance, NamesTheProgramWithoutItsDirectory) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::provenance_test

@@ -7,7 +7,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::archive_commands_test {
 namespace {
 
 using nlohmann::json;
@@ -247,4 +247,4 @@ TEST_F(ArchiveCommands, HostileNamesAreShownAsText) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::archive_commands_test

@@ -7,7 +7,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::archive_export_test {
 namespace {
 
 /// A small dataset, identified and archived with a made-up report.
@@ -108,4 +108,4 @@ TEST(ArchiveFleet, IsJsonForScripts) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::archive_export_test

@@ -10,7 +10,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::archive_history_test {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST_F(ArchiveHistoryTest, DiffTellsTheChangeAndRefusesWhatIsOne) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::archive_history_test

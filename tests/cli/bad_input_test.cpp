@@ -8,7 +8,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::bad_input_test {
 namespace {
 
 struct BadInput {
@@ -86,4 +86,4 @@ TEST(BadInput, ImpossibleScenarioNamesItsKey) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::bad_input_test

@@ -5,7 +5,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::commands_test {
 namespace {
 
 TEST(Commands, VersionNamesWhatItStandsOn) {
@@ -259,4 +259,4 @@ TEST(Commands, ResamplesAndSeedOfTheCommandLineWinOverTheManifest) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::commands_test

@@ -8,7 +8,7 @@
 #include "cli/close_texts.h"
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::examples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,4 +50,4 @@ TEST(Examples, ThePictureIsTheProgramsOwn) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::examples_test

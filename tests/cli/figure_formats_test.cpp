@@ -7,7 +7,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::figure_formats_test {
 namespace {
 
 std::set<std::string> names_in(const std::string& directory) {
@@ -89,4 +89,4 @@ TEST(FigureFormats, ThatDoNotExistAreUsageErrors) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::figure_formats_test

@@ -16,7 +16,7 @@
 #include "base/utf8.h"
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::hostile_texts_test {
 namespace {
 
 /// As text: ESC, BEL, DEL, C1, bidi, line separators, tags. No line feed: a log's name ends there.
@@ -209,4 +209,4 @@ TEST_F(HostileTexts, OfTheCommandLineAreEscapedInItsErrors) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::hostile_texts_test

@@ -13,7 +13,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::init_round_trip_test {
 namespace {
 
 /// A name of a few characters that mean something to TOML, CSV, JSON, a shell or a terminal.
@@ -119,4 +119,4 @@ TEST(InitRoundTrip, NamesThatAreNotUtf8AreRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::init_round_trip_test

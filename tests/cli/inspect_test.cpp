@@ -15,7 +15,7 @@
 #include "support/mcap_writer.h"
 #include "support/real_logs.h"
 
-namespace tribolog::test {
+namespace tribolog::test::inspect_test {
 namespace {
 
 constexpr double end_share = 0.02;  // of a segment's length
@@ -279,4 +279,4 @@ TEST(Init, IsNeverWrittenOverALog) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::inspect_test

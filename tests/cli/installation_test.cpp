@@ -10,7 +10,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::installation_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ TEST(Installation, HasAManualThatNamesEveryCommand) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::installation_test

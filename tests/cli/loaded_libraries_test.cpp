@@ -11,7 +11,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::loaded_libraries_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST(MissingLibraries, AreNamedWhereTheyAreNeeded) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::loaded_libraries_test

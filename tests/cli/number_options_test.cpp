@@ -7,7 +7,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::number_options_test {
 namespace {
 
 struct NumberOption {
@@ -68,4 +68,4 @@ TEST(NumberOptions, RefuseWhatIsNoNumberByTheirName) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::number_options_test

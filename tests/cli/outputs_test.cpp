@@ -8,7 +8,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::outputs_test {
 namespace {
 
 std::string at_epoch(const std::string& command) {
@@ -164,4 +164,4 @@ TEST(Outputs, NoFiguresIsAsked) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::outputs_test

@@ -6,7 +6,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::plan_command_test {
 namespace {
 
 const std::string example = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/plan/joint.toml";
@@ -69,4 +69,4 @@ TEST(PlanCommand, AFileOfTheJointIsNeverOverwritten) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::plan_command_test

@@ -11,7 +11,7 @@
 #include "cli/close_texts.h"
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::readme_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST(Readme, ShowsWhatIsPrinted) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::readme_test

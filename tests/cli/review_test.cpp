@@ -7,7 +7,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::review_test {
 namespace {
 
 using nlohmann::json;
@@ -120,4 +120,4 @@ TEST_F(ReviewCommands, ShowReadsTheNumbersOfAReport) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::review_test

@@ -8,7 +8,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::robot_drawings_test {
 namespace {
 
 std::string planar_arm() {
@@ -120,4 +120,4 @@ TEST(RobotDrawings, HostileNamesStayText) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::robot_drawings_test

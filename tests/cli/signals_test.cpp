@@ -13,7 +13,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::signals_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST_F(HangingReport, TakesItsDrawingProcessesWithItEvenWhenKilled) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::signals_test

@@ -8,7 +8,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::standard_output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(StandardOutput, ClosedStreamsGetNoFilesThatAreOpenedLater) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::standard_output_test

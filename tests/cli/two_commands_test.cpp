@@ -8,7 +8,7 @@
 
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::two_commands_test {
 namespace {
 
 std::string example(const std::string& name) {
@@ -82,4 +82,4 @@ TEST(MainJob, SeedOnTheCommandLineChangesTheNoise) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::two_commands_test

@@ -7,7 +7,7 @@
 #include "friction/waiboer.h"
 #include "ingest/manifest/manifest_file.h"
 
-namespace tribolog {
+namespace tribolog::dataset_toml_test {
 namespace {
 
 joint::Recording recording(const std::string& name, joint::Role role, bool has_speed,
@@ -141,4 +141,4 @@ TEST(DatasetToml, NamesTheDescriptionThatStandsBesideIt) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::dataset_toml_test

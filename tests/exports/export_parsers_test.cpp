@@ -13,7 +13,7 @@
 #include <mujoco/mujoco.h>
 #endif
 
-namespace tribolog::archive {
+namespace tribolog::archive::export_parsers_test {
 namespace {
 
 using test::export_sample;
@@ -99,4 +99,4 @@ TEST(ExportParsers, MujocoMovesAsTheJointWould) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::export_parsers_test

@@ -11,7 +11,7 @@
 #include "exports/export_sample.h"
 #include "exports/results/simulator_models.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::export_simulators_test {
 namespace {
 
 using test::export_sample;
@@ -239,4 +239,4 @@ TEST(MjcfJoint, HasAnArmatureOnlyWhereItIsKnown) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::export_simulators_test

@@ -8,7 +8,7 @@
 #include "exports/results/result_tables.h"
 #include "support/run_program.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::export_tables_test {
 namespace {
 
 using test::export_sample;
@@ -175,4 +175,4 @@ TEST(LatexTable, Compiles) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::export_tables_test

@@ -13,7 +13,7 @@
 #include <rapidcheck/gtest.h>
 #endif
 
-namespace tribolog {
+namespace tribolog::recording_csv_test {
 namespace {
 
 joint::Recording two_samples() {
@@ -79,4 +79,4 @@ RC_GTEST_PROP(RecordingCsvProperty, ComesBackBitForBit, (std::vector<double> val
 #endif
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::recording_csv_test

@@ -9,7 +9,7 @@
 #include "robot/joint_under_test.h"
 #include "simulate/simulate_joint.h"
 
-namespace tribolog {
+namespace tribolog::simulation_files_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -94,4 +94,4 @@ TEST(WriteSimulationRefusal, OfNamesThatLeaveTheDirectory) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::simulation_files_test

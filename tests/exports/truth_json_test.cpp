@@ -5,7 +5,7 @@
 #include "friction/catalogue.h"
 #include "ingest/manifest/scenario_file.h"
 
-namespace tribolog {
+namespace tribolog::truth_json_test {
 namespace {
 
 const std::string example = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/";
@@ -67,4 +67,4 @@ TEST(TruthJson, TakesTextsThatAreNotUtf8) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::truth_json_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::figures {
+namespace tribolog::figures::estimator_style_test {
 namespace {
 
 // A grey print, or a reader who sees no colour, must still tell every pair apart.
@@ -44,4 +44,4 @@ TEST(EstimatorStyle, ApplyGivesTheSeriesThatLook) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::estimator_style_test

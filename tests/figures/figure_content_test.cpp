@@ -10,7 +10,7 @@
 #include "figures/figure_set.h"
 #include "figures/hand_made_calibration.h"
 
-namespace tribolog {
+namespace tribolog::figure_content_test {
 namespace {
 
 class EveryPanel : public ::testing::Test {
@@ -110,4 +110,4 @@ TEST_F(EveryPanel, LogarithmicAxesHoldPositiveNumbersOnly) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::figure_content_test

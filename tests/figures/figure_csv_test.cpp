@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::figure_csv_test {
 namespace {
 
 constexpr std::size_t all_rows = 1000;
@@ -147,4 +147,4 @@ TEST(FigureCsv, DrawingsShowNoData) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::figure_csv_test

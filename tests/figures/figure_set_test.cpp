@@ -9,7 +9,7 @@
 
 #include "figures/hand_made_calibration.h"
 
-namespace tribolog {
+namespace tribolog::figure_set_test {
 namespace {
 
 std::vector<int> numbers(const std::vector<figures::ReportFigure>& figures) {
@@ -96,4 +96,4 @@ TEST(FigureSet, SameInputSameFigures) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::figure_set_test

@@ -10,7 +10,7 @@
 #include "figures/figure_set.h"
 #include "figures/hand_made_calibration.h"
 
-namespace tribolog {
+namespace tribolog::hostile_calibration_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -153,4 +153,4 @@ TEST_F(HostileCalibration, AllRunsAtStandstillOrOneDirection) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::hostile_calibration_test

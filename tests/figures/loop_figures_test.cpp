@@ -10,7 +10,7 @@
 #include "figures/hysteresis_loops.h"
 #include "figures/torque_choice.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::loop_figures_test {
 namespace {
 
 namespace known = test::known;
@@ -160,4 +160,4 @@ TEST_F(LoopFigures, PeakFarFromTheLoopIsNotDrawnOnIt) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::loop_figures_test

@@ -11,7 +11,7 @@
 #include "figures/selected_curve.h"
 #include "friction/waiboer.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::run_figures_test {
 namespace {
 
 bool has_label(const render::figure::Panel& panel, const std::string& part) {
@@ -184,4 +184,4 @@ TEST_F(RunFigures, AngleBinsOfASweepStayMarkers) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::run_figures_test

@@ -11,7 +11,7 @@
 #include "figures/cross_check_figures.h"
 #include "wording/reading_label.h"
 
-namespace tribolog {
+namespace tribolog::study_figures_test {
 namespace {
 
 study::StudiedReading reading(const std::string& name, truth::ReadingKind quantity, double truth,
@@ -104,4 +104,4 @@ TEST(ReadingLabel, MarksSubscriptsUp) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::study_figures_test

@@ -10,7 +10,7 @@
 #include "figures/sweep_motion.h"
 #include "figures/sweep_torque.h"
 
-namespace tribolog::figures {
+namespace tribolog::figures::sweep_figures_test {
 namespace {
 
 namespace known = test::known;
@@ -130,4 +130,4 @@ TEST_F(SweepFigures, JointWithoutGearHasNoMotorSide) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::sweep_figures_test

@@ -9,7 +9,7 @@
 
 #include "friction/model_runs.h"
 
-namespace tribolog {
+namespace tribolog::every_model_test {
 namespace {
 
 using test::Specimen;
@@ -315,4 +315,4 @@ TEST(FrictionCatalogue, NamesAreUniqueAndFound) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::every_model_test

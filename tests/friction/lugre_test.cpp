@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::lugre_test {
 namespace {
 
 const friction::LuGreFriction joint({465.42, 0.7708, 0.001, 0.60, 0.88437633, 5.0});
@@ -39,4 +39,4 @@ TEST(LuGre, RefusesCoulombAboveStatic) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::lugre_test

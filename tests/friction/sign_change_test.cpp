@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::sign_change_test {
 namespace {
 
 constexpr double resolution = 1e-14;
@@ -40,4 +40,4 @@ TEST(SignChange, AtAnEndOrAtAJump) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::sign_change_test

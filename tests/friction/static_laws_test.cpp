@@ -11,7 +11,7 @@
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
 
-namespace tribolog {
+namespace tribolog::static_laws_test {
 namespace {
 
 const friction::StribeckFriction stribeck({{1.0, 1.5, 0.1, 2.0}, 0.4});
@@ -81,4 +81,4 @@ TEST(StaticLaws, RefuseWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::static_laws_test

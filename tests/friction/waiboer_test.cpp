@@ -7,7 +7,7 @@
 
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::waiboer_test {
 namespace {
 
 TEST(Waiboer, PaperJointHasItsStatedStribeckCurve) {
@@ -47,4 +47,4 @@ TEST(Waiboer, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::waiboer_test

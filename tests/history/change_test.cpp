@@ -6,7 +6,7 @@
 #include "history/comparison.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::history {
+namespace tribolog::history::change_test {
 namespace {
 
 TEST(Change, AddsSidesThatMoveItTheSameWay) {
@@ -83,4 +83,4 @@ TEST(Holm, StepsDown) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::change_test

@@ -9,7 +9,7 @@
 #include "history/history_json.h"
 #include "history/simulated_history.h"
 
-namespace tribolog::history {
+namespace tribolog::history::comparison_test {
 namespace {
 
 using test::simulated_history;
@@ -154,4 +154,4 @@ TEST(Comparison, JsonHoldsItAll) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::comparison_test

@@ -8,7 +8,7 @@
 #include "statistics/distributions.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::history {
+namespace tribolog::history::control_chart_test {
 namespace {
 
 constexpr double sigma = 0.01;
@@ -195,4 +195,4 @@ TEST(ControlChart, ValuesThatAreAllTheSameAreQuiet) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::control_chart_test

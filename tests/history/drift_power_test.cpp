@@ -9,7 +9,7 @@
 #include "history/joint_trend.h"
 #include "history/simulated_history.h"
 
-namespace tribolog::history {
+namespace tribolog::history::drift_power_test {
 namespace {
 
 using test::HistoryShape;
@@ -185,4 +185,4 @@ TEST(DriftPower, ADriftIsFoundBeneathTheSeasons) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::drift_power_test

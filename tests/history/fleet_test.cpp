@@ -9,7 +9,7 @@
 #include "history/history_json.h"
 #include "history/sample_fleet.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::fleet_test {
 namespace {
 
 using test::measured_fleet;
@@ -148,4 +148,4 @@ TEST(Fleet, JsonHasTheDistances) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::fleet_test

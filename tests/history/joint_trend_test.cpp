@@ -10,7 +10,7 @@
 #include "history/history_json.h"
 #include "history/simulated_history.h"
 
-namespace tribolog::history {
+namespace tribolog::history::joint_trend_test {
 namespace {
 
 using test::simulated_history;
@@ -192,4 +192,4 @@ TEST(JointTrend, JsonHoldsItAll) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::joint_trend_test

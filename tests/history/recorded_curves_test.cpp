@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::history {
+namespace tribolog::history::recorded_curves_test {
 namespace {
 
 TEST(RecordedCurves, ReadsTheRecommendedCurveAndTheLoops) {
@@ -35,4 +35,4 @@ TEST(RecordedCurves, WhatIsOfAnotherShapeIsNotRecorded) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::recorded_curves_test

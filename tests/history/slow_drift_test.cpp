@@ -6,7 +6,7 @@
 #include "statistics/distributions.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::history {
+namespace tribolog::history::slow_drift_test {
 namespace {
 
 struct Series {
@@ -93,4 +93,4 @@ TEST(SlowDrift, NeedsEnoughCalibrationsAndTime) {
 }
 
 }  // namespace
-}  // namespace tribolog::history
+}  // namespace tribolog::history::slow_drift_test

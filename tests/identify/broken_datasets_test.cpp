@@ -16,7 +16,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::broken_datasets_test {
 namespace {
 
 using std::numbers::pi;
@@ -469,4 +469,4 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::broken_datasets_test

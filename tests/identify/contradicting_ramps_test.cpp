@@ -14,7 +14,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::contradicting_ramps_test {
 namespace {
 
 /// The ramps of a joint that sticks twice as hard as the one that made the loops.
@@ -103,4 +103,4 @@ TEST(ContradictingRamps, RampsThatNeverSlideLeaveNoNumberAtAll) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::contradicting_ramps_test

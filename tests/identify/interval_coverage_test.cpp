@@ -15,7 +15,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::interval_coverage_test {
 namespace {
 
 constexpr std::size_t seeds = 200;
@@ -180,4 +180,4 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::interval_coverage_test

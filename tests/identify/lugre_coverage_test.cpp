@@ -14,7 +14,7 @@
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::lugre_coverage_test {
 namespace {
 
 struct Tally {
@@ -97,4 +97,4 @@ TEST(LuGreCoverage, WithRippleFromEightPositions) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::lugre_coverage_test

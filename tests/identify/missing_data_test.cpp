@@ -5,7 +5,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::missing_data_test {
 namespace {
 
 void expect_every_gap_has_words(const calibration::Calibration& c) {
@@ -50,4 +50,4 @@ TEST(MissingData, RecordingsOfARoleMayBeMany) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::missing_data_test

@@ -12,7 +12,7 @@
 #include "support/check_findings.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::no_false_alarm_test {
 namespace {
 
 using test::findings_of;
@@ -42,4 +42,4 @@ TEST(NoFalseAlarm, OverTwentySeedsOfNoise) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::no_false_alarm_test

@@ -8,7 +8,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::noise_coverage_test {
 namespace {
 
 TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
@@ -38,4 +38,4 @@ TEST(RealisticNoise, MidlineMassIsWithinATenthOfAPercentAndItsIntervalCovers) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::noise_coverage_test

@@ -10,7 +10,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::other_friction_test {
 namespace {
 
 /// The paper's contact, as every model is matched to it.
@@ -161,4 +161,4 @@ TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::other_friction_test

@@ -10,7 +10,7 @@
 
 #include "identify/identify.h"
 
-namespace tribolog {
+namespace tribolog::paper_joint_test {
 namespace {
 
 class PaperJoint : public ::testing::Test {
@@ -91,4 +91,4 @@ TEST_F(PaperJoint, EveryIntervalHoldsItsEstimate) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::paper_joint_test

@@ -8,7 +8,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::quality_without_truth_test {
 namespace {
 
 /// Calibration of the same data without the true curve.
@@ -116,4 +116,4 @@ TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::quality_without_truth_test

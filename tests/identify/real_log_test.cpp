@@ -13,7 +13,7 @@
 #include "support/check_findings.h"
 #include "support/real_logs.h"
 
-namespace tribolog {
+namespace tribolog::real_log_test {
 namespace {
 
 using test::findings_of;
@@ -335,4 +335,4 @@ TEST(RealLog, PendulumThatOnlyRisesCannotTellCoulombFromOffset) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::real_log_test

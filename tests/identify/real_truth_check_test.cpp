@@ -6,7 +6,7 @@
 #include "ingest/dataset/dataset_file.h"
 #include "support/real_logs.h"
 
-namespace tribolog {
+namespace tribolog::real_truth_check_test {
 namespace {
 
 calibration::TruthCheckResult check_of(const std::string& manifest) {
@@ -45,4 +45,4 @@ TEST(RealTruthCheck, WhatCiceseShowsComesBack) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::real_truth_check_test

@@ -9,7 +9,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::resampling_test {
 namespace {
 
 calibration::Calibration with_threads(const joint::Dataset& dataset, std::size_t threads,
@@ -112,4 +112,4 @@ TEST(CrossChecks, AnOffsetOfTheTorqueSensorIsFound) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::resampling_test

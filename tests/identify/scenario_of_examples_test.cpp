@@ -6,7 +6,7 @@
 #include "simulate/simulate_joint.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::scenario_of_examples_test {
 namespace {
 
 void expect_same(const simulate::Scenario& file, const simulate::Scenario& truth) {
@@ -48,4 +48,4 @@ TEST(ScenarioOfExamples, RippleIsTheNoisyOneWithRipple) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::scenario_of_examples_test

@@ -10,7 +10,7 @@
 #include "support/paper_joint.h"
 #include "verdict/acceptance.h"
 
-namespace tribolog {
+namespace tribolog::verdict_test {
 namespace {
 
 const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
@@ -152,4 +152,4 @@ TEST(Verdicts, WithoutTorqueNothingThatNeedsItIsIdentifiable) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::verdict_test

@@ -8,7 +8,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 
-namespace tribolog {
+namespace tribolog::column_conversions_test {
 namespace {
 
 const std::string manifest = R"(schema = "tribolog-dataset-1"
@@ -95,4 +95,4 @@ TEST(ColumnConversions, KnowWhatALoggerWritesByItsColumns) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::column_conversions_test

@@ -12,7 +12,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 
-namespace tribolog {
+namespace tribolog::companion_columns_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -287,4 +287,4 @@ TEST_F(CompanionColumns, AreStatedInTheManifestAlone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::companion_columns_test

@@ -8,7 +8,7 @@
 #include "base/temporary_directory.h"
 #include "robot/joint_under_test.h"
 
-namespace tribolog {
+namespace tribolog::dataset_file_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -175,4 +175,4 @@ TEST(ReadDataset, NotesAnglesBeyondTheDescribedRange) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::dataset_file_test

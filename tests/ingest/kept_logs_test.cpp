@@ -3,7 +3,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/dataset/log_reader.h"
 
-namespace tribolog {
+namespace tribolog::kept_logs_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -67,4 +67,4 @@ TEST(KeptLogs, NothingIsKeptBeyondTheLastRecording) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::kept_logs_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::log_format_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -73,4 +73,4 @@ TEST(LogFormat, TheRestIsText) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::log_format_test

@@ -12,7 +12,7 @@
 #include "support/cdr_writer.h"
 #include "support/mcap_writer.h"
 
-namespace tribolog {
+namespace tribolog::log_reader_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -138,4 +138,4 @@ TEST(ReadDataset, TakesAnMcapLogByTheJointsName) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::log_reader_test

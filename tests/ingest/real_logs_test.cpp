@@ -6,7 +6,7 @@
 
 #include "ingest/dataset/dataset_file.h"
 
-namespace tribolog {
+namespace tribolog::real_logs_test {
 namespace {
 
 joint::Dataset manifest(const std::string& name) {
@@ -47,4 +47,4 @@ TEST(RealLogs, PendulumGivesMotionAndTemperatureButNoTorque) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::real_logs_test

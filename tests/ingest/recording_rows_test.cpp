@@ -8,7 +8,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 
-namespace tribolog {
+namespace tribolog::recording_rows_test {
 namespace {
 
 ingest::manifest::RecordingEntry entry() {
@@ -292,4 +292,4 @@ TEST(RecordingRows, ThatWereSkippedAreCounted) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::recording_rows_test

@@ -6,7 +6,7 @@
 
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::units_test {
 namespace {
 
 using std::numbers::pi;
@@ -78,4 +78,4 @@ TEST(Units, AreListedWhereOneIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::units_test

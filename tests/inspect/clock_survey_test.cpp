@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::clock_survey_test {
 namespace {
 
 ingest::log::LogColumn clock_of(std::vector<double> values) {
@@ -75,4 +75,4 @@ TEST(ClockSurvey, StuckOrEmptyIsNoClock) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::clock_survey_test

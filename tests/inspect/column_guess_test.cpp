@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::column_guess_test {
 namespace {
 
 ingest::log::LogTable table_of(
@@ -83,4 +83,4 @@ TEST(ColumnGuess, ThirtyTurnsOfRadiansAreDegrees) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::column_guess_test

@@ -13,7 +13,7 @@
 #include "inspect/survey/log_survey.h"
 #include "support/run_program.h"
 
-namespace tribolog {
+namespace tribolog::controller_template_test {
 namespace {
 
 const std::string template_path =
@@ -64,4 +64,4 @@ TEST(ControllerTemplate, IsUnderstoodWithRowsOfAWholeRun) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::controller_template_test

@@ -12,7 +12,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "support/run_program.h"
 
-namespace tribolog {
+namespace tribolog::manifest_proposal_test {
 namespace {
 
 /// A sweep there and back, in columns of these names; angle in degrees, clock in milliseconds.
@@ -107,4 +107,4 @@ TEST(ManifestProposal, ALogWithoutAngleIsRefusedWithItsColumns) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::manifest_proposal_test

@@ -12,7 +12,7 @@
 #include "inspect/long_recording.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::motion_segments_test {
 namespace {
 
 using std::numbers::pi;
@@ -224,4 +224,4 @@ TEST(MotionSegments, TooFewSamplesAreNothing) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::motion_segments_test

@@ -6,7 +6,7 @@
 
 #include "inspect/long_recording.h"
 
-namespace tribolog {
+namespace tribolog::recording_roles_test {
 namespace {
 
 /// A log of one joint with these segments, on top of each other in time.
@@ -99,4 +99,4 @@ TEST(RecordingRoles, OfASimulatedProtocolAreThoseSimulated) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::recording_roles_test

@@ -5,7 +5,7 @@
 
 #include "inspect/long_recording.h"
 
-namespace tribolog {
+namespace tribolog::segmentation_invariance_test {
 namespace {
 
 inspect::motion::AngleTrace some_recording() {
@@ -83,4 +83,4 @@ TEST(Segmentation, StrokesDoNotDependOnTheScaleOfTimeAndAngle) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::segmentation_invariance_test

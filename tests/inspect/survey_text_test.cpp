@@ -10,7 +10,7 @@
 #include "inspect/survey/text_table.h"
 #include "support/run_program.h"
 
-namespace tribolog {
+namespace tribolog::survey_text_test {
 namespace {
 
 TEST(TextTable, AlignsByCharactersNotBytes) {
@@ -45,4 +45,4 @@ TEST(SurveyText, FitsIntoThePageAndShowsControlCharacters) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::survey_text_test

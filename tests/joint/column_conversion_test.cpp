@@ -3,7 +3,7 @@
 #include "joint/dataset.h"
 #include "joint/drive.h"
 
-namespace tribolog {
+namespace tribolog::column_conversion_test {
 namespace {
 
 using Reason = joint::ConversionStep::Reason;
@@ -73,4 +73,4 @@ TEST(SharedConversions, TellOnceWhatLogsHaveInCommon) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::column_conversion_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::drive_test {
 namespace {
 
 TEST(Drive, TurnsEveryKindOfEffortIntoMotorTorque) {
@@ -37,4 +37,4 @@ TEST(Drive, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::drive_test

@@ -5,7 +5,7 @@
 
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::surrogate_mass_test {
 namespace {
 
 struct Row {
@@ -57,4 +57,4 @@ TEST(GravityLoad, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::surrogate_mass_test

@@ -14,7 +14,7 @@
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 
-namespace tribolog::bootstrap {
+namespace tribolog::bootstrap::bootstrap_test {
 namespace {
 
 constexpr int draws = 20000;
@@ -104,4 +104,4 @@ TEST(Resamples, TooFewOrTooManyAreRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog::bootstrap
+}  // namespace tribolog::bootstrap::bootstrap_test

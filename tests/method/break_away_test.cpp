@@ -13,7 +13,7 @@
 #include "simulate/drive_noise.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::break_away_test {
 namespace {
 
 constexpr double gear_ratio = 100;
@@ -165,4 +165,4 @@ TEST(BreakAway, NothingRecordedIsSaidAndNotThrown) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::break_away_test

@@ -9,7 +9,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::cog_sweep_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -160,4 +160,4 @@ TEST(CogSweep, AStandingJointIsNotIdentifiable) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::cog_sweep_test

@@ -2,7 +2,7 @@
 
 #include "method/viscous/curve_model.h"
 
-namespace tribolog {
+namespace tribolog::curve_samples_test {
 namespace {
 
 method::viscous::ConstantSpeedRun run(double speed_rad_s, double q_rad = 0) {
@@ -44,4 +44,4 @@ TEST(CurveSamples, CellsOfASweepAreGroupedByAngle) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::curve_samples_test

@@ -11,7 +11,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::data_checks_test {
 namespace {
 
 using std::numbers::pi;
@@ -114,4 +114,4 @@ TEST(Saturation, IsNotTheTopOfACosineNorCoarseSteps) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::data_checks_test

@@ -6,7 +6,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::direction_lines_test {
 namespace {
 
 /// Runs of each direction at eight speeds, travelling 1 rad, with friction of their own.
@@ -131,4 +131,4 @@ TEST(DirectionAsymmetry, NoneIsFoundWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::direction_lines_test

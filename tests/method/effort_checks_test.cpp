@@ -8,7 +8,7 @@
 #include "method/checks/check_list.h"
 #include "method/checks/scale_causes.h"
 
-namespace tribolog {
+namespace tribolog::effort_checks_test {
 namespace {
 
 using std::numbers::pi;
@@ -267,4 +267,4 @@ TEST(StaticTorque, OfAWideIntervalAccusesNobody) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::effort_checks_test

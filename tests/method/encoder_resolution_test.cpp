@@ -8,7 +8,7 @@
 #include "joint/degrees.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::encoder_resolution_test {
 namespace {
 
 /// A slow swing with a little noise, each angle put through `written`.
@@ -114,4 +114,4 @@ TEST(AngleStep, ARestingJointStandsOnNoGrid) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::encoder_resolution_test

@@ -8,7 +8,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::friction_parameters_test {
 namespace {
 
 std::vector<method::viscous::CurvePoint> curve(const friction::WaiboerFriction& f,
@@ -78,4 +78,4 @@ TEST(FrictionParameters, AStraightLineIsFoundExactly) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::friction_parameters_test

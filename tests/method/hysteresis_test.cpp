@@ -6,7 +6,7 @@
 #include "method/hysteresis/surrogate_masses.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::hysteresis_test {
 namespace {
 
 const statistics::Estimate peak =
@@ -194,4 +194,4 @@ TEST(Hysteresis, NothingRecordedIsSkippedWithAnInstruction) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::hysteresis_test

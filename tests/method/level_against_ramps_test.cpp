@@ -4,7 +4,7 @@
 
 #include "method/hysteresis/break_away.h"
 
-namespace tribolog {
+namespace tribolog::level_against_ramps_test {
 namespace {
 
 method::hysteresis::LuGreFit fit_with_level(double static_Nm) {
@@ -88,4 +88,4 @@ TEST(LevelAgainstRamps, StaysWhereRampsScatterAboutIt) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::level_against_ramps_test

@@ -10,7 +10,7 @@
 #include "method/gravity/cog_sweep.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::load_dependence_test {
 namespace {
 
 constexpr double gravity_Nm = 100.0;
@@ -124,4 +124,4 @@ TEST(SweepSamples, AnAbruptStopDoesNotBendGravity) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::load_dependence_test

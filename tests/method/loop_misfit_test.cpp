@@ -8,7 +8,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::loop_misfit_test {
 namespace {
 
 /// Ten cycles of a sine; the torque is the noise and an error that turns with the direction.
@@ -42,4 +42,4 @@ TEST(LoopMisfit, OfNoiseAloneHardlyAnythingStays) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::loop_misfit_test

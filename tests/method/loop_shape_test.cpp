@@ -9,7 +9,7 @@
 
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::loop_shape_test {
 namespace {
 
 /// A LuGre joint without damping at micro-speed, swinging far beyond its pre-sliding range, so that
@@ -102,4 +102,4 @@ TEST(LoopShape, LeavesOutWhatDoesNotSwing) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::loop_shape_test

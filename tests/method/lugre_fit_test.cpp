@@ -11,7 +11,7 @@
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::lugre_fit_test {
 namespace {
 
 const method::hysteresis::LuGreParameter& parameter(const method::hysteresis::LuGreFit& f,
@@ -249,4 +249,4 @@ TEST(LuGreFit, NoLoopIsAnError) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::lugre_fit_test

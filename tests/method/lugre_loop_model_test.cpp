@@ -9,7 +9,7 @@
 #include "support/cvode_bristle.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::lugre_loop_model_test {
 namespace {
 
 using Shared = method::hysteresis::LuGreShared;
@@ -164,4 +164,4 @@ TEST(Dual, FollowsTheRulesOfDifferentiation) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::lugre_loop_model_test

@@ -10,7 +10,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::model_choice_test {
 namespace {
 
 using Law = std::function<double(double)>;
@@ -209,4 +209,4 @@ TEST(ModelChoice, ASweepOffersNoStribeckEffect) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::model_choice_test

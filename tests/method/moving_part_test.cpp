@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::moving_part_test {
 namespace {
 
 TEST(MovingPart, CutsRestAndCountsIt) {
@@ -34,4 +34,4 @@ TEST(MovingPart, LeavesMotionFromTheFirstSampleAlone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::moving_part_test

@@ -6,7 +6,7 @@
 
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::oscillation_motion_test {
 namespace {
 
 joint::Recording sampled(const simulate::Motion& motion, double duration_s, double rate_Hz) {
@@ -77,4 +77,4 @@ TEST(OscillationMotion, AStandingJointDoesNotSwing) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::oscillation_motion_test

@@ -8,7 +8,7 @@
 #include "simulate/motion.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::plateaus_test {
 namespace {
 
 joint::Recording record(const simulate::Motion& motion, double duration_s, double rate_Hz,
@@ -94,4 +94,4 @@ TEST(Plateaus, FewSamplesAreNoMotion) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::plateaus_test

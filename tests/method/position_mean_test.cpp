@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::position_mean_test {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -118,4 +118,4 @@ TEST(PositionMean, KeepsALineThatRepeatsFromPositionToPosition) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::position_mean_test

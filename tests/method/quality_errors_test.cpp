@@ -7,7 +7,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::quality_errors_test {
 namespace {
 
 TEST(QualityErrors, HandWorkedPercentages) {
@@ -73,4 +73,4 @@ TEST(QualityErrors, WithoutAnyReferenceItSaysWhatToRecord) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::quality_errors_test

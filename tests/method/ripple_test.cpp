@@ -9,7 +9,7 @@
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::ripple_test {
 namespace {
 
 using std::numbers::pi;
@@ -63,4 +63,4 @@ TEST(RippleSpectrum, HalfWidthOfOneLineIsNearlyItsAmplitude) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::ripple_test

@@ -11,7 +11,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::run_gravity_test {
 namespace {
 
 constexpr double gravity_Nm = 40.0;
@@ -122,4 +122,4 @@ TEST(RunGravity, SimulatedJointGivesTheSameAsItsSweep) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::run_gravity_test

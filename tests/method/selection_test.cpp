@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::selection_test {
 namespace {
 
 /// A to F around a mid-line of 80 kg, B the nearest.
@@ -64,4 +64,4 @@ TEST(Selection, WithoutALoopTheSweepIsRecommendedAndThePaperHasNoChoice) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::selection_test

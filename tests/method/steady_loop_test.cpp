@@ -7,7 +7,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::steady_loop_test {
 namespace {
 
 constexpr double centre = -0.3880191234;
@@ -81,4 +81,4 @@ TEST(SteadyLoop, HasNoEmptyBinsWhereSamplesAreFew) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::steady_loop_test

@@ -16,7 +16,7 @@
 #include "support/paper_joint.h"
 #include "support/torque_driven_loop.h"
 
-namespace tribolog {
+namespace tribolog::torque_driven_lugre_test {
 namespace {
 
 constexpr double duration_s = 8;
@@ -143,4 +143,4 @@ TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::torque_driven_lugre_test

@@ -7,7 +7,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::traced_motion_test {
 namespace {
 
 /// A joint that swings with growing amplitude about 0.7 rad.
@@ -97,4 +97,4 @@ TEST(TracedMotion, RefusesWhatIsNoLoop) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::traced_motion_test

@@ -8,7 +8,7 @@
 #include "friction/threshold_speed.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::viscous_curves_test {
 namespace {
 
 struct Chain {
@@ -105,4 +105,4 @@ TEST(ViscousCurves, WithoutRunsOrVaryingSweepThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::viscous_curves_test

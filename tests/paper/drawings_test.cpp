@@ -11,7 +11,7 @@
 #include "paper/figure_checks.h"
 #include "render/composition/figure_layout.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::drawings_test {
 namespace {
 
 render::figure::DrawList laid_out(const render::figure::Figure& figure) {
@@ -141,4 +141,4 @@ TEST(PaperDrawings, ShowTheirGraphsEdgeByEdge) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::drawings_test

@@ -13,7 +13,7 @@
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::model_graphs_test {
 namespace {
 
 // Both sides round each of a handful of operations once.
@@ -185,4 +185,4 @@ TEST(GearDiagram, IsTheDriveWithoutItsFriction) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::model_graphs_test

@@ -11,7 +11,7 @@
 #include "paper/charts/static_law_figures.h"
 #include "paper/figure_checks.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::paper_charts_test {
 namespace {
 
 const std::vector<figures::ReportFigure>& charts() {
@@ -229,4 +229,4 @@ TEST(PreslidingFigure, NeedsALoop) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::paper_charts_test

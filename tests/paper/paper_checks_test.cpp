@@ -11,7 +11,7 @@
 #include "paper/checks/paper_items.h"
 #include "paper/drawings/printed_paper.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::paper_checks_test {
 namespace {
 
 const std::string examples = std::string(TRIBOLOG_SOURCE_DIR) + "/examples/paper/";
@@ -135,4 +135,4 @@ TEST_F(PaperChecks, AFigureThatIsMissingIsNamed) {
 TEST_F(PaperChecks, GoldenNumbersHold) { expect_all("golden", checks::golden_numbers(*joint_)); }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::paper_checks_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::paper {
+namespace tribolog::paper::schematic_test {
 namespace {
 
 using render::figure::BlockKind;
@@ -106,4 +106,4 @@ TEST(Schematic, RefusesADrawingThatIsNotTheGraph) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::schematic_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::paper {
+namespace tribolog::paper::signal_graph_test {
 namespace {
 
 /// dx/dt = a - x², with an output.
@@ -93,4 +93,4 @@ TEST(SignalGraph, RefusesGraphsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::signal_graph_test

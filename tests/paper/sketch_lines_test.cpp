@@ -4,7 +4,7 @@
 
 #include "paper/drawings/bristle_sketch.h"
 
-namespace tribolog::paper {
+namespace tribolog::paper::sketch_lines_test {
 namespace {
 
 TEST(BentBristle, IsClampedAtItsRootAndDeflectedAtItsTip) {
@@ -23,4 +23,4 @@ TEST(BentBristle, IsStraightAtRest) {
 }
 
 }  // namespace
-}  // namespace tribolog::paper
+}  // namespace tribolog::paper::sketch_lines_test

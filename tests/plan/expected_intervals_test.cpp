@@ -13,7 +13,7 @@
 #include "plan/simulated_plan.h"
 #include "simulate/simulate_joint.h"
 
-namespace tribolog::test {
+namespace tribolog::test::expected_intervals_test {
 namespace {
 
 /// The paper's joint as its scenario has it, with its own friction and ripple, following the plan.
@@ -118,4 +118,4 @@ TEST(ExpectedIntervals, NoneWithoutRunsOrRecordings) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::expected_intervals_test

@@ -11,7 +11,7 @@
 #include "joint/degrees.h"
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::experiment_plan_test {
 namespace {
 
 double lowest(const plan::PlannedSegment& s) {
@@ -133,4 +133,4 @@ TEST(Plan, RefusesImpossibleFacts) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::experiment_plan_test

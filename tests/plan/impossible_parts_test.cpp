@@ -6,7 +6,7 @@
 #include "plan/experiment_plan.h"
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::impossible_parts_test {
 namespace {
 
 void expect_words(const plan::PlannedPart& part, plan::PartState state, const std::string& why,
@@ -102,4 +102,4 @@ TEST(ImpossibleParts, TooLittleTimeIsSaid) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::impossible_parts_test

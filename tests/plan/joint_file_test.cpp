@@ -11,7 +11,7 @@
 #include "joint/degrees.h"
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::joint_file_test {
 namespace {
 
 constexpr const char* smallest = R"(schema = "tribolog-joint-1"
@@ -123,4 +123,4 @@ TEST(JointCalibration, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::joint_file_test

@@ -10,7 +10,7 @@
 
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::plan_figure_test {
 namespace {
 
 TEST(PlanFigure, NamesEveryPart) {
@@ -55,4 +55,4 @@ TEST(PlanFigure, LeavesOutWhatIsNotPlanned) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::plan_figure_test

@@ -9,7 +9,7 @@
 #include "exports/experiment/plan_table.h"
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::plan_page_test {
 namespace {
 
 report::PlanReport report_of(const joint::JointFacts& facts, std::size_t runs = 0) {
@@ -76,4 +76,4 @@ TEST(PlanTable, NumbersEndWhereTheirIntervalBegins) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::plan_page_test

@@ -9,7 +9,7 @@
 #include "joint/degrees.h"
 #include "plan/experiment_plan.h"
 
-namespace tribolog {
+namespace tribolog::plan_property_test {
 namespace {
 
 /// A number between the two, evenly over its logarithm.
@@ -143,4 +143,4 @@ TEST(PlanProperty, ABudgetThatSufficesIsKept) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::plan_property_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::planned_motions_test {
 namespace {
 
 using std::numbers::pi;
@@ -91,4 +91,4 @@ TEST(PlannedTravel, GoesSlowerWhereTheWayIsShort) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::planned_motions_test

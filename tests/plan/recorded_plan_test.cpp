@@ -17,7 +17,7 @@
 #include "simulate/drive_noise.h"
 #include "truth/readings.h"
 
-namespace tribolog::test {
+namespace tribolog::test::recorded_plan_test {
 namespace {
 
 constexpr double rate_Hz = 1000;
@@ -126,4 +126,4 @@ TEST(RecordedPlan, NeedsAContactThatYields) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::recorded_plan_test

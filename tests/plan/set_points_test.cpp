@@ -9,7 +9,7 @@
 #include "ingest/text/csv_reader.h"
 #include "plan/paper_facts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::set_points_test {
 namespace {
 
 ingest::log::LogTable read_back(const plan::ExperimentPlan& plan) {
@@ -83,4 +83,4 @@ TEST(SetPoints, OfNothingAreAHeader) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::set_points_test

@@ -6,7 +6,7 @@
 #include "render/figure/marks.h"
 #include "render/vtk/strip_builder.h"
 
-namespace tribolog::render {
+namespace tribolog::render::dashes_test {
 namespace {
 
 TEST(Dashes, RunOnAroundCorners) {
@@ -65,4 +65,4 @@ TEST(StripBuilder, IgnoresRepeatedPoints) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::dashes_test

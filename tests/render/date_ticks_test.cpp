@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::render {
+namespace tribolog::render::date_ticks_test {
 namespace {
 
 constexpr double new_year_2026 =
@@ -54,4 +54,4 @@ TEST(DateTicks, BeyondTheCalendarAreNumbers) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::date_ticks_test

@@ -10,7 +10,7 @@
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::render {
+namespace tribolog::render::diagram_test {
 namespace {
 
 figure::DrawList laid_out(const figure::Figure& figure) {
@@ -222,4 +222,4 @@ TEST(Diagram, SurvivesEmptyAndImpossibleSizes) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::diagram_test

@@ -9,7 +9,7 @@
 #include "render/example_figures.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::render {
+namespace tribolog::render::draw_figures_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -183,4 +183,4 @@ TEST(RendererInfo, RefusesAForeignOpenGlLibrary) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::draw_figures_test

@@ -8,7 +8,7 @@
 #include "render/example_diagram.h"
 #include "render/example_figures.h"
 
-namespace tribolog::render {
+namespace tribolog::render::figure_message_test {
 namespace {
 
 std::vector<std::byte> bytes_of(const figure::Figure& figure) {
@@ -257,4 +257,4 @@ TEST(FigureMessage, RefusesOneThatEndsEarly) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::figure_message_test

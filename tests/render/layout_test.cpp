@@ -11,7 +11,7 @@
 #include "render/legibility/panel_content.h"
 #include "render/legibility/text_collisions.h"
 
-namespace tribolog::render {
+namespace tribolog::render::layout_test {
 namespace {
 
 const text::Font& font() {
@@ -247,4 +247,4 @@ TEST(Layout, DatesNeitherOverlapNorLeaveThePicture) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::layout_test

@@ -8,7 +8,7 @@
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::render {
+namespace tribolog::render::picture_test {
 namespace {
 
 workers::DrawnFigure drawn(const figure::Figure& figure) {
@@ -132,4 +132,4 @@ TEST(Picture, ShowsTwoMillionPoints) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::picture_test

@@ -7,7 +7,7 @@
 #include "render/png/png_encoder.h"
 #include "render/png_reading.h"
 
-namespace tribolog::render {
+namespace tribolog::render::png_test {
 namespace {
 
 figure::Picture pattern(int width, int height, int colours) {
@@ -78,4 +78,4 @@ TEST(Png, StatesItsPrintedSize) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::png_test

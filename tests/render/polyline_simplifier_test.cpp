@@ -6,7 +6,7 @@
 
 #include "render/layout/polyline.h"
 
-namespace tribolog::render {
+namespace tribolog::render::polyline_simplifier_test {
 namespace {
 
 using Line = std::vector<figure::PixelPoint>;
@@ -122,4 +122,4 @@ TEST(LineCollector, DrawsALineThatOnlyCrosses) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::polyline_simplifier_test

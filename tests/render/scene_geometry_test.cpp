@@ -11,7 +11,7 @@
 #include "render/scene/part_meshes.h"
 #include "render/scene/scene_view.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene_geometry_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -205,4 +205,4 @@ TEST(SceneLayout, RefusesWhatItCannotShow) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene_geometry_test

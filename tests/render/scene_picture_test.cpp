@@ -17,7 +17,7 @@
 #include "render/workers/drawing_worker.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::render {
+namespace tribolog::render::scene_picture_test {
 namespace {
 
 workers::DrawnFigure drawn(const figure::Figure& figure) {
@@ -165,4 +165,4 @@ TEST(PictureCheck, FindsAPartOrALineThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::scene_picture_test

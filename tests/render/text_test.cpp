@@ -7,7 +7,7 @@
 #include "render/text/text_line.h"
 #include "render/text/utf8.h"
 
-namespace tribolog::render {
+namespace tribolog::render::text_test {
 namespace {
 
 TEST(Utf8, ReplacesWhatIsNotText) {
@@ -116,4 +116,4 @@ TEST(Font, NamesThePackageWhenItIsMissing) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::text_test

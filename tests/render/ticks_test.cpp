@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::render {
+namespace tribolog::render::ticks_test {
 namespace {
 
 std::vector<std::string> labels(const layout::TickSet& ticks) {
@@ -106,4 +106,4 @@ TEST(TickText, WritesExactDecimals) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::ticks_test

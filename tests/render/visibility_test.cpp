@@ -5,7 +5,7 @@
 #include "render/check/picture_check.h"
 #include "render/check/visibility_map.h"
 
-namespace tribolog::render {
+namespace tribolog::render::visibility_test {
 namespace {
 
 constexpr figure::Owner first{figure::Role::series, 0, 0};
@@ -132,4 +132,4 @@ TEST(PictureCheck, DoesNotWarnWhereAnotherPartShowsTheSeries) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::visibility_test

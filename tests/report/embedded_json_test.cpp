@@ -9,7 +9,7 @@
 #include "report/html_report.h"
 #include "report/sample_calibration.h"
 
-namespace tribolog {
+namespace tribolog::embedded_json_test {
 namespace {
 
 std::string page_of(const std::string& numbers) {
@@ -52,4 +52,4 @@ TEST(EmbeddedJson, OtherPagesAreRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::embedded_json_test

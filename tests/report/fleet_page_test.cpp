@@ -7,7 +7,7 @@
 #include "report/sparkline.h"
 #include "support/run_program.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::fleet_page_test {
 namespace {
 
 using test::measured_fleet;
@@ -167,4 +167,4 @@ TEST(Sparkline, ShowsWhereTheLatestLies) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::fleet_page_test

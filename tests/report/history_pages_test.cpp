@@ -11,7 +11,7 @@
 #include "report/sample_calibration.h"
 #include "report/trend_page.h"
 
-namespace tribolog::test {
+namespace tribolog::test::history_pages_test {
 namespace {
 
 /// Coulomb torque 8 % more from the 15th calibration on; every text as given.
@@ -155,4 +155,4 @@ TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::history_pages_test

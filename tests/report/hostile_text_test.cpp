@@ -7,7 +7,7 @@
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 
-namespace tribolog::test {
+namespace tribolog::test::hostile_text_test {
 namespace {
 
 /// Every text that a manifest, a log or a library can bring in.
@@ -110,4 +110,4 @@ TEST(HostileText, AVeryLongWordStaysText) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::hostile_text_test

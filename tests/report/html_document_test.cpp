@@ -6,7 +6,7 @@
 #include "report/run_python.h"
 #include "report/sample_calibration.h"
 
-namespace tribolog::test {
+namespace tribolog::test::html_document_test {
 namespace {
 
 void expect_sound(const calibration::Calibration& c) {
@@ -21,4 +21,4 @@ TEST(HtmlDocument, IsSoundWhenHalfIsMissing) { expect_sound(sweep_only()); }
 TEST(HtmlDocument, IsSoundWhenEmpty) { expect_sound(calibration::Calibration{}); }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::html_document_test

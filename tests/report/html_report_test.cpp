@@ -11,7 +11,7 @@
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
-namespace tribolog::test {
+namespace tribolog::test::html_report_test {
 namespace {
 
 TEST(HtmlReport, SameArgumentsSameBytes) {
@@ -187,4 +187,4 @@ TEST(HtmlReport, TheSimulatedJointsMassAppears) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::html_report_test

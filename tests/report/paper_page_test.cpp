@@ -7,7 +7,7 @@
 #include "paper/page/check_rows.h"
 #include "report/sample_calibration.h"
 
-namespace tribolog {
+namespace tribolog::paper_page_test {
 namespace {
 
 using paper::checks::Check;
@@ -130,4 +130,4 @@ TEST(Check, ANumberThatIsNoneDoesNotHold) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::paper_page_test

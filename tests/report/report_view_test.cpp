@@ -9,7 +9,7 @@
 #include "report/sample_calibration.h"
 #include "report/view_parts.h"
 
-namespace tribolog::test {
+namespace tribolog::test::report_view_test {
 namespace {
 
 report::ReportView view_of(const calibration::Calibration& c) {
@@ -346,4 +346,4 @@ TEST(Sentences, CapitalAndFullStopButSymbolsStay) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::report_view_test

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "report/sample_calibration.h"
 
-namespace tribolog {
+namespace tribolog::sign_off_test {
 namespace {
 
 const report::SignOff rejected{"2026-12-24T12:00:00Z", "A. Reviewer", false, "too warm"};
@@ -54,4 +54,4 @@ TEST(SignOff, NeedsAReport) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::sign_off_test

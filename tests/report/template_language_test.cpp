@@ -11,7 +11,7 @@
 #include "report/page_style.h"
 #include "wording/language.h"
 
-namespace tribolog::report {
+namespace tribolog::report::template_language_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(All, Languages,
                          [](const auto& one) { return std::string(wording::code_of(one.param)); });
 
 }  // namespace
-}  // namespace tribolog::report
+}  // namespace tribolog::report::template_language_test

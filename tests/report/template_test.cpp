@@ -10,7 +10,7 @@
 #include "report/template_engine.h"
 #include "report/template_modifiers.h"
 
-namespace tribolog::report {
+namespace tribolog::report::template_test {
 namespace {
 
 bool is_template(const EmbeddedFile& file) {
@@ -118,4 +118,4 @@ TEST(ScriptJson, NothingCanEndTheScript) {
 }
 
 }  // namespace
-}  // namespace tribolog::report
+}  // namespace tribolog::report::template_test

@@ -13,7 +13,7 @@
 #include "render/figure/scene.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog {
+namespace tribolog::identified_scenes_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -219,4 +219,4 @@ TEST_F(IdentifiedScenes, DrawHostileNamesAsText) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::identified_scenes_test

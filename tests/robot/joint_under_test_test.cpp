@@ -9,7 +9,7 @@
 #include "ingest/manifest/robot_file.h"
 #include "joint/gravity_load.h"
 
-namespace tribolog {
+namespace tribolog::joint_under_test_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -110,4 +110,4 @@ TEST(JointUnderTest, RefusesATiltedAxisAndAMissingJoint) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::joint_under_test_test

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace tribolog {
+namespace tribolog::robot_file_test {
 namespace {
 
 std::string example_text() {
@@ -141,4 +141,4 @@ TEST(RobotFile, MakesHostileNamesPrintableInItsRefusals) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::robot_file_test

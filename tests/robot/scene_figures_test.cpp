@@ -11,7 +11,7 @@
 #include "render/figure/scene.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog {
+namespace tribolog::scene_figures_test {
 namespace {
 
 robot::RobotDescription example() {
@@ -163,4 +163,4 @@ TEST(SceneFigures, GrowWithTheRobot) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::scene_figures_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::serial_arm_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -162,4 +162,4 @@ TEST(SerialArm, RefusesAnglesOutsideItsRanges) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::serial_arm_test

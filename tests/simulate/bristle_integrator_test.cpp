@@ -11,7 +11,7 @@
 
 #include "support/cvode_bristle.h"
 
-namespace tribolog {
+namespace tribolog::bristle_integrator_test {
 namespace {
 
 struct Case {
@@ -179,4 +179,4 @@ TEST(BristleIntegrator, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::bristle_integrator_test

@@ -10,7 +10,7 @@
 #include "simulate/simulate_joint.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::drive_noise_test {
 namespace {
 
 const joint::Recording& oscillation_of(const std::vector<joint::Recording>& recordings) {
@@ -121,4 +121,4 @@ TEST(DriveNoise, LosesSamples) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::drive_noise_test

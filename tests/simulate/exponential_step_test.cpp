@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::exponential_step_test {
 namespace {
 
 TEST(ExpNonpositive, IsWithinTwoUnitsOfTheLibrary) {
@@ -67,4 +67,4 @@ TEST(ExponentialStep, ConstantSpeedIsExactForAnyStep) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::exponential_step_test

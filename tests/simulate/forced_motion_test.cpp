@@ -13,7 +13,7 @@
 #include "friction/lugre.h"
 #include "simulate/force_experiments.h"
 
-namespace tribolog {
+namespace tribolog::forced_motion_test {
 namespace {
 
 using std::numbers::pi;
@@ -131,4 +131,4 @@ TEST(ForcedMotion, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::forced_motion_test

@@ -11,7 +11,7 @@
 #include "friction/catalogue.h"
 #include "support/cvode_friction.h"
 
-namespace tribolog {
+namespace tribolog::friction_response_test {
 namespace {
 
 constexpr double dt_s = 1e-3;
@@ -125,4 +125,4 @@ TEST(FrictionResponse, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::friction_response_test

@@ -11,7 +11,7 @@
 #include "simulate/marched_motion.h"
 #include "simulate/model_portrait.h"
 
-namespace tribolog {
+namespace tribolog::jumping_models_test {
 namespace {
 
 class Jumping : public testing::TestWithParam<std::string> {
@@ -102,4 +102,4 @@ TEST(MarchedMotion, AgreesWithCvodeWhereTheModelIsSmooth) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::jumping_models_test

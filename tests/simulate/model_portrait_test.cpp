@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::model_portrait_test {
 namespace {
 
 TEST(ModelPortrait, ShowsWhatTheCatalogueClaims) {
@@ -58,4 +58,4 @@ TEST(ModelPortrait, ScalesWithTheContact) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::model_portrait_test

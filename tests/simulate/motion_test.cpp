@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::motion_test {
 namespace {
 
 std::vector<std::unique_ptr<simulate::Motion>> motions() {
@@ -70,4 +70,4 @@ TEST(TravelMotion, RefusesAWayTooShortForItsSpeed) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::motion_test

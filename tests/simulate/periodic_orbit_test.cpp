@@ -13,7 +13,7 @@
 #include "friction/catalogue.h"
 #include "friction/lugre.h"
 
-namespace tribolog {
+namespace tribolog::periodic_orbit_test {
 namespace {
 
 using std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(PeriodicOrbit, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::periodic_orbit_test

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::presliding_loops_test {
 namespace {
 
 using std::numbers::pi;
@@ -222,4 +222,4 @@ TEST(PreslidingLoops, RefuseWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::presliding_loops_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::random_stream_test {
 namespace {
 
 TEST(RandomStream, IsTheSameEverywhere) {
@@ -35,4 +35,4 @@ TEST(RandomStream, IsStandardNormal) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::random_stream_test

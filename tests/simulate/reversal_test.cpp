@@ -4,7 +4,7 @@
 
 #include "simulate/motion.h"
 
-namespace tribolog {
+namespace tribolog::reversal_test {
 namespace {
 
 TEST(Reversal, IsFoundToTheLastBit) {
@@ -27,4 +27,4 @@ TEST(Reversal, AtTheStartIsThereWhateverSignRoundingGivesIt) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::reversal_test

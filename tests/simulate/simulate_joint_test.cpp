@@ -7,7 +7,7 @@
 
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::simulate_joint_test {
 namespace {
 
 TEST(SimulateJoint, GivesEveryExperimentAskedFor) {
@@ -141,4 +141,4 @@ TEST(SimulateJoint, SweepsInASlowSineFromRest) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::simulate_joint_test

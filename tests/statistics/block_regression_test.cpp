@@ -7,7 +7,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::block_regression_test {
 namespace {
 
 constexpr int rows = 400;
@@ -104,4 +104,4 @@ TEST(BlockRegression, AColumnWithoutEffectHasNoInterval) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::block_regression_test

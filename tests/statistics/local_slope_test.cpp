@@ -11,7 +11,7 @@
 #include "method/motion/plateaus.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::local_slope_test {
 namespace {
 
 using std::numbers::pi;
@@ -90,4 +90,4 @@ TEST(SpeedSource, StatesWindowAndCutOffOfEveryRecording) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::local_slope_test

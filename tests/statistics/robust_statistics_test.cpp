@@ -5,7 +5,7 @@
 #include "statistics/order_statistics.h"
 #include "statistics/random_stream.h"
 
-namespace tribolog::archive {
+namespace tribolog::archive::robust_statistics_test {
 namespace {
 
 TEST(RobustStatistics, MedianOfFewAndMany) {
@@ -53,4 +53,4 @@ TEST(RobustStatistics, DeviatesAreThoseOfTheTables) {
 }
 
 }  // namespace
-}  // namespace tribolog::archive
+}  // namespace tribolog::archive::robust_statistics_test

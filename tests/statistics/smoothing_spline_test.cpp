@@ -8,7 +8,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::smoothing_spline_test {
 namespace {
 
 statistics::CurvePoints sampled(double (*curve)(double), std::size_t n, double noise) {
@@ -102,4 +102,4 @@ TEST(SmoothingSpline, RefusesWhatIsNoCurve) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::smoothing_spline_test

@@ -6,7 +6,7 @@
 
 #include "statistics/distributions.h"
 
-namespace tribolog {
+namespace tribolog::student_t_test {
 namespace {
 
 /// Integral of cos^(f-1) from 0 to `end` (below pi/2), to about ten digits: with t = sqrt(f) tan x
@@ -62,4 +62,4 @@ TEST(StudentT, SaysNothingWithoutFreedom) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::student_t_test

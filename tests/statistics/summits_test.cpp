@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::summits_test {
 namespace {
 
 std::vector<double> wave(std::size_t size) {
@@ -52,4 +52,4 @@ TEST(Summits, OfALongSignalFewSamplesAreLookedAt) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::summits_test

@@ -8,7 +8,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::white_noise_test {
 namespace {
 
 TEST(WhiteNoise, AParabolaHasNone) {
@@ -46,4 +46,4 @@ TEST(WhiteNoise, OfTooFewSamplesThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::white_noise_test

@@ -14,7 +14,7 @@
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
 
-namespace tribolog {
+namespace tribolog::known_truth_test {
 namespace {
 
 calibration::Calibration plain(const joint::Dataset& dataset, std::uint64_t seed) {
@@ -241,4 +241,4 @@ TEST(FoundNoise, WhiteNoiseIsFoundUnderASlope) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::known_truth_test

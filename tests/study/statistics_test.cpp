@@ -7,7 +7,7 @@
 
 #include "statistics/random_stream.h"
 
-namespace tribolog {
+namespace tribolog::statistics_test {
 namespace {
 
 statistics::Estimate around(double value, double half_width) {
@@ -109,4 +109,4 @@ TEST(ErrorStatistics, KnowsHonestIntervalsFromNarrowAndWideOnes) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::statistics_test

@@ -14,7 +14,7 @@
 #include "study/small_scenario.h"
 #include "support/paper_joint.h"
 
-namespace tribolog {
+namespace tribolog::study_test {
 namespace {
 
 study::StudyResult studied(const std::vector<std::string>& factors, std::size_t runs) {
@@ -204,4 +204,4 @@ TEST(SimulateJoint, NoiseInTwoStepsIsTheSameNoise) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::study_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::trust_test {
 namespace {
 
 constexpr double truth = 4.0;
@@ -99,4 +99,4 @@ TEST(Trust, FindingsSayWhoIsBiasedAndWhereItEnds) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::trust_test

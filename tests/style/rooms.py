@@ -154,7 +154,9 @@ def walls(rooms, build):
     headers = sorted(name for files in rooms.values() for name in files if name.endswith(".h"))
     probe = "".join(f'#if __has_include("{h}")\nSEEN {h}\n#endif\n' for h in headers)
     commands = {}
-    for unit in json.loads((pathlib.Path(build) / "compile_commands.json").read_text()):
+    single = subprocess.run([sys.executable, pathlib.Path(__file__).with_name("single_units.py"), build],
+                            text=True, check=True, capture_output=True).stdout.strip()
+    for unit in json.loads((pathlib.Path(single) / "compile_commands.json").read_text()):
         path = pathlib.Path(unit["directory"], unit["file"]).resolve()
         for top in (ROOT / "src", ROOT):
             if path.is_relative_to(top) and room_of(path.relative_to(top).as_posix()) in rooms:

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::figures {
+namespace tribolog::figures::axis_scale_test {
 namespace {
 
 TEST(AxisScale, PrefixKeepsNumbersShort) {
@@ -52,4 +52,4 @@ TEST(AxisScale, RightAngleIsNinetyDegrees) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::axis_scale_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::catalogue_test {
 namespace {
 
 wording::Catalogue catalogue() {
@@ -69,4 +69,4 @@ TEST(Catalogue, RefusesWhatIsNoCatalogue) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::catalogue_test

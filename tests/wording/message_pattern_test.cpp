@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::message_pattern_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -69,4 +69,4 @@ TEST(PluralForm, IsThatOfPolish) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::message_pattern_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::figures {
+namespace tribolog::figures::number_text_test {
 namespace {
 
 const wording::AxisScale newton_metre{1.0, "N·m"};
@@ -78,4 +78,4 @@ TEST(NumberText, CountsAndLists) {
 }
 
 }  // namespace
-}  // namespace tribolog::figures
+}  // namespace tribolog::figures::number_text_test

@@ -7,7 +7,7 @@
 
 #include "wording/units.h"
 
-namespace tribolog::report {
+namespace tribolog::report::rounding_test {
 namespace {
 
 wording::RoundedEstimate rounded(double value, double half_width,
@@ -105,4 +105,4 @@ TEST(Rounding, InWords) {
 }
 
 }  // namespace
-}  // namespace tribolog::report
+}  // namespace tribolog::report::rounding_test

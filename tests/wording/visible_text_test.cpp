@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::report {
+namespace tribolog::report::visible_text_test {
 namespace {
 
 TEST(VisibleText, OrdinaryTextStays) {
@@ -32,4 +32,4 @@ TEST(VisibleText, WhatTurnsOrHidesTextBecomesVisible) {
 }
 
 }  // namespace
-}  // namespace tribolog::report
+}  // namespace tribolog::report::visible_text_test

@@ -12,7 +12,7 @@
 namespace tribolog::exports::results {
 namespace {
 
-using Json = nlohmann::json;
+using Recorded = nlohmann::json;
 
 /// Runs of the two directions at one commanded speed differ by less.
 constexpr double same_speed_share = 0.01;
@@ -25,17 +25,17 @@ struct MergedSpeed {
 };
 
 /// Friction against absolute speed, by the curve that was selected, sorted.
-std::vector<FrictionRow> measured_points(const Json& whole) {
+std::vector<FrictionRow> measured_points(const Recorded& whole) {
   std::vector<FrictionRow> points;
-  const Json& viscous = calibration::member(whole, "viscous");
-  const Json& name = calibration::member(calibration::member(whole, "friction"), "curve");
+  const Recorded& viscous = calibration::member(whole, "viscous");
+  const Recorded& name = calibration::member(calibration::member(whole, "friction"), "curve");
   if (!name.is_string() || calibration::member(viscous, "from_sweep") != false) return points;
-  const Json& runs = calibration::member(viscous, "runs");
-  const Json& friction =
+  const Recorded& runs = calibration::member(viscous, "runs");
+  const Recorded& friction =
       calibration::member(calibration::member(viscous, "curves"), name.get<std::string>());
   if (!runs.is_array() || !friction.is_array() || friction.size() != runs.size()) return points;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const Json& speed = calibration::member(runs[k], "speed_rad_s");
+    const Recorded& speed = calibration::member(runs[k], "speed_rad_s");
     if (!speed.is_number() || !friction[k].is_number() || speed == 0) continue;
     const double sign = speed.get<double>() < 0 ? -1 : 1;
     points.push_back({sign * speed.get<double>(), sign * friction[k].get<double>()});
@@ -62,9 +62,10 @@ std::vector<FrictionRow> merged(const std::vector<FrictionRow>& points) {
   return rows;
 }
 
-FrictionTable straight_line(const ArchivedJoint& joint, const Json& whole) {
-  const Json& line = calibration::member(calibration::member(whole, "friction"), "coulomb_viscous");
-  const Json& fastest = calibration::member(line, "fastest_rad_s");
+FrictionTable straight_line(const ArchivedJoint& joint, const Recorded& whole) {
+  const Recorded& line =
+      calibration::member(calibration::member(whole, "friction"), "coulomb_viscous");
+  const Recorded& fastest = calibration::member(line, "fastest_rad_s");
   const calibration::Quantity* const coulomb = joint.found("coulomb_torque");
   const calibration::Quantity* const viscous = joint.found("viscous_coefficient");
   if (coulomb == nullptr || viscous == nullptr || !fastest.is_number()) {
@@ -79,7 +80,7 @@ FrictionTable straight_line(const ArchivedJoint& joint, const Json& whole) {
 }  // namespace
 
 FrictionTable friction_table(const ArchivedJoint& joint) {
-  const Json whole = Json::parse(joint.calibration, nullptr, false);
+  const Recorded whole = Recorded::parse(joint.calibration, nullptr, false);
   const std::vector<FrictionRow> rows = merged(measured_points(whole));
   FrictionTable table;
   if (rows.empty()) {

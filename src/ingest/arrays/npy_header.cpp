@@ -138,7 +138,7 @@ bool take_npy_shape(PythonText& text, std::vector<std::uint64_t>& shape) {
 namespace {
 
 /// Longest text that is read: NumPy's own bound for a header that it evaluates.
-constexpr std::size_t longest_text = 10'000;
+constexpr std::size_t longest_header = 10'000;
 
 /// Of the Python dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }.
 bool read_dictionary(PythonText text, NpyHeader& header) {
@@ -187,7 +187,7 @@ NpyHeader read_npy_header(std::string_view bytes, const std::string& name,
   const std::size_t length =
       version == 1 ? number_at<std::uint16_t>(bytes, 8) : number_at<std::uint32_t>(bytes, 8);
   if (length > bytes.size() - start) refuse("cut off in its header");
-  if (length > longest_text) {
+  if (length > longest_header) {
     refuse("its header has " + std::to_string(length) + " bytes, more than 10000");
   }
   NpyHeader header;

@@ -41,13 +41,13 @@ constexpr std::uint32_t in_zip64 = 0xffffffffU;
 /// Deflate makes at most 1032 bytes of one.
 constexpr std::uint64_t largest_deflate_ratio = 1032;
 
-[[noreturn]] void refuse(const std::string& file, const std::string& what,
-                         const std::string& hint = {}) {
+[[noreturn]] void refuse_archive(const std::string& file, const std::string& what,
+                                 const std::string& hint = {}) {
   throw InputError({file, 0, 0}, {what, "", "", hint});
 }
 
 [[noreturn]] void refuse_directory(const std::string& file) {
-  refuse(file, "damaged zip archive: its directory contradicts its size");
+  refuse_archive(file, "damaged zip archive: its directory contradicts its size");
 }
 
 struct Directory {
@@ -61,8 +61,8 @@ std::size_t find_end_record(std::string_view archive, const std::string& file) {
   const std::string_view tail = archive.substr(archive.size() - searched);
   const std::size_t at = tail.rfind("PK\x05\x06");
   if (at == std::string_view::npos || tail.size() - at < end_record_bytes) {
-    refuse(file, "zip archive without its directory at the end",
-           "the file may be cut off: copy or record it again");
+    refuse_archive(file, "zip archive without its directory at the end",
+                   "the file may be cut off: copy or record it again");
   }
   return archive.size() - searched + at;
 }
@@ -191,10 +191,10 @@ std::string unpack_zip_entry(std::string_view archive, const ZipEntry& entry,
   constexpr std::uint16_t stored = 0;
   constexpr std::uint16_t deflated = 8;
   const std::string what = "entry " + in_quotes(entry.name) + " of the archive ";
-  if ((entry.flags & 1U) != 0) refuse(file, what + "is encrypted");
+  if ((entry.flags & 1U) != 0) refuse_archive(file, what + "is encrypted");
   if (entry.method != stored && entry.method != deflated) {
-    refuse(file, what + "is packed by method " + std::to_string(entry.method),
-           "write it by numpy.savez or numpy.savez_compressed");
+    refuse_archive(file, what + "is packed by method " + std::to_string(entry.method),
+                   "write it by numpy.savez or numpy.savez_compressed");
   }
   const std::string_view packed = packed_bytes(archive, entry, file);
   std::string bytes;
@@ -202,12 +202,14 @@ std::string unpack_zip_entry(std::string_view archive, const ZipEntry& entry,
     bytes = packed;
   } else if (entry.bytes / largest_deflate_ratio <= packed.size()) {
     bytes.resize(entry.bytes);
-    if (!inflate_all(packed, bytes)) refuse(file, what + "is damaged: it cannot be unpacked");
+    if (!inflate_all(packed, bytes))
+      refuse_archive(file, what + "is damaged: it cannot be unpacked");
   }
   if (bytes.size() != entry.bytes) {
-    refuse(file, what + "is damaged: its stated size is not that of its bytes");
+    refuse_archive(file, what + "is damaged: its stated size is not that of its bytes");
   }
-  if (checksum(bytes) != entry.crc) refuse(file, what + "is damaged: its checksum is wrong");
+  if (checksum(bytes) != entry.crc)
+    refuse_archive(file, what + "is damaged: its checksum is wrong");
   return bytes;
 }
 

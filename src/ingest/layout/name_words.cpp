@@ -34,50 +34,50 @@ std::optional<std::string> joint_in_name(std::string_view name, std::string_view
 
 namespace {
 
-struct Word {
+struct NameWord {
   std::string_view word;
   log::Quantity quantity;
 };
 
 using enum log::Quantity;
 
-constexpr std::array quantity_words = {Word{"time", time},
-                                       Word{"timestamp", time},
-                                       Word{"stamp", time},
-                                       Word{"t", time},
-                                       Word{"zeit", time},
-                                       Word{"elapsed", time},
-                                       Word{"qd", angular_speed},
-                                       Word{"dq", angular_speed},
-                                       Word{"vel", angular_speed},
-                                       Word{"velocity", angular_speed},
-                                       Word{"velocities", angular_speed},
-                                       Word{"speed", angular_speed},
-                                       Word{"omega", angular_speed},
-                                       Word{"dtheta", angular_speed},
-                                       Word{"qdot", angular_speed},
-                                       Word{"q", angle},
-                                       Word{"angle", angle},
-                                       Word{"pos", angle},
-                                       Word{"position", angle},
-                                       Word{"positions", angle},
-                                       Word{"theta", angle},
-                                       Word{"phi", angle},
-                                       Word{"winkel", angle},
-                                       Word{"tau", torque},
-                                       Word{"torque", torque},
-                                       Word{"torques", torque},
-                                       Word{"effort", torque},
-                                       Word{"moment", torque},
-                                       Word{"trq", torque},
-                                       Word{"i", current},
-                                       Word{"iq", current},
-                                       Word{"current", current},
-                                       Word{"cur", current},
-                                       Word{"curr", current},
-                                       Word{"amps", current},
-                                       Word{"temp", temperature},
-                                       Word{"temperature", temperature}};
+constexpr std::array quantity_words = {NameWord{"time", time},
+                                       NameWord{"timestamp", time},
+                                       NameWord{"stamp", time},
+                                       NameWord{"t", time},
+                                       NameWord{"zeit", time},
+                                       NameWord{"elapsed", time},
+                                       NameWord{"qd", angular_speed},
+                                       NameWord{"dq", angular_speed},
+                                       NameWord{"vel", angular_speed},
+                                       NameWord{"velocity", angular_speed},
+                                       NameWord{"velocities", angular_speed},
+                                       NameWord{"speed", angular_speed},
+                                       NameWord{"omega", angular_speed},
+                                       NameWord{"dtheta", angular_speed},
+                                       NameWord{"qdot", angular_speed},
+                                       NameWord{"q", angle},
+                                       NameWord{"angle", angle},
+                                       NameWord{"pos", angle},
+                                       NameWord{"position", angle},
+                                       NameWord{"positions", angle},
+                                       NameWord{"theta", angle},
+                                       NameWord{"phi", angle},
+                                       NameWord{"winkel", angle},
+                                       NameWord{"tau", torque},
+                                       NameWord{"torque", torque},
+                                       NameWord{"torques", torque},
+                                       NameWord{"effort", torque},
+                                       NameWord{"moment", torque},
+                                       NameWord{"trq", torque},
+                                       NameWord{"i", current},
+                                       NameWord{"iq", current},
+                                       NameWord{"current", current},
+                                       NameWord{"cur", current},
+                                       NameWord{"curr", current},
+                                       NameWord{"amps", current},
+                                       NameWord{"temp", temperature},
+                                       NameWord{"temperature", temperature}};
 
 constexpr std::array target_words = {"target", "goal",    "cmd",  "command",   "commanded",
                                      "des",    "desired", "ref",  "reference", "setpoint",
@@ -116,7 +116,7 @@ std::optional<log::Quantity> quantity_of_unit(std::string_view unit) {
 
 std::optional<log::Quantity> quantity_of_word(const std::string& word) {
   const auto it = std::find_if(quantity_words.begin(), quantity_words.end(),
-                               [&](const Word& w) { return w.word == word; });
+                               [&](const NameWord& w) { return w.word == word; });
   if (it == quantity_words.end()) return std::nullopt;
   return it->quantity;
 }

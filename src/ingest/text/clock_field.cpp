@@ -3,10 +3,10 @@
 #include <charconv>
 #include <chrono>
 
+#include "ingest/text/number_field.h"
+
 namespace tribolog::ingest::text {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t digits_at_start(std::string_view text) {
   std::size_t n = 0;

@@ -12,6 +12,8 @@ enum class FieldKind {
   text,      ///< Anything else.
 };
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 enum class DecimalMark { point, comma };
 
 struct NumberField {

@@ -10,7 +10,7 @@
 namespace tribolog::inspect::motion {
 namespace {
 
-constexpr std::size_t fewest_samples = 5;
+constexpr std::size_t fewest_in_stroke = 5;
 constexpr double wiggle_share = 0.05;  // of the range: smaller reversals are passed over
 constexpr double band_share = 0.02;    // of a way's travel, within which it may rest
 constexpr double wiggle_margin = 1.2;  // a band is wider than the wiggles within the way
@@ -81,7 +81,7 @@ class StrokeFinder {
 
  private:
   void look_at(std::size_t first, std::size_t last) {
-    if (last < first + fewest_samples) return;
+    if (last < first + fewest_in_stroke) return;
     const double range = spread(trace_.q_rad, first, last);
     if (!(range > floor_) || !(range > 0)) return;
     range_ = range;

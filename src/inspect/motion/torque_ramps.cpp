@@ -17,7 +17,7 @@ constexpr double line_share = 0.03;          // of the rise: as far from the lin
 constexpr std::size_t level_part = 5;        // of the ramp's samples, that tell the level beside it
 constexpr std::size_t fewest_of_level = 5;
 constexpr double least_part = 0.7;          // of the stroke's rise that has to lie on the line
-constexpr std::size_t fewest_samples = 20;  // as the reader of recordings asks for
+constexpr std::size_t fewest_in_ramp = 20;  // as the reader of recordings asks for
 constexpr double shortest_s = 1;            // faster ones are starts of a motion
 // A joint that slides at the end moves little before; at steady speed it is at half its way.
 constexpr double early_share = 0.2;
@@ -112,7 +112,7 @@ std::optional<TorqueRamp> ramp_in(const AngleTrace& trace, const Piece& piece, s
   if (ramp.last > middle) {
     ramp.last = corner(trace, line, middle, piece.last, middle, trace.effort[end], false);
   }
-  if (ramp.last - ramp.first + 1 < fewest_samples) return std::nullopt;
+  if (ramp.last - ramp.first + 1 < fewest_in_ramp) return std::nullopt;
   if (trace.t_s[ramp.last] - trace.t_s[ramp.first] < shortest_s) return std::nullopt;
   if (std::abs(trace.effort[ramp.last] - trace.effort[ramp.first]) < least_part * std::abs(rise)) {
     return std::nullopt;
@@ -152,7 +152,7 @@ TorqueRampFinder::TorqueRampFinder(const AngleTrace& trace, double floor_rad)
 
 std::vector<TorqueRamp> TorqueRampFinder::between(std::size_t first, std::size_t last) const {
   std::vector<TorqueRamp> ramps;
-  if (trace_.effort.empty() || last < first + fewest_samples) return ramps;
+  if (trace_.effort.empty() || last < first + fewest_in_ramp) return ramps;
   const double threshold = std::max(smallest_rise * range_, 2 * floor_);
   if (!(threshold > 0)) return ramps;
   const RampLimits limits{floor_, floor_rad_, smallest_unyielding * range_};

@@ -20,7 +20,9 @@ namespace tribolog::inspect::survey {
 
 namespace {
 
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.5g}", value); }
+std::string shown_number(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:.5g}", value);
+}
 
 /// Columns of tables that look alike, over all of them.
 struct ColumnOfAll {
@@ -63,8 +65,8 @@ std::vector<std::string> column_cells(const ColumnOfAll& of_all, Remarks& remark
   } else {
     cells.insert(cells.end(), {"?", "", printable(c.unit)});
   }
-  cells.push_back(number(c.lowest));
-  cells.push_back(number(c.highest));
+  cells.push_back(shown_number(c.lowest));
+  cells.push_back(shown_number(c.highest));
   cells.push_back(c.step > 0 ? fmt::format("{:.3g}", c.step) : "");
   if (std::isnan(c.lowest)) {
     notes.emplace_back("nothing but gaps");

@@ -10,7 +10,7 @@
 namespace tribolog::method::checks {
 namespace {
 
-constexpr std::size_t bins = 24;
+constexpr std::size_t angle_bins = 24;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Reach {
@@ -51,20 +51,21 @@ DirectionDifference direction_difference(const std::vector<const CheckedRecordin
   out.common_share = std::max(0.0, high - low) / narrower;
   if (!with_torque || !(high > low)) return out;
 
-  std::array<std::array<Bin, bins>, 2> torque{};
+  std::array<std::array<Bin, angle_bins>, 2> torque{};
   for (const CheckedRecording* r : recordings) {
     for (const motion::Stroke& stroke : r->ways()) {
       for (std::size_t i = stroke.first; i < stroke.last; ++i) {
         const double place = (r->recording->q_rad[i] - low) / (high - low);
         if (!(place >= 0 && place < 1)) continue;
-        Bin& bin = torque[stroke.direction > 0 ? 0 : 1][static_cast<std::size_t>(place * bins)];
+        Bin& bin =
+            torque[stroke.direction > 0 ? 0 : 1][static_cast<std::size_t>(place * angle_bins)];
         bin.sum += r->recording->torque_Nm[i];
         ++bin.count;
       }
     }
   }
   std::vector<double> halves;
-  for (std::size_t k = 0; k < bins; ++k) {
+  for (std::size_t k = 0; k < angle_bins; ++k) {
     const Bin& up = torque[0][k];
     const Bin& down = torque[1][k];
     if (up.count == 0 || down.count == 0) continue;

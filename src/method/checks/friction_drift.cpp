@@ -19,25 +19,26 @@
 namespace tribolog::method::checks {
 namespace {
 
-constexpr std::size_t bins = 12;
+constexpr std::size_t drift_bins = 12;
 constexpr std::size_t fewest_pairs = 3;
 constexpr double same_travel = 0.8;
 
-using BinMeans = std::array<double, bins>;
+using BinMeans = std::array<double, drift_bins>;
 
-/// Mean torque in equal bins of the angle between low and high; NaN where the stroke has no sample.
+/// Mean torque in equal drift_bins of the angle between low and high; NaN where the stroke has no
+/// sample.
 BinMeans means_over_angle(const joint::Recording& r, const motion::Stroke& stroke, double low,
                           double high) {
-  std::array<double, bins> sum{};
-  std::array<std::size_t, bins> count{};
+  std::array<double, drift_bins> sum{};
+  std::array<std::size_t, drift_bins> count{};
   for (std::size_t i = stroke.first; i < stroke.last; ++i) {
     const double place = (r.q_rad[i] - low) / (high - low);
     if (!(place >= 0 && place < 1)) continue;
-    const auto k = static_cast<std::size_t>(place * bins);
+    const auto k = static_cast<std::size_t>(place * drift_bins);
     sum[k] += r.torque_Nm[i];
     ++count[k];
   }
-  for (std::size_t k = 0; k < bins; ++k) {
+  for (std::size_t k = 0; k < drift_bins; ++k) {
     sum[k] = count[k] > 0 ? sum[k] / static_cast<double>(count[k])
                           : std::numeric_limits<double>::quiet_NaN();
   }
@@ -70,13 +71,13 @@ std::vector<FrictionAt> friction_over_time(const CheckedRecording& r) {
     const BinMeans first = means_over_angle(*r.recording, alike[k], low, high);
     const BinMeans second = means_over_angle(*r.recording, alike[k + 1], low, high);
     double sum = 0, count = 0;
-    for (std::size_t b = 0; b < bins; ++b) {
+    for (std::size_t b = 0; b < drift_bins; ++b) {
       const double half = alike[k].direction * (first[b] - second[b]) / 2;
       if (!std::isfinite(half)) continue;
       sum += half;
       count += 1;
     }
-    if (count < bins / 2.0) continue;
+    if (count < drift_bins / 2.0) continue;
     found.push_back({r.recording->t_s[alike[k].last], sum / count});
   }
   return found;

@@ -85,7 +85,6 @@ std::string in_words(const CurveModel& model) {
 
 namespace {
 
-constexpr double same_speed = 0.03;
 constexpr std::size_t sweep_groups = 12;
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace tribolog::method::viscous {
 
 namespace {
 
-constexpr double same_speed = 0.03;
 constexpr double least_travel_share = 0.25;
 constexpr std::size_t fewest_runs = 4;
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "method/motion/sweep_samples.h"
+#include "method/viscous/curve_fit.h"
 #include "statistics/block_regression.h"
 
 namespace tribolog::method::viscous {
@@ -120,12 +121,6 @@ std::vector<double> held_out_errors(const std::vector<Row>& rows, Terms terms) {
     errors.push_back(squares / static_cast<double>(held.size()));
   }
   return errors;
-}
-
-double root_mean(const std::vector<double>& squares) {
-  double sum = 0;
-  for (const double s : squares) sum += s;
-  return std::sqrt(sum / static_cast<double>(squares.size()));
 }
 
 /// The mean of `worse - better` exceeds its standard error.

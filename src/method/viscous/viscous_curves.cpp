@@ -144,7 +144,6 @@ MeanTorque torque_between(const RunSource& s, double low, double high, const Gra
 /// Pairs each rising run with the falling one of the same speed that shares most of its angles.
 void pair_directions(std::vector<ConstantSpeedRun>& runs, const std::vector<RunSource>& sources,
                      const GravityShape& shape) {
-  constexpr double same_speed = 0.03;
   constexpr double least_overlap = 0.2;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].speed_rad_s < 0) continue;

@@ -16,6 +16,9 @@
 
 namespace tribolog::method::viscous {
 
+/// Speeds that differ by less count as one: share of the speed.
+inline constexpr double same_speed = 0.03;
+
 /// One plateau, or one angle bin of a paired sweep in one direction.
 struct ConstantSpeedRun {
   std::string recording;

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "method/viscous/viscous_curves.h"
 #include "statistics/block_regression.h"
 #include "statistics/levenberg_marquardt.h"
 
@@ -83,7 +84,6 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   Eigen::MatrixXd j;
   waiboer_residuals(points, best.parameters, r, &j);
   // Runs of one speed are no independent witnesses of it: what is left over them is the same.
-  constexpr double same_speed = 0.03;
   std::vector<std::size_t> blocks(points.size(), 0);
   double first_rad_s = points.front().speed_rad_s;
   for (std::size_t i = 1; i < blocks.size(); ++i) {

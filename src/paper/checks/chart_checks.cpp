@@ -17,7 +17,7 @@ namespace tribolog::paper::checks {
 
 namespace {
 
-constexpr double rounding_Nm = 1e-12;
+constexpr double chart_rounding_Nm = 1e-12;
 
 /// Largest distance of a drawn law's points from the law. Series with markers are not of the law.
 template <class Law>
@@ -48,7 +48,7 @@ Checks check_static_chart(const PapersJoint& joint, const figures::ReportFigure&
     at_rest_Nm = std::max(at_rest_Nm, *high - *low);
   }
   return {vanishing("Points of the drawn line against eq. (1): largest difference",
-                    off_the_law(panel, "eq. (1)", law, 1.0), rounding_Nm, "N·m", "rounding"),
+                    off_the_law(panel, "eq. (1)", law, 1.0), chart_rounding_Nm, "N·m", "rounding"),
           law_value("The range drawn at rest: from −T_brk to T_brk",
                     2 * law.curve().parameters().static_Nm, at_rest_Nm, 0, "N·m", "")};
 }
@@ -60,16 +60,17 @@ Checks check_linear_zone_chart(const PapersJoint& joint, const figures::ReportFi
   const double milli = wording::prefixed("rad/s", threshold).factor;
   const bool is_in_range = threshold >= drawings::smallest_threshold_rad_s &&
                            threshold <= drawings::largest_threshold_rad_s;
-  return {
-      vanishing("Points of the drawn line against eq. (2): largest difference",
-                off_the_law(panels.at(0), "eq. (2)", law, 1.0), rounding_Nm, "N·m", "rounding"),
-      vanishing("The same in the close-up of the linear zone",
-                off_the_law(panels.at(1), "eq. (2)", law, milli), rounding_Nm, "N·m", "rounding"),
-      in_words("The threshold lies in the printed range of 10⁻⁵ to 10⁻³", Origin::printed, "within",
-               is_in_range ? "within" : "outside"),
-      law_value("Half of T_f(ω_th) does not hold the shaft: it creeps at this share of ω_th", 0.5,
-                law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), rounding_Nm, "",
-                "rounding")};
+  return {vanishing("Points of the drawn line against eq. (2): largest difference",
+                    off_the_law(panels.at(0), "eq. (2)", law, 1.0), chart_rounding_Nm, "N·m",
+                    "rounding"),
+          vanishing("The same in the close-up of the linear zone",
+                    off_the_law(panels.at(1), "eq. (2)", law, milli), chart_rounding_Nm, "N·m",
+                    "rounding"),
+          in_words("The threshold lies in the printed range of 10⁻⁵ to 10⁻³", Origin::printed,
+                   "within", is_in_range ? "within" : "outside"),
+          law_value("Half of T_f(ω_th) does not hold the shaft: it creeps at this share of ω_th",
+                    0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), chart_rounding_Nm,
+                    "", "rounding")};
 }
 
 Checks check_presliding_chart(const PapersJoint& joint) {

@@ -9,7 +9,7 @@
 namespace tribolog::paper::checks {
 namespace {
 
-constexpr double rounding_Nm = 1e-12;
+constexpr double curve_rounding_Nm = 1e-12;
 
 std::string nearest_to_the_truth(const PapersJoint& joint) {
   const double truth = joint.true_mass_kg();
@@ -51,7 +51,7 @@ Checks check_candidate_curves(const PapersJoint& joint) {
                     static_cast<double>(viscous.runs.size()), 0, "", ""),
           vanishing("A candidate's mass only shifts its curve: six curves less curve A, less the "
                     "difference of gravity: largest",
-                    apart, rounding_Nm, "N·m", "rounding")};
+                    apart, curve_rounding_Nm, "N·m", "rounding")};
 }
 
 Checks check_reference_curve(const PapersJoint& joint) {
@@ -66,7 +66,7 @@ Checks check_reference_curve(const PapersJoint& joint) {
   }
   return {
       vanishing("The reference is eq. (6), (7) at the motor's speed: largest difference", apart,
-                rounding_Nm, "N·m", "rounding"),
+                curve_rounding_Nm, "N·m", "rounding"),
       vanishing("(T(+ω) − T(−ω))/2 at equal angle gives it without knowing it: largest difference",
                 two_ways, 1e-5, "N·m", "angles are compared in bins")};
 }

@@ -11,25 +11,25 @@ namespace {
 constexpr double slowest_rad_s = 1e-6;
 constexpr double fastest_rad_s = 300;
 /// A handful of operations on torques of about 1 N·m, each rounded once.
-constexpr double rounding_Nm = 1e-13;
-constexpr const char* rounding = "rounding";
+constexpr double law_rounding_Nm = 1e-13;
+constexpr const char* law_rounding = "rounding";
 
 double sign(double x) { return x < 0 ? -1.0 : 1.0; }
 
-std::vector<double> grid() { return speeds_of_both_signs(slowest_rad_s, fastest_rad_s); }
+std::vector<double> law_grid() { return speeds_of_both_signs(slowest_rad_s, fastest_rad_s); }
 
 template <class Law>
 Check is_odd(const Law& law) {
   return vanishing(
       "Odd in ω: largest |T_f(ω) + T_f(−ω)|",
-      largest_over(grid(), [&](double w) { return law.torque_Nm(w) + law.torque_Nm(-w); }), 0,
+      largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) + law.torque_Nm(-w); }), 0,
       "N·m", "");
 }
 
 template <class Law>
 Check dissipates(const Law& law) {
   double least = 0;
-  for (const double w : grid()) least = std::min(least, law.torque_Nm(w) * w);
+  for (const double w : law_grid()) least = std::min(least, law.torque_Nm(w) * w);
   return vanishing("Friction takes power: least T_f ω, if negative", least, 0, "W", "");
 }
 
@@ -44,15 +44,16 @@ Checks check_equation_1(const PapersJoint& joint) {
     const double fall = std::exp(-(w / p.stribeck_speed_rad_s) * (w / p.stribeck_speed_rad_s));
     return (p.coulomb_Nm + (broken - p.coulomb_Nm) * fall + viscous * std::abs(w)) * sign(w);
   };
-  return {vanishing("Equation against program, at 1000 speeds: largest difference",
-                    largest_over(grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
-                    rounding_Nm, "N·m", rounding),
-          law_value("Jump at rest, from −T_brk to T_brk", 2 * broken,
-                    law.torque_Nm(slowest_rad_s) - law.torque_Nm(-slowest_rad_s), 1e-7, "N·m",
-                    "read at ±10⁻⁶ rad/s"),
-          law_value("At rest, pushed with twice T_brk, friction holds", broken,
-                    law.torque_at_rest_Nm(2 * broken), 0, "N·m", ""),
-          is_odd(law), dissipates(law)};
+  return {
+      vanishing("Equation against program, at 1000 speeds: largest difference",
+                largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - printed(w); }),
+                law_rounding_Nm, "N·m", law_rounding),
+      law_value("Jump at rest, from −T_brk to T_brk", 2 * broken,
+                law.torque_Nm(slowest_rad_s) - law.torque_Nm(-slowest_rad_s), 1e-7, "N·m",
+                "read at ±10⁻⁶ rad/s"),
+      law_value("At rest, pushed with twice T_brk, friction holds", broken,
+                law.torque_at_rest_Nm(2 * broken), 0, "N·m", ""),
+      is_odd(law), dissipates(law)};
 }
 
 Checks check_equation_2(const PapersJoint& joint) {
@@ -69,17 +70,18 @@ Checks check_equation_2(const PapersJoint& joint) {
     return std::abs(w) >= threshold ? sliding(w) : w * sliding(threshold) / threshold;
   };
   const double below = std::nextafter(threshold, 0.0);
-  return {vanishing("Equation against program, at 1000 speeds: largest difference",
-                    largest_over(grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
-                    rounding_Nm, "N·m", rounding),
-          vanishing("The branches meet: jump at ω_th",
-                    law.torque_Nm(threshold) - law.torque_Nm(below), rounding_Nm, "N·m", rounding),
-          law_value("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th",
-                    0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), rounding_Nm, "",
-                    rounding),
-          vanishing("It does not hold at rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
-          is_odd(law),
-          dissipates(law)};
+  return {
+      vanishing("Equation against program, at 1000 speeds: largest difference",
+                largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
+                law_rounding_Nm, "N·m", law_rounding),
+      vanishing("The branches meet: jump at ω_th", law.torque_Nm(threshold) - law.torque_Nm(below),
+                law_rounding_Nm, "N·m", law_rounding),
+      law_value("Below ω_th friction is proportional to ω: T_f at half of ω_th, by T_f at ω_th",
+                0.5, law.torque_Nm(threshold / 2) / law.torque_Nm(threshold), law_rounding_Nm, "",
+                law_rounding),
+      vanishing("It does not hold at rest: T_f(0)", law.torque_Nm(0), 0, "N·m", ""),
+      is_odd(law),
+      dissipates(law)};
 }
 
 Checks check_equation_6(const PapersJoint& joint) {
@@ -91,12 +93,12 @@ Checks check_equation_6(const PapersJoint& joint) {
            p.viscous_coefficient * std::pow(w, 1 - p.viscous_power);
   };
   Checks out{vanishing("Equation against program, at 500 speeds: largest difference",
-                       largest_over(grid(),
+                       largest_over(law_grid(),
                                     [&](double w) {
                                       const double size = std::abs(w);
                                       return law.magnitude_Nm(size) - meant(size);
                                     }),
-                       rounding_Nm, "N·m", rounding),
+                       law_rounding_Nm, "N·m", law_rounding),
              law_value("At rest friction is T_a", p.asperity_torque_Nm, law.magnitude_Nm(0), 0,
                        "N·m", "")};
   const auto& fit = joint.calibration.friction.waiboer;
@@ -127,8 +129,8 @@ Checks check_equation_7(const PapersJoint& joint) {
   const double turn = drawings::direction_change_rad_s;
   return {
       vanishing("Equation against program, at 1000 speeds: largest difference",
-                largest_over(grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
-                rounding_Nm, "N·m", rounding),
+                largest_over(law_grid(), [&](double w) { return law.torque_Nm(w) - meant(w); }),
+                law_rounding_Nm, "N·m", law_rounding),
       printed_value("The scale c of the scenario", drawings::smoothing_s_rad, 0, c, 0, "s/rad", ""),
       law_value("With that c the direction has changed within ±10⁻⁴ rad/s: share of eq. (6) there",
                 1.0, law.torque_Nm(turn) / law.magnitude_Nm(turn), 0.01, "",

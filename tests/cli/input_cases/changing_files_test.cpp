@@ -17,7 +17,7 @@
 #include "cli/input_cases/case_log.h"
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::changing_files_test {
 namespace {
 
 ProgramRun identify(const SmallDataset& dataset) {
@@ -121,4 +121,4 @@ TEST(InputCase41, ALogThatIsTruncatedMeanwhileIsRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::changing_files_test

@@ -10,7 +10,7 @@
 namespace tribolog::test {
 namespace {
 
-const std::string damaged =
+const std::string damaged_number =
     "; hint: damaged rows? [log] skip_bad_rows = true leaves them out, up to 1 % of all";
 
 std::string with_torque(const std::string& field) {
@@ -18,7 +18,7 @@ std::string with_torque(const std::string& field) {
 }
 
 InputCase no_number(const std::string& id, const std::string& name, const std::string& field,
-                    const std::string& hint = damaged) {
+                    const std::string& hint = damaged_number) {
   return refused(id, name, with_torque(field),
                  "log.csv:301:19: column 'tau', found '" + field + "', expected a number" + hint);
 }
@@ -71,7 +71,7 @@ std::vector<InputCase> number_cases() {
       refused("27c", "AllIsGaps", with_gaps(1, {"nan"}),
               "log.csv: column 'tau' holds no number, only gaps (empty or nan)"),
       refused("28a", "Overflow", with_torque("1e400"),
-              "log.csv:301:19: column 'tau': number is too large, found '1e400'" + damaged),
+              "log.csv:301:19: column 'tau': number is too large, found '1e400'" + damaged_number),
       other_sample(accepted("28b", "Underflow", with_torque("1e-400"))),
       no_number("28c", "Hexadecimal", "0x1p3"),
       no_number("28d", "FortranExponent", "1d3"),
@@ -82,8 +82,9 @@ std::vector<InputCase> number_cases() {
       no_number("29a", "True", "true"),
       no_number("29b", "Word", "fault"),
       no_number("29c", "NumberWithItsUnit", "3.1 Nm"),
-      refused("29d", "TerminalEscape", with_torque("\x1b[31mred"),
-              "log.csv:301:19: column 'tau', found '\\x1b[31mred', expected a number" + damaged),
+      refused(
+          "29d", "TerminalEscape", with_torque("\x1b[31mred"),
+          "log.csv:301:19: column 'tau', found '\\x1b[31mred', expected a number" + damaged_number),
       impossible("39a", "HugeTorque", with_torque("1e300"),
                  "log.csv:301: column 'tau': no joint has a torque of this size, found 1e+300 Nm, "
                  "expected at most 1e+07 Nm"),

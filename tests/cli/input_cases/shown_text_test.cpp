@@ -9,7 +9,7 @@
 #include "cli/input_cases/case_log.h"
 #include "cli/small_dataset.h"
 
-namespace tribolog::test {
+namespace tribolog::test::shown_text_test {
 namespace {
 
 const std::string without_runs = " --resamples 0 --truth-runs 0 ";
@@ -119,4 +119,4 @@ TEST(InputCase43, ANameWithALineEndIsWrittenAndToldOnOneLine) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::shown_text_test

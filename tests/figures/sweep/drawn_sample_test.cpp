@@ -12,7 +12,7 @@
 #include "render/png_reading.h"
 #include "render/workers/renderer.h"
 
-namespace tribolog::test {
+namespace tribolog::test::drawn_sample_test {
 namespace {
 
 namespace legibility = render::legibility;
@@ -76,4 +76,4 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) { return in
 INSTANTIATE_TEST_SUITE_P(Examples, DrawnSample, testing::ValuesIn(swept_examples()), name_of);
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::drawn_sample_test

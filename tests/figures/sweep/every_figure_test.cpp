@@ -11,7 +11,7 @@
 #include "render/legibility/panel_content.h"
 #include "render/legibility/text_collisions.h"
 
-namespace tribolog::test {
+namespace tribolog::test::every_figure_test {
 namespace {
 
 namespace legibility = render::legibility;
@@ -70,4 +70,4 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) { return in
 INSTANTIATE_TEST_SUITE_P(Examples, EveryFigure, testing::ValuesIn(swept_examples()), name_of);
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::every_figure_test

@@ -10,7 +10,7 @@
 #include "render/workers/renderer.h"
 #include "report/html_report.h"
 
-namespace tribolog::test {
+namespace tribolog::test::sixty_figures_test {
 namespace {
 
 constexpr std::size_t count = 60;
@@ -49,4 +49,4 @@ TEST(SixtyFigures, StayUnderTenMegabytes) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::sixty_figures_test

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::array_tables_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -175,4 +175,4 @@ TEST(ShapeArray, LeavesOutWhatIsNoTable) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::array_tables_test

@@ -12,7 +12,7 @@
 #include "ingest/manifest/scenario_file.h"
 #include "ingest/text/csv_reader.h"
 
-namespace tribolog {
+namespace tribolog::damaged_files_test {
 namespace {
 
 const std::string log_text =
@@ -129,4 +129,4 @@ TEST(DamagedScenario, EveryCutIsAnswered) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::damaged_files_test

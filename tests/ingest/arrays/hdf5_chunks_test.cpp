@@ -11,7 +11,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/arrays/hdf5_reader.h"
 
-namespace tribolog {
+namespace tribolog::hdf5_chunks_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -155,4 +155,4 @@ TEST_F(Hdf5ChunksTest, MoreBytesThanTheFileHasAreRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::hdf5_chunks_test

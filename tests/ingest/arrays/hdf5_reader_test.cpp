@@ -14,7 +14,7 @@
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::hdf5_reader_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -274,4 +274,4 @@ TEST_F(Hdf5, DamagedStructureIsAnswered) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::hdf5_reader_test

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::isolated_reading_test {
 namespace {
 
 class IsolatedReading : public testing::Test {
@@ -95,4 +95,4 @@ TEST_F(IsolatedReading, WhatTheLibraryPrintsIsNotSeen) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::isolated_reading_test

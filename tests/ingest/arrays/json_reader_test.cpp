@@ -12,7 +12,7 @@
 #include "ingest/arrays/json_text.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::json_reader_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -146,4 +146,4 @@ TEST(Json, DamageIsAnswered) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::json_reader_test

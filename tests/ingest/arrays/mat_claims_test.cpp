@@ -13,7 +13,7 @@
 #include "ingest/arrays/mat_reader.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::mat_claims_test {
 namespace {
 
 template <class Number>
@@ -114,4 +114,4 @@ TEST_F(MatClaims, PartsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::mat_claims_test

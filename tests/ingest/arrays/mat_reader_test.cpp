@@ -17,7 +17,7 @@
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::mat_reader_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -325,4 +325,4 @@ TEST_F(MatFiles, RefusalsAreOneLine) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::mat_reader_test

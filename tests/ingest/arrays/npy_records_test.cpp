@@ -9,7 +9,7 @@
 #include "ingest/arrays/numpy_files.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::npy_records_test {
 namespace {
 
 using namespace std::string_literals;
@@ -253,4 +253,4 @@ TEST(NpyRecordsByHand, HostileTypesAreRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::npy_records_test

@@ -13,7 +13,7 @@
 #include "ingest/log/log_format.h"
 #include "support/damaged_files.h"
 
-namespace tribolog {
+namespace tribolog::npz_reader_test {
 namespace {
 
 using namespace std::string_literals;
@@ -203,4 +203,4 @@ with zipfile.ZipFile('bomb.npz', 'w') as z:
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::npz_reader_test

@@ -10,7 +10,7 @@
 #include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
-namespace tribolog {
+namespace tribolog::cdr_reader_test {
 namespace {
 
 using namespace std::string_literals;
@@ -120,4 +120,4 @@ TEST(CdrReader, TakesStringsWithoutClosingNul) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::cdr_reader_test

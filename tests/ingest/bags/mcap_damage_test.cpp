@@ -6,7 +6,7 @@
 
 #include "ingest/bags/numbered_log.h"
 
-namespace tribolog {
+namespace tribolog::mcap_damage_test {
 namespace {
 
 using namespace test;
@@ -136,4 +136,4 @@ TEST(McapDamage, RefusesWhatIsNoMcap) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::mcap_damage_test

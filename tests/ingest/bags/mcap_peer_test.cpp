@@ -11,7 +11,7 @@
 #include "ingest/bags/mcap_reader.h"
 #include "support/run_program.h"
 
-namespace tribolog {
+namespace tribolog::mcap_peer_test {
 namespace {
 
 const std::string packages = TRIBOLOG_PEER_PACKAGES;
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Forms, McapPeer,
                                          "zstd chunked plain"));
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::mcap_peer_test

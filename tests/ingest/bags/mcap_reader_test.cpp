@@ -8,7 +8,7 @@
 
 #include "ingest/bags/numbered_log.h"
 
-namespace tribolog {
+namespace tribolog::mcap_reader_test {
 namespace {
 
 using namespace test;
@@ -159,4 +159,4 @@ TEST(McapReader, KeepsAFieldOfTheNameOfAColumnOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::mcap_reader_test

@@ -11,7 +11,7 @@
 #include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
-namespace tribolog {
+namespace tribolog::message_columns_test {
 namespace {
 
 using test::CdrWriter;
@@ -152,4 +152,4 @@ TEST(MessageColumns, KeepsTheNumberOfColumnsBounded) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::message_columns_test

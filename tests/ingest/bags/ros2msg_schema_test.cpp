@@ -7,7 +7,7 @@
 #include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
-namespace tribolog {
+namespace tribolog::ros2msg_schema_test {
 namespace {
 
 std::string refusal_of(const std::string& text) {
@@ -86,4 +86,4 @@ TEST(Ros2msgSchema, AnswersEveryPrefixOfADefinition) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::ros2msg_schema_test

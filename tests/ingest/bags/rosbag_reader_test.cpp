@@ -12,7 +12,7 @@
 #include "base/temporary_directory.h"
 #include "support/cdr_writer.h"
 
-namespace tribolog {
+namespace tribolog::rosbag_reader_test {
 namespace {
 
 using test::CdrWriter;
@@ -210,4 +210,4 @@ TEST_F(RosbagReader, RefusesOrReadsDamagedFilesInOneLine) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::rosbag_reader_test

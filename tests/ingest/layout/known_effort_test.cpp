@@ -4,7 +4,7 @@
 
 #include "ingest/layout/known_loggers.h"
 
-namespace tribolog {
+namespace tribolog::known_effort_test {
 namespace {
 
 TEST(KnownEffort, OfUrIsACurrentOrAModelsTarget) {
@@ -40,4 +40,4 @@ TEST(KnownEffort, IsNotGuessedFromOneNameAloneOrFromAnotherJoint) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::known_effort_test

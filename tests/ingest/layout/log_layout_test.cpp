@@ -7,7 +7,7 @@
 #include "ingest/layout/name_words.h"
 #include "ingest/text/csv_dialect.h"
 
-namespace tribolog {
+namespace tribolog::log_layout_test {
 namespace {
 
 ingest::layout::LogLayout layout_of(const std::vector<std::string>& names) {
@@ -143,4 +143,4 @@ TEST(LogLayout, SaysNothingOfWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::log_layout_test

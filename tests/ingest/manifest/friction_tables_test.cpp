@@ -6,7 +6,7 @@
 #include "base/temporary_directory.h"
 #include "friction/catalogue.h"
 
-namespace tribolog {
+namespace tribolog::friction_tables_test {
 namespace {
 
 const std::string contact_table = R"([friction.presliding]
@@ -201,4 +201,4 @@ TEST(FrictionTables, RefusesKeysOfOthers) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::friction_tables_test

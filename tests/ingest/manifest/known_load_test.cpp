@@ -10,7 +10,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/dataset/dataset_file.h"
 
-namespace tribolog {
+namespace tribolog::known_load_test {
 namespace {
 
 using test::TemporaryDirectory;
@@ -112,4 +112,4 @@ TEST(StatedGravity, IsReadAndRefused) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::known_load_test

@@ -5,7 +5,7 @@
 #include "base/temporary_directory.h"
 #include "friction/waiboer.h"
 
-namespace tribolog {
+namespace tribolog::manifest_file_test {
 namespace {
 
 const std::string minimal = R"(schema = "tribolog-dataset-1"
@@ -399,4 +399,4 @@ TEST(ManifestEffort, OfVoltageOrDutyCycleIsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::manifest_file_test

@@ -11,7 +11,7 @@
 #include "base/temporary_directory.h"
 #include "simulate/simulate_joint.h"
 
-namespace tribolog {
+namespace tribolog::scenario_file_test {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180;
@@ -220,4 +220,4 @@ TEST(ScenarioDescription, IsRefusedWhereItIsMissingWrongOrInTheWay) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::scenario_file_test

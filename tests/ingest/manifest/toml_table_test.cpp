@@ -4,7 +4,7 @@
 
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::toml_table_test {
 namespace {
 
 ingest::manifest::TomlTable parse(std::string_view text) {
@@ -184,4 +184,4 @@ TEST(TomlTable, BoundsNesting) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::toml_table_test

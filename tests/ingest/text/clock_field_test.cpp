@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog {
+namespace tribolog::clock_field_test {
 namespace {
 
 double between(std::string_view from, std::string_view to,
@@ -55,4 +55,4 @@ TEST(ClockField, TakesNothingElse) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::clock_field_test

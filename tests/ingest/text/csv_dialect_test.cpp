@@ -4,7 +4,7 @@
 
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::csv_dialect_test {
 namespace {
 
 std::vector<std::string> texts(std::string_view row, ingest::text::Delimiter delimiter) {
@@ -96,4 +96,4 @@ TEST(HeaderField, SplitsNameAndUnit) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::csv_dialect_test

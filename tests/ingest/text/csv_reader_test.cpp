@@ -8,7 +8,7 @@
 
 #include "base/temporary_directory.h"
 
-namespace tribolog {
+namespace tribolog::csv_reader_test {
 namespace {
 
 ingest::text::CsvTable read(std::string_view text,
@@ -257,4 +257,4 @@ TEST(CsvReader, TakesNumbersTooSmallForADoubleAsZero) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::csv_reader_test

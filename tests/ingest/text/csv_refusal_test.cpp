@@ -5,7 +5,7 @@
 #include "base/temporary_directory.h"
 #include "ingest/text/csv_reader.h"
 
-namespace tribolog {
+namespace tribolog::csv_refusal_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -149,4 +149,4 @@ TEST(CsvReader, RefusesAColumnAskedForTwice) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::csv_refusal_test

@@ -14,7 +14,7 @@
 #include <rapidcheck/gtest.h>
 #endif
 
-namespace tribolog {
+namespace tribolog::number_field_test {
 namespace {
 
 void expect_number(const std::string& field, double value) {
@@ -121,4 +121,4 @@ TEST(Thousands, AreGroupsOfThreeDigits) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::number_field_test

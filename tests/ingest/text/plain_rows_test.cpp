@@ -13,7 +13,7 @@
 #include "ingest/text/csv_reader.h"
 #include "ingest/text/plain_number.h"
 
-namespace tribolog {
+namespace tribolog::plain_rows_test {
 namespace {
 
 void expect_same_as_from_chars(const std::string& text) {
@@ -201,4 +201,4 @@ TEST(PlainRows, OfAWideLogTakeNoMoreRoomThanItsTextAsksFor) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::plain_rows_test

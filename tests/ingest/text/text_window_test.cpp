@@ -10,7 +10,7 @@
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/csv_reader.h"
 
-namespace tribolog {
+namespace tribolog::text_window_test {
 namespace {
 
 /// Gives a few bytes at a time, as a pipe may.
@@ -129,4 +129,4 @@ TEST(TextWindow, LinesThatEndWithCrAloneAreReadInLinearTime) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::text_window_test

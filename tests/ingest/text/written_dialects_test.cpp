@@ -13,7 +13,7 @@
 #include "ingest/text/csv_reader.h"
 #include "support/run_program.h"
 
-namespace tribolog {
+namespace tribolog::written_dialects_test {
 namespace {
 
 constexpr int dialects = 1000;
@@ -73,4 +73,4 @@ TEST(WrittenDialects, AThousandOfPythonsComeBackToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace tribolog
+}  // namespace tribolog::written_dialects_test

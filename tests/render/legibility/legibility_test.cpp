@@ -12,7 +12,7 @@
 #include "render/legibility/text_collisions.h"
 #include "render/legibility/texts_of_list.h"
 
-namespace tribolog::render::legibility {
+namespace tribolog::render::legibility::legibility_test {
 namespace {
 
 constexpr figure::Colour dark{25, 25, 25};
@@ -214,4 +214,4 @@ TEST(Legibility, JoinsTheRunsOfAText) {
 }
 
 }  // namespace
-}  // namespace tribolog::render::legibility
+}  // namespace tribolog::render::legibility::legibility_test

@@ -14,7 +14,7 @@
 #include "render/vector/vector_canvas.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog::render {
+namespace tribolog::render::document_test {
 namespace {
 
 const vector::DocumentTexts words{"fig-1", "A loop", "Torque over angle, 1.8 N·m high"};
@@ -148,4 +148,4 @@ TEST(ShortNumber, HasNoMoreDigitsThanItTakes) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::document_test

@@ -10,7 +10,7 @@
 #include "render/vector/outside_renderers.h"
 #include "render/vector/vector_document.h"
 
-namespace tribolog::render {
+namespace tribolog::render::hostile_text_test {
 namespace {
 
 using namespace std::string_literals;
@@ -94,4 +94,4 @@ TEST(HostileTexts, AreOrdinaryInEveryField) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::hostile_text_test

@@ -12,7 +12,7 @@
 #include "render/text/font.h"
 #include "render/vector/drawn_set.h"
 
-namespace tribolog::render {
+namespace tribolog::render::publication_test {
 namespace {
 
 double points(double pixels) { return pixels / composition::publication::px_per_mm * 72 / 25.4; }
@@ -130,4 +130,4 @@ TEST(Publication, LeavesTheDataAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::publication_test

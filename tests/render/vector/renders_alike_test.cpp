@@ -10,7 +10,7 @@
 #include "render/vector/outside_renderers.h"
 #include "render/vector/picture_match.h"
 
-namespace tribolog::render {
+namespace tribolog::render::renders_alike_test {
 namespace {
 
 constexpr double least_ink = 0.995;  // of the points at which our picture shows a primitive
@@ -119,4 +119,4 @@ TEST(RendersAlike, WouldFailForWhatIsNotAlike) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::renders_alike_test

@@ -14,7 +14,7 @@
 #include "render/vector/true_type_subset.h"
 #include "support/run_program.h"
 
-namespace tribolog::render {
+namespace tribolog::render::subset_test {
 namespace {
 
 // Letters, composed letters (one of parts that are moved, one of parts that are scaled), signs.
@@ -179,4 +179,4 @@ TEST(TrueTypeFile, RefusesAFontThatForbidsEmbedding) {
 }
 
 }  // namespace
-}  // namespace tribolog::render
+}  // namespace tribolog::render::subset_test

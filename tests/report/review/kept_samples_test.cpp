@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tribolog::test {
+namespace tribolog::test::kept_samples_test {
 namespace {
 
 using report::kept_samples;
@@ -117,4 +117,4 @@ TEST(KeptSamples, WhatIsNeededIsKeptEvenBeyondTheRoom) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::kept_samples_test

@@ -16,7 +16,7 @@
 #include "report/sample_calibration.h"
 #include "support/paper_joint.h"
 
-namespace tribolog::test {
+namespace tribolog::test::review_json_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -206,4 +206,4 @@ TEST(ReviewScript, ReachesForNothingAndStaysSmall) {
 }
 
 }  // namespace
-}  // namespace tribolog::test
+}  // namespace tribolog::test::review_json_test

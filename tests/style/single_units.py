@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""How each source file would be compiled by itself, of a build that compiles several at once.
+
+  single_units.py BUILD     writes BUILD/single_units/compile_commands.json for what reads such a file,
+                            and prints its folder"""
+
+import json
+import pathlib
+import re
+import sys
+
+
+def single(unit):
+    """The unit; or one for each file that it includes, where CMake made it of several."""
+    path = pathlib.Path(unit["directory"], unit["file"])
+    if path.parent.name != "Unity":
+        return [unit]
+    files = re.findall(r'^#include "(.+)"$', path.read_text(), flags=re.M)
+    return [{"directory": unit["directory"], "file": file,
+             "command": unit["command"].replace(unit["file"], file)} for file in files]
+
+
+def main():
+    build = pathlib.Path(sys.argv[1])
+    units = json.loads((build / "compile_commands.json").read_text())
+    made = build / "single_units"
+    made.mkdir(exist_ok=True)
+    (made / "compile_commands.json").write_text(
+        json.dumps([one for unit in units for one in single(unit)], indent=1))
+    print(made)
+
+
+main()
