@@ -10,6 +10,9 @@ import re
 import sys
 
 
+OF_SEVERAL = r" -Wno-(?:shadow|subobject-linkage)\b"  # what only a unit of several files needs
+
+
 def single(unit):
     """The unit; or one for each file that it includes, where CMake made it of several."""
     path = pathlib.Path(unit["directory"], unit["file"])
@@ -17,7 +20,8 @@ def single(unit):
         return [unit]
     files = re.findall(r'^#include "(.+)"$', path.read_text(), flags=re.M)
     return [{"directory": unit["directory"], "file": file,
-             "command": unit["command"].replace(unit["file"], file)} for file in files]
+             "command": re.sub(OF_SEVERAL, "", unit["command"].replace(unit["file"], file))}
+            for file in files]
 
 
 def main():
