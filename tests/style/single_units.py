@@ -16,12 +16,11 @@ OF_SEVERAL = r" -Wno-(?:shadow|subobject-linkage)\b"  # what only a unit of seve
 def single(unit):
     """The unit; or one for each file that it includes, where CMake made it of several."""
     path = pathlib.Path(unit["directory"], unit["file"])
-    if path.parent.name != "Unity":
-        return [unit]
-    files = re.findall(r'^#include "(.+)"$', path.read_text(), flags=re.M)
-    return [{"directory": unit["directory"], "file": file,
-             "command": re.sub(OF_SEVERAL, "", unit["command"].replace(unit["file"], file))}
-            for file in files]
+    files = [unit["file"]]
+    if path.parent.name == "Unity":
+        files = re.findall(r'^#include "(.+)"$', path.read_text(), flags=re.M)
+    command = re.sub(OF_SEVERAL, "", unit["command"])
+    return [{**unit, "file": file, "command": command.replace(unit["file"], file)} for file in files]
 
 
 def main():
