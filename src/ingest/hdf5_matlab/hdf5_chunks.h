@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <hdf5.h>
-
-// One interface for HDF5 1.10, 1.12 and 1.14.
+// One interface for HDF5 1.10, 1.12 and 1.14: stated before the library's own header is read.
 #define H5_USE_110_API
+#include <hdf5.h>
 
 namespace tribolog::ingest::hdf5_matlab {
 
