@@ -47,15 +47,11 @@ std::string colour_of(figure::Colour colour, const char* fill_or_stroke) {
                      fill_or_stroke);
 }
 
-std::string pdf_place(figure::PixelPoint p) {
-  return fmt::format("{} {}", short_number(p.x), short_number(p.y));
-}
-
 void put_pdf_points(std::string& out, const VectorCanvas::Points& points, bool closed) {
   const std::size_t count =
       closed && points.front() == points.back() ? points.size() - 1 : points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    out += fmt::format("{} {}\n", pdf_place(points[i]), i == 0 ? 'm' : 'l');
+    out += fmt::format("{} {}\n", place_of(points[i]), i == 0 ? 'm' : 'l');
   }
   if (closed) out += "h\n";
 }
@@ -64,9 +60,9 @@ void put_pdf_points(std::string& out, const VectorCanvas::Points& points, bool c
 void put_disc(std::string& out, figure::PixelPoint c, double r) {
   const double k = r * 4.0 / 3.0 * (std::sqrt(2.0) - 1.0);
   const auto curve = [&](figure::PixelPoint a, figure::PixelPoint b, figure::PixelPoint end) {
-    out += fmt::format("{} {} {} c\n", pdf_place(a), pdf_place(b), pdf_place(end));
+    out += fmt::format("{} {} {} c\n", place_of(a), place_of(b), place_of(end));
   };
-  out += fmt::format("{} m\n", pdf_place({c.x + r, c.y}));
+  out += fmt::format("{} m\n", place_of({c.x + r, c.y}));
   curve({c.x + r, c.y + k}, {c.x + k, c.y + r}, {c.x, c.y + r});
   curve({c.x - k, c.y + r}, {c.x - r, c.y + k}, {c.x - r, c.y});
   curve({c.x - r, c.y - k}, {c.x - k, c.y - r}, {c.x, c.y - r});
@@ -117,7 +113,7 @@ void PdfCanvas::text(const figure::TextRun& run) {
   // A text's own axes: along the baseline, and up from it.
   out_ += fmt::format("BT\n{} {} Tf\n{} Tc\n{} {} Tm\n[<", pdf_font_name(face.weight()), run.size,
                       short_number(face.letter_spacing(run), 3),
-                      run.upright ? "1 0 0 -1" : "0 -1 -1 0", pdf_place(run.baseline));
+                      run.upright ? "1 0 0 -1" : "0 -1 -1 0", place_of(run.baseline));
   constexpr double per_em = 1000.0;
   for (const SetGlyph& one : face.set(run)) {
     const std::string back = short_number(-per_em * one.kerning_em, 0);

@@ -47,17 +47,13 @@ std::string paint_of(const char* what, figure::Colour colour) {
   return out;
 }
 
-std::string svg_place(figure::PixelPoint p) {
-  return fmt::format("{} {}", short_number(p.x), short_number(p.y));
-}
-
 void put_svg_points(std::string& path, const VectorCanvas::Points& points, bool closed) {
   path += 'M';
   const std::size_t count =
       closed && points.front() == points.back() ? points.size() - 1 : points.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) path += ' ';
-    path += svg_place(points[i]);
+    path += place_of(points[i]);
   }
   if (closed) path += 'Z';
 }
@@ -79,7 +75,7 @@ class SvgCanvas : public VectorCanvas {
     const std::string across = short_number(2 * radius);
     std::string path;
     for (const figure::PixelPoint& c : centres) {
-      path += fmt::format("M{}a{} {} 0 1 0 {} 0a{} {} 0 1 0 -{} 0Z", svg_place({c.x - radius, c.y}),
+      path += fmt::format("M{}a{} {} 0 1 0 {} 0a{} {} 0 1 0 -{} 0Z", place_of({c.x - radius, c.y}),
                           r, r, across, r, r, across);
     }
     out_ += fmt::format("<path{} d=\"{}\"/>\n", paint_of("fill", colour), path);
@@ -110,7 +106,7 @@ class SvgCanvas : public VectorCanvas {
           run.upright
               ? fmt::format("x=\"{}\" y=\"{}\"", short_number(run.baseline.x),
                             short_number(run.baseline.y))
-              : fmt::format("transform=\"translate({}) rotate(-90)\"", svg_place(run.baseline));
+              : fmt::format("transform=\"translate({}) rotate(-90)\"", place_of(run.baseline));
       out_ += fmt::format("<text xml:space=\"preserve\" {}{}>{}", place, look_of(run),
                           escaped(run.text));
     }

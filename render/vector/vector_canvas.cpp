@@ -19,6 +19,8 @@ std::string short_number(double value, int digits) {
   return text == "-0" ? "0" : text;
 }
 
+std::string place_of(figure::PixelPoint p) { return short_number(p.x) + " " + short_number(p.y); }
+
 namespace {
 
 using Points = VectorCanvas::Points;

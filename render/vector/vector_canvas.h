@@ -12,6 +12,9 @@ namespace tribolog::render::vector {
 /// "3". The same in every locale. Not finite: "0".
 std::string short_number(double value, int digits = 2);
 
+/// "12.5 3"
+std::string place_of(figure::PixelPoint p);
+
 struct StrokeLook {
   double width{1.0};
   figure::Colour colour;

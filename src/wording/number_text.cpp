@@ -42,16 +42,16 @@ std::string to_place(double value, double largest, int digits) {
   return fixed(value, decimals_for(largest, digits));
 }
 
-std::string with_unit(double si_value, const AxisScale& scale, int digits) {
-  return joined(significant(scale(si_value), digits), scale.unit);
+std::string with_unit(double value_in_si, const AxisScale& scale, int digits) {
+  return joined(significant(scale(value_in_si), digits), scale.unit);
 }
 
-std::string size_words(double si_size, double floor, const std::string& si_unit) {
+std::string size_words(double size_in_si, double floor, const std::string& si_unit) {
   const auto scale_of = [&](double size) {
     return si_unit == "%" ? AxisScale{1.0, "%"} : prefixed(si_unit, size);
   };
-  if (std::abs(si_size) < floor) return "below " + with_unit(floor, scale_of(floor), 1);
-  return with_unit(si_size, scale_of(si_size), 2);
+  if (std::abs(size_in_si) < floor) return "below " + with_unit(floor, scale_of(floor), 1);
+  return with_unit(size_in_si, scale_of(size_in_si), 2);
 }
 
 std::string with_interval(const statistics::Estimate& estimate, const AxisScale& scale) {

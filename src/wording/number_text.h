@@ -15,11 +15,11 @@ namespace tribolog::wording {
 std::string to_place(double value, double largest, int digits);
 
 /// "3.8832 N·m"; degrees without the space: "−22.23°".
-std::string with_unit(double value, const AxisScale& scale, int digits);
+std::string with_unit(double value_in_si, const AxisScale& scale, int digits);
 
 /// "5.0 mN·m", or "below 1 µN·m" where the size is under a floor that no drive resolves: the
 /// rounding of a computer is no result. For "%" the floor is in percent.
-std::string size_words(double size, double floor, const std::string& si_unit);
+std::string size_words(double size_in_si, double floor, const std::string& si_unit);
 
 /// What is meant by nothing: smaller differences are the computer's own.
 inline constexpr double torque_floor_Nm = 1e-6;

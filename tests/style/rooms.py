@@ -13,7 +13,6 @@ Prints what is wrong; exit status 1 if anything is. Environment: TRIBOLOG_ROOMS,
 this one."""
 
 import collections
-import json
 import os
 import pathlib
 import re
@@ -21,6 +20,8 @@ import shlex
 import subprocess
 import sys
 import tempfile
+
+from single_units import units_of
 
 ROOT = pathlib.Path(os.environ.get("TRIBOLOG_ROOMS") or pathlib.Path(__file__).parents[2]).resolve()
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
@@ -154,9 +155,7 @@ def walls(rooms, build):
     headers = sorted(name for files in rooms.values() for name in files if name.endswith(".h"))
     probe = "".join(f'#if __has_include("{h}")\nSEEN {h}\n#endif\n' for h in headers)
     commands = {}
-    single = subprocess.run([sys.executable, pathlib.Path(__file__).with_name("single_units.py"), build],
-                            text=True, check=True, capture_output=True).stdout.strip()
-    for unit in json.loads((pathlib.Path(single) / "compile_commands.json").read_text()):
+    for unit in units_of(pathlib.Path(build)):
         path = pathlib.Path(unit["directory"], unit["file"]).resolve()
         for top in (ROOT / "src", ROOT):
             if path.is_relative_to(top) and room_of(path.relative_to(top).as_posix()) in rooms:

@@ -23,14 +23,19 @@ def single(unit):
     return [{**unit, "file": file, "command": command.replace(unit["file"], file)} for file in files]
 
 
+def units_of(build):
+    """All of the build's units, as compile_commands.json has them."""
+    units = json.loads((build / "compile_commands.json").read_text())
+    return [one for unit in units for one in single(unit)]
+
+
 def main():
     build = pathlib.Path(sys.argv[1])
-    units = json.loads((build / "compile_commands.json").read_text())
     made = build / "single_units"
     made.mkdir(exist_ok=True)
-    (made / "compile_commands.json").write_text(
-        json.dumps([one for unit in units for one in single(unit)], indent=1))
+    (made / "compile_commands.json").write_text(json.dumps(units_of(build), indent=1))
     print(made)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -18,7 +18,6 @@ namespace {
 
 constexpr int deepest_group = 32;
 constexpr std::size_t most_objects = 100'000;
-constexpr std::size_t longest_text = 4096;
 /// Deflate, the densest filter in use, makes at most 1032 bytes of one.
 constexpr std::uint64_t largest_ratio = 1032;
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int deepest_struct = 16;
 constexpr std::uint64_t most_structs = 64;
-constexpr std::size_t longest_list = 4096;
 
 struct CloseMat {
   void operator()(mat_t* file) const { Mat_Close(file); }
@@ -141,7 +140,7 @@ std::string read_values(const matvar_t& variable, arrays::NamedArray& array) {
 /// A row of characters with what is not ASCII as '?'.
 void add_text(const std::string& name, const matvar_t& variable, arrays::FileArrays& found) {
   const bool is_row = variable.rank == 2 && variable.dims[0] == 1;
-  if (!is_row || count_of(variable) > longest_list) return found.leave_out(name, "it holds texts");
+  if (!is_row || count_of(variable) > longest_text) return found.leave_out(name, "it holds texts");
   arrays::NamedArray codes;
   const std::string reason = read_values(variable, codes);
   if (!reason.empty()) return found.leave_out(name, reason);

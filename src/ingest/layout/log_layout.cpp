@@ -10,36 +10,31 @@
 namespace tribolog::ingest::layout {
 namespace {
 
-/// A word that names a quantity, as the start of a column's name.
-struct Word {
-  std::string_view word;
-  log::Quantity quantity;
-};
-
-constexpr std::array words = {Word{"time", log::Quantity::time},
-                              Word{"timestamp", log::Quantity::time},
-                              Word{"stamp", log::Quantity::time},
-                              Word{"t", log::Quantity::time},
-                              Word{"q", log::Quantity::angle},
-                              Word{"angle", log::Quantity::angle},
-                              Word{"pos", log::Quantity::angle},
-                              Word{"position", log::Quantity::angle},
-                              Word{"theta", log::Quantity::angle},
-                              Word{"dq", log::Quantity::angular_speed},
-                              Word{"qd", log::Quantity::angular_speed},
-                              Word{"vel", log::Quantity::angular_speed},
-                              Word{"velocity", log::Quantity::angular_speed},
-                              Word{"speed", log::Quantity::angular_speed},
-                              Word{"omega", log::Quantity::angular_speed},
-                              Word{"tau", log::Quantity::torque},
-                              Word{"torque", log::Quantity::torque},
-                              Word{"effort", log::Quantity::torque},
-                              Word{"moment", log::Quantity::torque},
-                              Word{"i", log::Quantity::current},
-                              Word{"current", log::Quantity::current},
-                              Word{"curr", log::Quantity::current},
-                              Word{"temp", log::Quantity::temperature},
-                              Word{"temperature", log::Quantity::temperature}};
+/// As the start of a column's name.
+constexpr std::array words = {QuantityWord{"time", log::Quantity::time},
+                              QuantityWord{"timestamp", log::Quantity::time},
+                              QuantityWord{"stamp", log::Quantity::time},
+                              QuantityWord{"t", log::Quantity::time},
+                              QuantityWord{"q", log::Quantity::angle},
+                              QuantityWord{"angle", log::Quantity::angle},
+                              QuantityWord{"pos", log::Quantity::angle},
+                              QuantityWord{"position", log::Quantity::angle},
+                              QuantityWord{"theta", log::Quantity::angle},
+                              QuantityWord{"dq", log::Quantity::angular_speed},
+                              QuantityWord{"qd", log::Quantity::angular_speed},
+                              QuantityWord{"vel", log::Quantity::angular_speed},
+                              QuantityWord{"velocity", log::Quantity::angular_speed},
+                              QuantityWord{"speed", log::Quantity::angular_speed},
+                              QuantityWord{"omega", log::Quantity::angular_speed},
+                              QuantityWord{"tau", log::Quantity::torque},
+                              QuantityWord{"torque", log::Quantity::torque},
+                              QuantityWord{"effort", log::Quantity::torque},
+                              QuantityWord{"moment", log::Quantity::torque},
+                              QuantityWord{"i", log::Quantity::current},
+                              QuantityWord{"current", log::Quantity::current},
+                              QuantityWord{"curr", log::Quantity::current},
+                              QuantityWord{"temp", log::Quantity::temperature},
+                              QuantityWord{"temperature", log::Quantity::temperature}};
 
 /// How units are written at the end of a name: "q_deg", "dq_rad_s", "t_ms".
 struct Ending {
@@ -137,7 +132,7 @@ std::string_view unit_at_end(std::string& name) {
 
 /// A word, a joint's number and a unit; or else words in any order.
 std::optional<ColumnMeaning> by_words(const log::ColumnHeader& header) {
-  for (const Word& w : words) {
+  for (const QuantityWord& w : words) {
     std::string name = end_of_path(name_of(header));
     const auto ending = take_unit(name, w.quantity);
     name = lower(name);

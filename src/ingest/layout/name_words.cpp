@@ -34,50 +34,45 @@ std::optional<std::string> joint_in_name(std::string_view name, std::string_view
 
 namespace {
 
-struct NameWord {
-  std::string_view word;
-  log::Quantity quantity;
-};
-
 using enum log::Quantity;
 
-constexpr std::array quantity_words = {NameWord{"time", time},
-                                       NameWord{"timestamp", time},
-                                       NameWord{"stamp", time},
-                                       NameWord{"t", time},
-                                       NameWord{"zeit", time},
-                                       NameWord{"elapsed", time},
-                                       NameWord{"qd", angular_speed},
-                                       NameWord{"dq", angular_speed},
-                                       NameWord{"vel", angular_speed},
-                                       NameWord{"velocity", angular_speed},
-                                       NameWord{"velocities", angular_speed},
-                                       NameWord{"speed", angular_speed},
-                                       NameWord{"omega", angular_speed},
-                                       NameWord{"dtheta", angular_speed},
-                                       NameWord{"qdot", angular_speed},
-                                       NameWord{"q", angle},
-                                       NameWord{"angle", angle},
-                                       NameWord{"pos", angle},
-                                       NameWord{"position", angle},
-                                       NameWord{"positions", angle},
-                                       NameWord{"theta", angle},
-                                       NameWord{"phi", angle},
-                                       NameWord{"winkel", angle},
-                                       NameWord{"tau", torque},
-                                       NameWord{"torque", torque},
-                                       NameWord{"torques", torque},
-                                       NameWord{"effort", torque},
-                                       NameWord{"moment", torque},
-                                       NameWord{"trq", torque},
-                                       NameWord{"i", current},
-                                       NameWord{"iq", current},
-                                       NameWord{"current", current},
-                                       NameWord{"cur", current},
-                                       NameWord{"curr", current},
-                                       NameWord{"amps", current},
-                                       NameWord{"temp", temperature},
-                                       NameWord{"temperature", temperature}};
+constexpr std::array quantity_words = {QuantityWord{"time", time},
+                                       QuantityWord{"timestamp", time},
+                                       QuantityWord{"stamp", time},
+                                       QuantityWord{"t", time},
+                                       QuantityWord{"zeit", time},
+                                       QuantityWord{"elapsed", time},
+                                       QuantityWord{"qd", angular_speed},
+                                       QuantityWord{"dq", angular_speed},
+                                       QuantityWord{"vel", angular_speed},
+                                       QuantityWord{"velocity", angular_speed},
+                                       QuantityWord{"velocities", angular_speed},
+                                       QuantityWord{"speed", angular_speed},
+                                       QuantityWord{"omega", angular_speed},
+                                       QuantityWord{"dtheta", angular_speed},
+                                       QuantityWord{"qdot", angular_speed},
+                                       QuantityWord{"q", angle},
+                                       QuantityWord{"angle", angle},
+                                       QuantityWord{"pos", angle},
+                                       QuantityWord{"position", angle},
+                                       QuantityWord{"positions", angle},
+                                       QuantityWord{"theta", angle},
+                                       QuantityWord{"phi", angle},
+                                       QuantityWord{"winkel", angle},
+                                       QuantityWord{"tau", torque},
+                                       QuantityWord{"torque", torque},
+                                       QuantityWord{"torques", torque},
+                                       QuantityWord{"effort", torque},
+                                       QuantityWord{"moment", torque},
+                                       QuantityWord{"trq", torque},
+                                       QuantityWord{"i", current},
+                                       QuantityWord{"iq", current},
+                                       QuantityWord{"current", current},
+                                       QuantityWord{"cur", current},
+                                       QuantityWord{"curr", current},
+                                       QuantityWord{"amps", current},
+                                       QuantityWord{"temp", temperature},
+                                       QuantityWord{"temperature", temperature}};
 
 constexpr std::array target_words = {"target", "goal",    "cmd",  "command",   "commanded",
                                      "des",    "desired", "ref",  "reference", "setpoint",
@@ -116,7 +111,7 @@ std::optional<log::Quantity> quantity_of_unit(std::string_view unit) {
 
 std::optional<log::Quantity> quantity_of_word(const std::string& word) {
   const auto it = std::find_if(quantity_words.begin(), quantity_words.end(),
-                               [&](const NameWord& w) { return w.word == word; });
+                               [&](const QuantityWord& w) { return w.word == word; });
   if (it == quantity_words.end()) return std::nullopt;
   return it->quantity;
 }

@@ -10,6 +10,12 @@
 
 namespace tribolog::ingest::layout {
 
+/// A word that names a quantity.
+struct QuantityWord {
+  std::string_view word;
+  log::Quantity quantity;
+};
+
 /// @param pattern with one "{}" for the joint, or none. Case does not count.
 /// @return what stands for the joint (empty for a pattern without one), or nothing where the name
 /// does not fit.

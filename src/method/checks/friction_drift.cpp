@@ -25,8 +25,7 @@ constexpr double same_travel = 0.8;
 
 using BinMeans = std::array<double, drift_bins>;
 
-/// Mean torque in equal drift_bins of the angle between low and high; NaN where the stroke has no
-/// sample.
+/// Mean torque in equal bins of the angle between low and high; NaN where the stroke has no sample.
 BinMeans means_over_angle(const joint::Recording& r, const motion::Stroke& stroke, double low,
                           double high) {
   std::array<double, drift_bins> sum{};

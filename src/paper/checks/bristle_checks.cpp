@@ -15,9 +15,6 @@ namespace tribolog::paper::checks {
 
 namespace {
 
-constexpr double rounding_Nm = 1e-13;
-constexpr const char* rounding = "rounding";
-
 std::vector<double> grid() { return speeds_of_both_signs(1e-4, 300); }
 
 /// Deflections up to the largest that the model allows.
@@ -50,13 +47,13 @@ Checks check_equation_3(const PapersJoint& joint) {
   const friction::LuGreFriction table_1 = *dynamic_cast<const friction::LuGreFriction*>(
       friction::dynamic_friction_model("lugre").matched({}).get());
   const double steady = 0.01;
-  return {
-      vanishing("Equation against program, at 1000 states: largest difference", from_equation,
-                rounding_Nm, "N·m", rounding),
-      vanishing("Block diagram of figure 4 against program, at the same states", from_diagram,
-                1e-10, "N·m", "rounding, where σ₁ dz/dt reaches 1000 N·m"),
-      law_value("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω",
-                1.0 + 0.4 * steady, table_1.steady_torque_Nm(steady), rounding_Nm, "N", rounding)};
+  return {vanishing("Equation against program, at 1000 states: largest difference", from_equation,
+                    law_rounding_Nm, "N·m", law_rounding),
+          vanishing("Block diagram of figure 4 against program, at the same states", from_diagram,
+                    1e-10, "N·m", "rounding, where σ₁ dz/dt reaches 1000 N·m"),
+          law_value("Steady sliding with table 1 at ten Stribeck velocities: T_c + σ₂ ω",
+                    1.0 + 0.4 * steady, table_1.steady_torque_Nm(steady), law_rounding_Nm, "N",
+                    law_rounding)};
 }
 
 Checks check_equation_4(const PapersJoint& joint) {
@@ -81,14 +78,14 @@ Checks check_equation_4(const PapersJoint& joint) {
               return friction.deflection_rate_rad_s(z, w) - printed;
             });
           }(),
-          1e-12, "rad/s", rounding),
+          1e-12, "rad/s", law_rounding),
       vanishing("In steady sliding z = g(ω) sgn(ω) stays: largest dz/dt",
                 largest_over(grid(),
                              [&](double w) {
                                const double g = friction.steady_deflection_rad(w);
                                return friction.deflection_rate_rad_s(std::copysign(g, w), w);
                              }),
-                1e-12, "rad/s", rounding),
+                1e-12, "rad/s", law_rounding),
       vanishing("The oscillation's z(t), program against CVODE: largest difference by largest z",
                 apart / largest, 1e-8, "", "what the program promises"),
       vanishing("z never exceeds g(0): by how much, as a share of it",
@@ -103,18 +100,19 @@ Checks check_equation_5(const PapersJoint& joint) {
     return p.bristle_stiffness_Nm_rad * friction.steady_deflection_rad(w);
   };
   const double ws = p.stribeck_speed_rad_s;
-  return {
-      vanishing("Equation against program, at 1000 speeds: largest difference",
-                largest_over(grid(),
-                             [&](double w) {
-                               const double ratio = w / ws;
-                               const double printed = p.coulomb_Nm + (p.static_Nm - p.coulomb_Nm) *
-                                                                         std::exp(-ratio * ratio);
-                               return level(w) - printed;
-                             }),
-                rounding_Nm, "N·m", rounding),
-      law_value("At rest: T_s", p.static_Nm, level(0), rounding_Nm, "N·m", rounding),
-      law_value("Far beyond ω_s: T_c", p.coulomb_Nm, level(10 * ws), rounding_Nm, "N·m", rounding)};
+  return {vanishing("Equation against program, at 1000 speeds: largest difference",
+                    largest_over(grid(),
+                                 [&](double w) {
+                                   const double ratio = w / ws;
+                                   const double printed =
+                                       p.coulomb_Nm +
+                                       (p.static_Nm - p.coulomb_Nm) * std::exp(-ratio * ratio);
+                                   return level(w) - printed;
+                                 }),
+                    law_rounding_Nm, "N·m", law_rounding),
+          law_value("At rest: T_s", p.static_Nm, level(0), law_rounding_Nm, "N·m", law_rounding),
+          law_value("Far beyond ω_s: T_c", p.coulomb_Nm, level(10 * ws), law_rounding_Nm, "N·m",
+                    law_rounding)};
 }
 
 // Equations (12) and (14): surrogate mass, and the corrected angle.

@@ -102,8 +102,6 @@ Checks check_presliding_chart(const PapersJoint& joint) {
 namespace {
 
 constexpr int states = 1000;
-constexpr double log_rounding_Nm = 1e-9;  ///< Angles are logged to 1e-16 rad.
-constexpr const char* rounding_of_log = "rounding of the log";
 
 double between(statistics::RandomStream& random, double low, double high) {
   return low + (high - low) * random.uniform();

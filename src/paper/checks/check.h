@@ -40,6 +40,10 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
+/// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
+inline constexpr double log_rounding_Nm = 1e-9;
+inline constexpr const char* rounding_of_log = "rounding of the log";
+
 /// A check whose expected value the paper prints with so many decimals.
 inline Check printed_value(std::string what, double expected, int places, double ours, double bound,
                            std::string unit, std::string reason) {

@@ -91,7 +91,7 @@ Checks check_quality_errors(const PapersJoint& joint) {
     }
     out.push_back(law_value(std::string("Error of ") + name + ", root mean square over the runs",
                             std::sqrt(squares / static_cast<double>(counted)), error->rms_percent,
-                            1e-6, "% of T", "rounding of the log"));
+                            1e-6, "% of T", rounding_of_log));
   }
   return out;
 }

@@ -11,9 +11,6 @@
 namespace tribolog::paper::checks {
 namespace {
 
-/// Torques of some newton metres whose parts are each rounded; angles are logged to 1e-16 rad.
-constexpr double drive_rounding_Nm = 1e-9;
-
 /// Largest |deviation(run)| over the plateaus of constant speed.
 template <class Deviation>
 double largest_over_runs(const PapersJoint& joint, Deviation deviation) {
@@ -54,9 +51,9 @@ Checks check_equation_8(const PapersJoint& joint) {
   return {
       printed_value("Gear ratio n₃ of the scenario", drawings::gear_ratio, 0, n, 0, "", ""),
       vanishing("n (T − J φ̈ − T_f) less I q̈ + m g r cos(q + q_c), over the oscillation: largest",
-                apart, n * drive_rounding_Nm, "N·m", "rounding of the log"),
-      vanishing("The same through the block diagram of figure 6", drawn_apart,
-                n * drive_rounding_Nm, "N·m", "rounding of the log")};
+                apart, n * log_rounding_Nm, "N·m", rounding_of_log),
+      vanishing("The same through the block diagram of figure 6", drawn_apart, n * log_rounding_Nm,
+                "N·m", rounding_of_log)};
 }
 
 Checks check_equation_9(const PapersJoint& joint) {
@@ -88,7 +85,7 @@ Checks check_equation_10(const PapersJoint& joint) {
                                     return s.gear_ratio * (run.torque_Nm - friction) -
                                            s.load.amplitude_Nm() * run.mean_cos;
                                   }),
-                s.gear_ratio * drive_rounding_Nm, "N·m", "rounding of the log")};
+                s.gear_ratio * log_rounding_Nm, "N·m", rounding_of_log)};
 }
 
 Checks check_equation_11(const PapersJoint& joint) {
@@ -101,7 +98,7 @@ Checks check_equation_11(const PapersJoint& joint) {
                                         return run.torque_Nm - gravity * run.mean_cos -
                                                s.sliding->torque_Nm(run.speed_rad_s);
                                       }),
-                    drive_rounding_Nm, "N·m", "rounding of the log")};
+                    log_rounding_Nm, "N·m", rounding_of_log)};
 }
 
 Checks check_equation_13(const PapersJoint& joint) {

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double slowest_rad_s = 1e-6;
 constexpr double fastest_rad_s = 300;
-/// A handful of operations on torques of about 1 N·m, each rounded once.
-constexpr double law_rounding_Nm = 1e-13;
-constexpr const char* law_rounding = "rounding";
 
 double sign(double x) { return x < 0 ? -1.0 : 1.0; }
 
