@@ -14,6 +14,7 @@
 #include "base/program_module.h"
 #include "base/standard_output.h"
 #include "cli/command_line.h"
+#include "wording/words.h"
 
 namespace tribolog {
 namespace {
@@ -44,7 +45,7 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "tribolog: error: out of memory; " << kept_in_words() << '\n';
   } catch (const std::exception& error) {
-    std::cerr << "tribolog: internal error: " << printable(error.what(), longest_message)
+    std::cerr << "tribolog: internal error: " << printable(wording::words(error), longest_message)
               << "; please report it with the command and its input\n";
   }
   return static_cast<int>(ExitStatus::internal);

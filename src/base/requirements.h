@@ -3,7 +3,10 @@
 
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include "base/statement.h"
 
 namespace tribolog {
 
@@ -12,33 +15,47 @@ namespace tribolog {
 /// @throw std::logic_error where there is none.
 template <class T>
 const T& present(const std::optional<T>& value) {
-  if (!value) throw std::logic_error("a value is missing that has to be there");
+  if (!value) throw std::logic_error("missing value");
   return *value;
 }
 
 template <class T>
 T& present(std::optional<T>& value) {
-  if (!value) throw std::logic_error("a value is missing that has to be there");
+  if (!value) throw std::logic_error("missing value");
   return *value;
 }
 
 template <class T>
 T present(std::optional<T>&& value) {
-  if (!value) throw std::logic_error("a value is missing that has to be there");
+  if (!value) throw std::logic_error("missing value");
   return *std::move(value);
 }
 
-// Rules that physical parameters obey, with one wording for what breaks them.
+// Rules that physical parameters obey, with one message for what breaks them.
 
-/// @throw std::invalid_argument "<what> <value> <unit> is not allowed; it must be > 0"
-void require_positive(double value, const char* what, const char* unit);
+/// What a refusal calls a parameter: by its short name, "static torque", or its key in a file; a
+/// code where its name takes more words.
+class ParameterName {
+ public:
+  ParameterName(const char* name) : name_(name) {}  // NOLINT
+  ParameterName(Code words) : words_(words) {}      // NOLINT
+  /// @param value the value's name in the message.
+  [[nodiscard]] StatedValue stated_as(std::string_view value) const;
 
-/// @throw std::invalid_argument "<what> <value> <unit> is not allowed; it must be >= 0"
-void require_not_negative(double value, const char* what, const char* unit);
+ private:
+  const char* name_{""};
+  Code words_;
+};
 
-/// @throw std::invalid_argument "<lower> <value> <unit> exceeds <upper> <value> <unit>; it must not
-/// be larger"
-void require_not_above(double value, const char* lower, double bound, const char* upper,
-                       const char* unit);
+/// @throw Refusal "requirement.positive", or "requirement.positive_number" for an empty unit.
+void require_positive(double value, const ParameterName& what, const char* unit);
+
+/// @throw Refusal "requirement.not_negative", or "requirement.not_negative_number" for an empty
+/// unit.
+void require_not_negative(double value, const ParameterName& what, const char* unit);
+
+/// @throw Refusal "requirement.not_above".
+void require_not_above(double value, const ParameterName& lower, double bound,
+                       const ParameterName& upper, const char* unit);
 
 }  // namespace tribolog

@@ -46,10 +46,10 @@ struct ReturnedQuantity {
   bool comes_back{};
 };
 
-/// A quantity that does not come back, in words.
+/// A quantity that does not come back.
 struct TruthFinding {
   std::string name;  ///< Of the ReturnedQuantity.
-  std::string words;
+  Statement finding;
 };
 
 struct TruthCheckResult {
@@ -59,7 +59,7 @@ struct TruthCheckResult {
   double torque_step_Nm{};  ///< 0: continuous.
   double ripple_Nm{};       ///< Standard deviation; 0: none.
   std::vector<ReturnedQuantity> quantities;
-  std::vector<std::string> left_out;   ///< What could not be simulated, and why.
+  std::vector<Statement> left_out;     ///< What could not be simulated, and why.
   std::vector<TruthFinding> findings;  ///< What does not come back.
 
   [[nodiscard]] const ReturnedQuantity* find(const std::string& name) const;
@@ -68,8 +68,8 @@ struct TruthCheckResult {
 /// The verdict, with what it rests on.
 struct Judgement {
   Verdict verdict{Verdict::not_identifiable};
-  std::string sentence;                     ///< One sentence for the top of the report.
-  std::vector<std::string> findings;        ///< What the reader must know, most important first.
+  Statement sentence;                       ///< For the top of the report.
+  std::vector<Statement> findings;          ///< What the reader must know, most important first.
   std::vector<QuantityVerdict> quantities;  ///< Each with its own verdict, in the report's order.
 };
 

@@ -11,7 +11,8 @@ Json stage_list(const Calibration& c) {
   for (const statistics::StageReport& s : c.stages()) {
     list.push_back({{"name", s.name},
                     {"status", statistics::to_string(s.state)},
-                    {"reason", text_or_null(s.reason)}});
+                    {"reason", words_or_null(s.reason)},
+                    {"reason_code", code_of(s.reason)}});
   }
   return list;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "calibration/parts.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 
@@ -60,7 +61,8 @@ Json trials(const std::vector<method::viscous::CurveModelTrial>& all) {
     Json made = model(t.model);
     made["training_rms_Nm"] = took_part ? number(t.training_rms_Nm) : Json(nullptr);
     made["held_out_rms_Nm"] = took_part ? number(t.held_out_rms_Nm) : Json(nullptr);
-    made["excluded_because"] = text_or_null(t.excluded_because);
+    made["excluded_because"] = words_or_null(t.excluded_because);
+    made["excluded_because_code"] = code_of(t.excluded_because);
     list.push_back(std::move(made));
   }
   return list;
@@ -82,20 +84,24 @@ Json line(const std::optional<method::viscous::DirectionLine>& l, double n) {
 Json curve_model(const method::viscous::CurveModelChoice& c) {
   Json parameters = Json::array();
   for (const method::viscous::CurveParameter& p : c.parameters) {
-    parameters.push_back({{"name", p.name},
-                          {"words", p.words},
-                          {"unit", text_or_null(p.unit)},
-                          {"motor", interval(p.estimate)}});
+    parameters.push_back(
+        {{"name", p.name},
+         {"words", wording::words(p.title)},
+         {"words_code", code_of(p.title)},
+         {"unit", p.unit_as.empty() ? text_or_null(p.unit) : words_or_null(p.unit_as)},
+         {"motor", interval(p.estimate)}});
   }
   return {{"curve", text_or_null(c.curve)},
           {"speeds", c.speeds},
           {"chosen", c.chosen_any ? model(c.chosen) : Json(nullptr)},
-          {"sentence", c.sentence},
+          {"sentence", wording::words(c.sentence)},
+          {"sentence_code", code_of(c.sentence)},
           {"parameters", std::move(parameters)},
           {"ladder", trials(c.ladder)},
           {"options", trials(c.options)},
           {"carries_waiboer", c.carries_five},
-          {"on_waiboer", text_or_null(c.five_sentence)}};
+          {"on_waiboer", words_or_null(c.five_sentence)},
+          {"on_waiboer_code", code_of(c.five_sentence)}};
 }
 
 Json direction_lines(const method::viscous::DirectionLinesResult& r, double n) {
@@ -110,7 +116,8 @@ Json direction_asymmetry(const method::viscous::DirectionAsymmetryResult& a) {
   const auto if_examined = [&](double value) { return a.examined ? number(value) : Json(nullptr); };
   return {{"examined", a.examined},
           {"found", a.found},
-          {"sentence", a.sentence},
+          {"sentence", wording::words(a.sentence)},
+          {"sentence_code", code_of(a.sentence)},
           {"mean_Nm", interval_if(a.examined, a.mean_Nm)},
           {"gravity_could_explain_Nm", if_examined(a.gravity_could_explain_Nm)},
           {"speed_rad_s", numbers(a.speed_rad_s)},

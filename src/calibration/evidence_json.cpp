@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "calibration/parts.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 
@@ -10,17 +11,21 @@ Json data_checks(const method::checks::DataChecksResult& result) {
   Json list = Json::array();
   for (const method::checks::DataCheck& check : result.checks) {
     list.push_back({{"name", check.name},
-                    {"title", check.title},
+                    {"title", wording::words_for("check", check.name)},
                     {"state", method::checks::to_string(check.state)},
                     {"recording", text_or_null(check.recording)},
-                    {"measure", text_or_null(check.measure)},
+                    {"measure", words_or_null(check.measure)},
+                    {"measure_code", code_of(check.measure)},
                     {"measured", number(check.measured)},
                     {"at_least", number(check.at_least)},
                     {"at_most", number(check.at_most)},
                     {"unit", text_or_null(check.unit)},
-                    {"found", text_or_null(check.found)},
-                    {"consequence", text_or_null(check.consequence)},
-                    {"experiment", text_or_null(check.experiment)}});
+                    {"found", words_or_null(check.found)},
+                    {"found_code", code_of(check.found)},
+                    {"consequence", words_or_null(check.consequence)},
+                    {"consequence_code", code_of(check.consequence)},
+                    {"experiment", words_or_null(check.experiment)},
+                    {"experiment_code", code_of(check.experiment)}});
   }
   return list;
 }
@@ -48,8 +53,8 @@ Json truth_check(const TruthCheckResult& t) {
   if (t.runs == 0) return nullptr;
   Json quantities = Json::array();
   for (const ReturnedQuantity& q : t.quantities) quantities.push_back(returned(q));
-  Json findings = Json::array();
-  for (const TruthFinding& finding : t.findings) findings.push_back(finding.words);
+  std::vector<Statement> findings;
+  for (const TruthFinding& one : t.findings) findings.push_back(one.finding);
   return {{"runs", t.runs},
           {"seed", t.seed},
           {"noise",
@@ -57,8 +62,10 @@ Json truth_check(const TruthCheckResult& t) {
             {"torque_step_Nm", number(t.torque_step_Nm)},
             {"ripple_Nm", number(t.ripple_Nm)}}},
           {"quantities", std::move(quantities)},
-          {"left_out", t.left_out},
-          {"findings", std::move(findings)}};
+          {"left_out", wording::words(t.left_out)},
+          {"left_out_code", code_of(t.left_out)},
+          {"findings", wording::words(findings)},
+          {"findings_code", code_of(findings)}};
 }
 
 // The verdict over all, on each quantity, and against the manifest's limits.
@@ -74,7 +81,8 @@ Json limits(const std::vector<LimitOutcome>& outcomes) {
                     {"unit", o.unit},
                     {"estimate", interval(o.estimate)},
                     {"state", to_string(o.state)},
-                    {"words", o.words}});
+                    {"words", wording::words(o.outcome)},
+                    {"words_code", code_of(o.outcome)}});
   }
   return list;
 }
@@ -85,18 +93,22 @@ Json verdict(const Judgement& judgement) {
   Json quantities = Json::array();
   for (const QuantityVerdict& q : judgement.quantities) {
     quantities.push_back({{"key", q.key},
-                          {"words", q.words},
+                          {"words", wording::words_for("quantity", q.key)},
                           {"verdict", to_string(q.verdict)},
                           {"decides", q.decides},
-                          {"reasons", q.reasons},
-                          {"experiment", text_or_null(q.experiment)},
+                          {"reasons", wording::words(q.reasons)},
+                          {"reasons_code", code_of(q.reasons)},
+                          {"experiment", words_or_null(q.experiment)},
+                          {"experiment_code", code_of(q.experiment)},
                           {"estimate", interval(q.estimate)},
                           {"unit", text_or_null(q.unit)},
                           {"limits", limits(q.limits)}});
   }
   return {{"verdict", to_string(judgement.verdict)},
-          {"sentence", judgement.sentence},
-          {"findings", judgement.findings},
+          {"sentence", wording::words(judgement.sentence)},
+          {"sentence_code", code_of(judgement.sentence)},
+          {"findings", wording::words(judgement.findings)},
+          {"findings_code", code_of(judgement.findings)},
           {"quantities", std::move(quantities)}};
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "calibration/parts.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 
@@ -11,7 +12,8 @@ Json cog(const method::gravity::CogSweepResult& r, double gear_ratio) {
   const Json joint =
       r.found ? interval(statistics::scaled(r.gravity_Nm, gear_ratio)) : Json(nullptr);
   return {{"found", r.found},
-          {"method", text_or_null(r.method)},
+          {"method", words_or_null(r.method)},
+          {"method_code", code_of(r.method)},
           {"argmax_rad", if_found(r.argmax_rad)},
           {"argmax_low_rad", if_found(r.argmax_low_rad)},
           {"argmax_high_rad", if_found(r.argmax_high_rad)},
@@ -87,7 +89,8 @@ Json quality(const method::selection::QualityErrorsResult& q) {
       {"reference_Nm", numbers(q.reference_Nm)},
       {"reference_half_width_Nm", numbers(q.reference_half_width_Nm)},
       {"reference_rms_percent", q.errors.empty() ? Json(nullptr) : number(q.reference_rms_percent)},
-      {"evidence", text_or_null(q.evidence)},
+      {"evidence", words_or_null(q.evidence)},
+      {"evidence_code", code_of(q.evidence)},
       {"percent", std::move(percent)},
       {"rms_percent", std::move(rms)},
       {"runs_left_out", q.runs_left_out}};
@@ -97,7 +100,8 @@ Json selection(const method::selection::SelectionResult& s) {
   return {{"paper_rule", text_or_null(s.paper_rule)},
           {"paper_rule_rivals", s.paper_rule_rivals},
           {"recommended", text_or_null(s.recommended)},
-          {"why", text_or_null(s.why)},
+          {"why", words_or_null(s.why)},
+          {"why_code", code_of(s.why)},
           {"q_c_corrected_rad", number(s.q_c_corrected_rad)},
           {"q_c_rad", interval(s.q_c_rad)}};
 }
@@ -108,7 +112,8 @@ Json run_gravity(const method::gravity::RunGravityResult& r, double n) {
   const auto if_found = [&](double value) { return r.found ? number(value) : Json(nullptr); };
   return {
       {"found", r.found},
-      {"reason", text_or_null(r.reason)},
+      {"reason", words_or_null(r.reason)},
+      {"reason_code", code_of(r.reason)},
       {"q_peak_rad", interval_if(r.found, r.q_peak_rad)},
       {"gravity_Nm", interval_if(r.found, r.gravity_Nm)},
       {"gravity_joint_Nm", r.found ? interval(statistics::scaled(r.gravity_Nm, n)) : Json(nullptr)},
@@ -133,7 +138,8 @@ Json load_dependence(const method::viscous::LoadDependenceResult& l) {
   }
   return {{"examined", l.examined},
           {"found", l.found},
-          {"sentence", l.sentence},
+          {"sentence", wording::words(l.sentence)},
+          {"sentence_code", code_of(l.sentence)},
           {"per_load", interval_if(l.examined, l.per_load)},
           {"unloaded_Nm", interval_if(l.examined, l.unloaded_Nm)},
           {"viscous_Nms_rad", interval(l.viscous_Nms_rad)},

@@ -20,6 +20,10 @@ Json numbers(const std::vector<double>& values);
 /// Rounded to six significant digits: long lists that are drawn and not computed with.
 Json short_numbers(const std::vector<double>& values);
 Json text_or_null(const std::string& text);
+Json words_or_null(const Statement& statement);
+/// What a machine reads beside the words: "topic.code", or {"code", "values"} where it has some.
+Json code_of(const Statement& statement);
+Json code_of(const std::vector<Statement>& statements);
 /// {"estimate", "low", "high", "method"}
 Json interval(const statistics::Estimate& e);
 Json interval(const std::optional<statistics::Estimate>& e);

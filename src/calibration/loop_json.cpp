@@ -6,6 +6,7 @@
 
 #include "calibration/parts.h"
 #include "method/hysteresis/steady_loop.h"
+#include "wording/words.h"
 
 namespace tribolog::calibration {
 
@@ -59,7 +60,8 @@ Json hysteresis(const method::hysteresis::HysteresisResult& h) {
                             {"steady_loop", drawn_loop(h, k)}});
   }
   return {{"found", h.found},
-          {"bristle_source", text_or_null(h.bristle_source)},
+          {"bristle_source", words_or_null(h.bristle_source)},
+          {"bristle_source_code", code_of(h.bristle_source)},
           {"oscillations", std::move(oscillations)},
           {"points", loop_points(h.points)},
           {"steady_points", loop_points(h.steady_points)},
@@ -106,25 +108,30 @@ Json parameter(const method::hysteresis::LuGreParameter& p) {
           {"held_at", number(p.held_at)},
           {"relative_standard_error", number(p.relative_error)},
           {"effect_Nm", number(p.effect_Nm)},
-          {"why_not", text_or_null(p.why_not)},
-          {"experiment", text_or_null(p.experiment)}};
+          {"why_not", words_or_null(p.why_not)},
+          {"why_not_code", code_of(p.why_not)},
+          {"experiment", words_or_null(p.experiment)},
+          {"experiment_code", code_of(p.experiment)}};
 }
 
 Json identifiability(const method::hysteresis::LuGreIdentifiability& i) {
   Json correlation = Json::array();
   for (const auto& row : i.correlation) correlation.push_back(numbers(row));
-  return {{"names", i.names},
+  return {{"names", wording::words(i.names)},
+          {"names_code", code_of(i.names)},
           {"singular_values_Nm", numbers(i.singular_values_Nm)},
           {"condition", number(i.condition)},
           {"weakest_direction", numbers(i.weakest)},
-          {"weakest_in_words", text_or_null(i.weakest_in_words)},
+          {"weakest_in_words", words_or_null(i.weakest_statement)},
+          {"weakest_in_words_code", code_of(i.weakest_statement)},
           {"correlation", std::move(correlation)}};
 }
 
 Json traced(const std::optional<method::hysteresis::TracedLoop>& loop) {
   if (!loop) return nullptr;
   return {{"noise_rad", number(loop->noise_rad)},
-          {"noise_from", loop->noise_in_words},
+          {"noise_from", wording::words(loop->noise_source)},
+          {"noise_from_code", code_of(loop->noise_source)},
           {"strokes", loop->strokes},
           {"explained_Nm", number(loop->explained_Nm)},
           {"turn_stiffness_Nm_rad", interval(loop->turn_stiffness_Nm_rad)},
@@ -153,7 +160,8 @@ Json lugre(const method::hysteresis::LuGreFit& f, double n) {
   made["gravity_Nm"] = sides_if_shown(f.gravity_Nm, n);
   made["residual_Nm"] = number(f.residual_Nm);
   made["iterations"] = f.iterations;
-  made["reason"] = text_or_null(f.reason);
+  made["reason"] = words_or_null(f.reason);
+  made["reason_code"] = code_of(f.reason);
   made["parameters"] = Json::array();
   for (const method::hysteresis::LuGreParameter& p : f.parameters)
     made["parameters"].push_back(parameter(p));

@@ -30,8 +30,8 @@ std::string to_string(LimitState state) {
   return "unknown";
 }
 
-void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
-           const std::string& experiment) {
+void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,
+           const Statement& experiment) {
   auto& reasons = quantity.reasons;
   const bool is_worse = to > quantity.verdict;
   if (is_worse) quantity.verdict = to;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "statistics/estimate.h"
 
 namespace tribolog::calibration {
@@ -30,16 +31,15 @@ struct LimitOutcome {
   std::string unit;
   std::optional<statistics::Estimate> estimate;  ///< In the key's unit.
   LimitState state{LimitState::unknown};
-  std::string words;  ///< "Coulomb torque 13.4 N·m breaks the limit of at most 12 N·m".
+  Statement outcome;  ///< "Coulomb torque 13.4 N·m breaks the limit of at most 12 N·m".
 };
 
 struct QuantityVerdict {
-  std::string key;    ///< Stable: "coulomb_torque".
-  std::string words;  ///< "Coulomb torque".
+  std::string key;  ///< Stable: "coulomb_torque".
   Verdict verdict{Verdict::usable};
-  bool decides{true};                ///< Takes part in the verdict over all.
-  std::vector<std::string> reasons;  ///< Empty only if usable. The weightiest first.
-  std::string experiment;            ///< What to record next; empty only if usable.
+  bool decides{true};              ///< Takes part in the verdict over all.
+  std::vector<Statement> reasons;  ///< Empty only if usable. The weightiest first.
+  Statement experiment;            ///< What to record next; empty only if usable.
   std::optional<statistics::Estimate>
       estimate;      ///< SI, motor side; absent for a curve, or where not found.
   std::string unit;  ///< Of the estimate; empty for a curve.
@@ -48,7 +48,7 @@ struct QuantityVerdict {
 
 /// Lowers the verdict to `to` if it is better, and adds the reason, which goes in front if it is
 /// what the verdict now rests on. The experiment is taken from the weightiest reason.
-void lower(QuantityVerdict& quantity, Verdict to, const std::string& reason,
-           const std::string& experiment);
+void lower(QuantityVerdict& quantity, Verdict to, const Statement& reason,
+           const Statement& experiment);
 
 }  // namespace tribolog::calibration

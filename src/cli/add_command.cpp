@@ -6,8 +6,8 @@
 #include "archive/store/archive_json.h"
 #include "base/early_end.h"
 #include "base/input_file.h"
-#include "calibration/entry_of_calibration.h"
 #include "calibration/provenance.h"
+#include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/archiving.h"
 

@@ -10,8 +10,8 @@
 #include "base/encodings.h"
 #include "base/error.h"
 #include "base/input_file.h"
-#include "calibration/entry_of_calibration.h"
 #include "calibration/provenance.h"
+#include "calibration/read_calibration.h"
 
 namespace tribolog::cli {
 

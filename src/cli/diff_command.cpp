@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 
+#include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/history_page.h"
 #include "cli/shared_options.h"
 #include "figures/comparison_figures.h"
 #include "history/history_json.h"
-#include "history/recorded_curves.h"
 #include "report/comparison_page.h"
 
 namespace tribolog::cli {
@@ -21,14 +21,15 @@ struct DiffOptions {
   wording::Language language{wording::Language::english};
 };
 
-history::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
-                                  const calibration::Entry& entry) {
+calibration::RecordedCurves curves_of(archive::store::CalibrationArchive& kept,
+                                      const calibration::Entry& entry) {
   const auto json = kept.document(entry, calibration::DocumentKind::calibration);
-  return json ? history::recorded_curves(*json) : history::RecordedCurves{};
+  return json ? calibration::read_curves(*json) : calibration::RecordedCurves{};
 }
 
 /// Which curves cannot be laid over each other, and why.
-std::string missing_curves(const history::RecordedCurves& a, const history::RecordedCurves& b) {
+std::string missing_curves(const calibration::RecordedCurves& a,
+                           const calibration::RecordedCurves& b) {
   std::string words;
   if (a.friction.speed_rad_s.empty() || b.friction.speed_rad_s.empty()) {
     words = "Not both calibrations hold a friction curve of constant-speed runs.";
@@ -43,8 +44,8 @@ std::string missing_curves(const history::RecordedCurves& a, const history::Reco
 }
 
 ExitStatus write_page(const DiffOptions& options, const history::Comparison& comparison,
-                      const history::RecordedCurves& first, const history::RecordedCurves& second,
-                      const Invocation& call) {
+                      const calibration::RecordedCurves& first,
+                      const calibration::RecordedCurves& second, const Invocation& call) {
   const auto figures = figures::comparison_figures(comparison, first, second);
   return write_history_page({options.output, options.processes, options.language}, figures, call,
                             [&](const calibration::Provenance& provenance,

@@ -15,6 +15,7 @@
 #include "figures/figure_language.h"
 #include "figures/figure_set.h"
 #include "paper/scenes/scene_figures.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -60,7 +61,7 @@ ExitStatus run_figures(const FiguresOptions& options, Console& console) {
                           listed_formats(options.formats)));
   for (const statistics::StageReport& stage : calibration.stages()) {
     if (stage.state != statistics::StageState::done) {
-      console.say(fmt::format("  {}: {}", stage.name, stage.reason));
+      console.say(fmt::format("  {}: {}", stage.name, wording::words(stage.reason)));
     }
   }
   return tell_failures(drawn.drawn, console) > 0 ? ExitStatus::figure_failed : ExitStatus::done;

@@ -15,6 +15,7 @@
 #include "ingest/manifest/manifest_file.h"
 #include "joint/dataset.h"
 #include "joint/degrees.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -139,7 +140,7 @@ calibration::Calibration run_identification(const joint::Dataset& dataset,
   options.seed = arguments.seed.value_or(stated.seed.value_or(options.seed));
   if (!joint::resamples_are_allowed(options.resamples)) {
     throw UsageError(fmt::format("--resamples {} is not usable; it must be {}", options.resamples,
-                                 joint::allowed_resamples_in_words()));
+                                 wording::words(joint::allowed_resamples())));
   }
   return identify::identify(dataset, options, [&](const std::string& stage, int done, int all) {
     console.progress(stage, static_cast<std::size_t>(done), static_cast<std::size_t>(all));
@@ -161,15 +162,19 @@ void tell_outcome(const calibration::Calibration& c, Console& console) {
                             s.low, s.high));
   };
   console.say(fmt::format("verdict: {} - {}", calibration::to_string(c.judgement.verdict),
-                          c.judgement.sentence));
+                          wording::words(c.judgement.sentence)));
   for (const method::checks::DataCheck* check :
        c.data_checks.in_state(method::checks::CheckState::fails)) {
-    console.say(printable(fmt::format("  check fails: {}: {}", check->title, check->found), 600));
+    console.say(
+        printable(fmt::format("  check fails: {}: {}", wording::words_for("check", check->name),
+                              wording::words(check->found)),
+                  600));
   }
   for (const calibration::QuantityVerdict& quantity : c.judgement.quantities) {
     if (quantity.verdict == calibration::Verdict::usable || !quantity.decides) continue;
     console.say(printable(fmt::format("  {}: {}: {}", calibration::to_string(quantity.verdict),
-                                      quantity.words, quantity.reasons.front()),
+                                      wording::words_for("quantity", quantity.key),
+                                      wording::words(quantity.reasons.front())),
                           600));
   }
   const double n = c.manifest.drive.gear_ratio();

@@ -11,6 +11,7 @@
 #include "figures/model_figures.h"
 #include "friction/catalogue.h"
 #include "report/models_page.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 namespace {
@@ -41,7 +42,8 @@ std::string limits_of(const friction::FrictionTraits& traits) {
   return words.empty() ? "" : fmt::format("\n    {}", fmt::join(words, "; "));
 }
 
-std::string parameter_lines(const friction::NamedParameters& parameters) {
+/// @param model as files say it.
+std::string parameter_lines(const std::string& model, const friction::NamedParameters& parameters) {
   std::string lines;
   for (const friction::NamedParameter& one : parameters) {
     const double* number = std::get_if<double>(&one.value);
@@ -50,9 +52,15 @@ std::string parameter_lines(const friction::NamedParameters& parameters) {
                               : number != nullptr ? fmt::format(" [{:g}]", *number)
                               : count != nullptr  ? fmt::format(" [{}]", *count)
                                                   : "";
-    lines += fmt::format("      {:<27}{}{}\n", one.key, one.meaning, usual);
+    lines += fmt::format("      {:<27}{}{}\n", one.key,
+                         wording::words_for("parameter." + model, one.key), usual);
   }
   return lines;
+}
+
+std::string heading_of(const std::string& model) {
+  return fmt::format("{:<18}{} ({})", model, wording::words_for("friction_model", model),
+                     wording::words_for("friction_source", model));
 }
 
 void list_models(Console& console) {
@@ -61,16 +69,15 @@ void list_models(Console& console) {
       "parameters (table [friction.<model>], each matched to [friction.presliding] if not "
       "stated):\n");
   for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
-    console.say(fmt::format("  {:<18}{} ({})\n    shows {}{}\n{}", one.name, one.title, one.source,
-                            shown_by(one.traits), limits_of(one.traits),
-                            parameter_lines(one.parameters)));
+    console.say(fmt::format("  {}\n    shows {}{}\n{}", heading_of(one.name), shown_by(one.traits),
+                            limits_of(one.traits), parameter_lines(one.name, one.parameters)));
   }
   console.say(
       "static laws for sweeps and runs at constant speed (friction.sliding.model), in table\n"
       "[friction.sliding]; \"dynamic\" is the dynamic model there too:\n");
   for (const friction::StaticLawEntry& one : friction::static_friction_laws()) {
-    console.say(fmt::format("  {:<18}{} ({})\n{}", one.name, one.title, one.source,
-                            parameter_lines(one.parameters)));
+    console.say(
+        fmt::format("  {}\n{}", heading_of(one.name), parameter_lines(one.name, one.parameters)));
   }
   console.say("[ ]: the usual value, where neither the file nor a match gives one");
 }

@@ -15,6 +15,7 @@
 #include "ingest/manifest/joint_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "report/plan_page.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -53,7 +54,7 @@ void refuse_endless(const plan::ExperimentPlan& plan, const std::string& text,
 [[noreturn]] void refuse_together(const std::invalid_argument& error, const std::string& text,
                                   const std::string& file) {
   throw InputError(ingest::manifest::place_in_toml(text, file, "joint", ""),
-                   {std::string("no plan can be made of this: ") + error.what(), "", "",
+                   {"no plan can be made of this: " + wording::words(error), "", "",
                     "are all numbers in the units that their keys name?"});
 }
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wording/words.h"
+
 namespace tribolog::cli {
 namespace {
 
@@ -64,7 +66,8 @@ void add_intervals(CLI::App& command, joint::IntervalSettings& intervals) {
   command
       .add_option("--resamples", intervals.resamples,
                   "resamples of the bootstrap behind the intervals: " +
-                      joint::allowed_resamples_in_words() + "; default: the manifest's, or 1000")
+                      wording::words(joint::allowed_resamples()) +
+                      "; default: the manifest's, or 1000")
       ->check(whole_number());
   command
       .add_option("--seed", intervals.seed, "seed of the resamples; default: the manifest's, or 1")

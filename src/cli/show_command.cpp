@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/input_file.h"
-#include "calibration/entry_of_calibration.h"
+#include "calibration/read_calibration.h"
 #include "cli/archive_commands.h"
 #include "cli/calibration_text.h"
 #include "cli/commands.h"

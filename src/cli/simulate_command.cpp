@@ -9,6 +9,7 @@
 #include "ingest/manifest/scenario_file.h"
 #include "ingest/manifest/toml_table.h"
 #include "simulate/simulate_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -22,7 +23,7 @@ std::vector<joint::Recording> simulated(const simulate::Scenario& scenario,
   } catch (const std::invalid_argument& error) {
     throw InputError(
         ingest::manifest::place_in_toml(read_file(file), file, "friction", "presliding"),
-        {std::string("cannot be simulated: ") + error.what(), "", "",
+        {"cannot be simulated: " + wording::words(error), "", "",
          "are all numbers in the units that their keys name?"});
   }
 }

@@ -12,6 +12,7 @@
 #include "ingest/manifest/scenario_file.h"
 #include "report/study_page.h"
 #include "study/trust.h"
+#include "wording/words.h"
 
 namespace tribolog::cli {
 
@@ -67,7 +68,8 @@ ExitStatus run_study_command(const StudyCommandOptions& options,
           console.progress(fmt::format("{} runs: {}", options.runs, name), done, all);
         });
   } catch (const std::invalid_argument& refused) {
-    throw InputError({report.scenario_file, 0, 0}, {"cannot be studied", refused.what(), "", ""});
+    throw InputError({report.scenario_file, 0, 0},
+                     {"cannot be studied", wording::words(refused), "", ""});
   }
   AtomicFiles files;
   if (!options.json.empty()) files.add(options.json, report::study_json(report));

@@ -13,9 +13,9 @@
 namespace tribolog::figures {
 namespace {
 
+using calibration::RecordedFriction;
+using calibration::RecordedLoop;
 using history::Comparison;
-using history::RecordedFriction;
-using history::RecordedLoop;
 using wording::AxisScale;
 
 /// How the first and the second are drawn in every figure.
@@ -58,7 +58,7 @@ double mean_size(const std::vector<double>& values) {
 }
 
 /// The runs of one direction, by speed: between the two lies a jump that nobody measured.
-void add_friction(const history::RecordedFriction& curve, int direction, const Look& look,
+void add_friction(const calibration::RecordedFriction& curve, int direction, const Look& look,
                   const wording::AxisScale& scale, render::figure::Panel& panel) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < curve.speed_rad_s.size(); ++k) {
@@ -86,8 +86,8 @@ void add_friction(const history::RecordedFriction& curve, int direction, const L
 }
 
 std::optional<ReportFigure> friction_figure(const history::Comparison& c,
-                                            const history::RecordedFriction& first,
-                                            const history::RecordedFriction& second) {
+                                            const calibration::RecordedFriction& first,
+                                            const calibration::RecordedFriction& second) {
   if (first.speed_rad_s.empty() || second.speed_rad_s.empty()) return std::nullopt;
   wording::Extent extent;
   extent.add(first.friction_Nm);
@@ -118,14 +118,14 @@ std::optional<ReportFigure> friction_figure(const history::Comparison& c,
 double span_of(const std::vector<double>& values) { return wording::extent_of(values).span(); }
 
 std::optional<ReportFigure> loop_figure(const history::Comparison& c,
-                                        const std::vector<history::RecordedLoop>& first,
-                                        const std::vector<history::RecordedLoop>& second) {
+                                        const std::vector<calibration::RecordedLoop>& first,
+                                        const std::vector<calibration::RecordedLoop>& second) {
   if (first.empty() || second.empty()) return std::nullopt;
-  const history::RecordedLoop& a = first.front();
-  const history::RecordedLoop& b = second.front();
+  const calibration::RecordedLoop& a = first.front();
+  const calibration::RecordedLoop& b = second.front();
   wording::Extent angle;
   wording::Extent torque;
-  for (const history::RecordedLoop* loop : {&a, &b}) {
+  for (const calibration::RecordedLoop* loop : {&a, &b}) {
     angle.add(loop->from_centre_rad);
     torque.add(loop->torque_Nm);
   }
@@ -164,8 +164,8 @@ std::optional<ReportFigure> loop_figure(const history::Comparison& c,
 }  // namespace
 
 std::vector<ReportFigure> comparison_figures(const history::Comparison& comparison,
-                                             const history::RecordedCurves& first,
-                                             const history::RecordedCurves& second) {
+                                             const calibration::RecordedCurves& first,
+                                             const calibration::RecordedCurves& second) {
   std::vector<ReportFigure> all;
   if (auto made = friction_figure(comparison, first.friction, second.friction)) {
     all.push_back(std::move(*made));

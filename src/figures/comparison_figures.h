@@ -3,16 +3,16 @@
 
 #include <vector>
 
+#include "calibration/read_calibration.h"
 #include "figures/report_figure.h"
 #include "history/comparison.h"
-#include "history/recorded_curves.h"
 
 namespace tribolog::figures {
 
 /// "diff-friction": friction over speed, "diff-loop": the first steady loop over the angle; each
 /// only where both calibrations hold it.
 std::vector<ReportFigure> comparison_figures(const history::Comparison& comparison,
-                                             const history::RecordedCurves& first,
-                                             const history::RecordedCurves& second);
+                                             const calibration::RecordedCurves& first,
+                                             const calibration::RecordedCurves& second);
 
 }  // namespace tribolog::figures

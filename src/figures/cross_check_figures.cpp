@@ -14,6 +14,7 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/reading_label.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 
@@ -90,8 +91,7 @@ std::optional<ReportFigure> mass_comparison_figure(const calibration::Calibratio
   std::vector<std::string> names;
   std::size_t disagree = 0;
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    names.push_back(
-        fmt::format("{} {}", k + 1, method::intervals::method_in_words(checks[k].method)));
+    names.push_back(fmt::format("{} {}", k + 1, wording::words_for("estimator", checks[k].method)));
     disagree += checks[k].disagrees ? 1 : 0;
   }
   const std::string agreement =
@@ -131,7 +131,7 @@ double reach_of(const std::vector<const calibration::ReturnedQuantity*>& shown) 
 std::string place_words(const std::vector<const calibration::ReturnedQuantity*>& shown) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    words.push_back(fmt::format("{} {}", i + 1, truth::reading_words(shown[i]->name)));
+    words.push_back(fmt::format("{} {}", i + 1, wording::words_for("reading", shown[i]->name)));
   }
   return wording::listed(words);
 }

@@ -54,7 +54,8 @@ std::optional<ReportFigure> torque_loop_figure(const calibration::Calibration& c
   if (!view) return std::nullopt;
   const method::hysteresis::HysteresisResult& loop = calibration.hysteresis;
   const method::hysteresis::LoopTrace& trace = *view->trace;
-  const bool model = view->model_torque_Nm != nullptr && loop.bristle_source != "recorded";
+  const bool model =
+      view->model_torque_Nm != nullptr && !loop.bristle_source.is("loop.bristle_recorded");
   const LoopCurves torque{LoopSignal::torque,
                           "driving torque T",
                           &trace.torque_Nm,

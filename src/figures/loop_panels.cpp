@@ -47,7 +47,7 @@ std::optional<LoopView> loop_view(const calibration::Calibration& calibration) {
 
   LoopView view;
   view.trace = &trace;
-  view.modelled = !trace.z_rad.empty() && loop.bristle_source != "recorded";
+  view.modelled = !trace.z_rad.empty() && !loop.bristle_source.is("loop.bristle_recorded");
   if (loop.lugre && !loop.lugre->loops.empty() &&
       loop.lugre->loops.front().torque_Nm.size() == trace.t_s.size()) {
     view.model_torque_Nm = &loop.lugre->loops.front().torque_Nm;

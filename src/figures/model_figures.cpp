@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "simulate/model_portrait.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 namespace {
@@ -14,6 +15,10 @@ struct Portrait {
   const friction::FrictionModelEntry* entry;
   simulate::ModelPortrait curves;
 };
+
+std::string title_of(const friction::FrictionModelEntry& entry) {
+  return wording::words_for("friction_model", entry.name);
+}
 
 /// One experiment: which curve, how it is drawn, and what its numbers say.
 struct Sitting {
@@ -60,11 +65,11 @@ ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sittin
   ReportFigure out;
   out.id = fmt::format("{}-{}", sitting.id, entry.name);
   std::replace(out.id.begin(), out.id.end(), '_', '-');
-  out.title = entry.title;
+  out.title = title_of(entry);
   out.caption = sitting.caption(portrait.curves);
-  out.alt = fmt::format("{} of {}: {}", sitting.title, entry.title, out.caption);
+  out.alt = fmt::format("{} of {}: {}", sitting.title, title_of(entry), out.caption);
   out.figure.id = out.id;
-  out.figure.title = entry.title;
+  out.figure.title = title_of(entry);
   out.figure.width_px = 1280;
   out.figure.height_px = 820;
   render::figure::Panel panel;
@@ -73,14 +78,14 @@ ReportFigure chart(const Portrait& portrait, const Portrait& lugre, const Sittin
   x.set(panel.x);
   y.set(panel.y);
   render::figure::Series own =
-      series_of(portrait.curves.*sitting.curve, sitting.x_factor, entry.title);
+      series_of(portrait.curves.*sitting.curve, sitting.x_factor, title_of(entry));
   own.colour = render::figure::palette::blue;
   own.width_px = 4.0;
   own.direction_arrows_at = sitting.arrows;
   panel.series.push_back(std::move(own));
   if (portrait.entry != lugre.entry) {  // over it, in dashes: where they agree, both are seen
     render::figure::Series other =
-        series_of(lugre.curves.*sitting.curve, sitting.x_factor, lugre.entry->title);
+        series_of(lugre.curves.*sitting.curve, sitting.x_factor, title_of(*lugre.entry));
     other.colour = render::figure::palette::black;
     other.style = render::figure::LineStyle::dash;
     other.width_px = 1.5;

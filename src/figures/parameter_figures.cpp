@@ -12,6 +12,7 @@
 #include "wording/axis_scale.h"
 #include "wording/number_text.h"
 #include "wording/shaft.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 
@@ -64,10 +65,10 @@ render::figure::Panel curves_panel(const calibration::Calibration& c,
     if (!trial.excluded_because.empty()) continue;
     const bool is_chosen = trial.model.law == choice.chosen.law;
     const LawStyle style = style_of(trial.model.law);
-    add_visible(panel,
-                line(method::viscous::in_words(trial.model.law) + (is_chosen ? " (chosen)" : ""),
-                     choice.curve_speed_rad_s, shown(trial.curve_Nm, scale), style.colour,
-                     is_chosen ? chosen_px : other_px, style.style));
+    add_visible(panel, line(wording::words(method::viscous::described(trial.model.law)) +
+                                (is_chosen ? " (chosen)" : ""),
+                            choice.curve_speed_rad_s, shown(trial.curve_Nm, scale), style.colour,
+                            is_chosen ? chosen_px : other_px, style.style));
   }
   return panel;
 }
@@ -133,7 +134,7 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
       wording::size_words(chosen->held_out_rms_Nm, wording::torque_floor_Nm, "N·m");
   out.caption = fmt::format(
       "Chosen: {} ({}), with an error of {} at speeds held out.",
-      method::viscous::in_words(choice.chosen),
+      wording::words(method::viscous::described(choice.chosen)),
       wording::counted(static_cast<std::size_t>(choice.chosen.parameters()), "parameter"), error);
   out.how_to_read =
       "Above, the models on the curve; where a term for load or direction was taken up they are "
@@ -145,8 +146,8 @@ std::optional<ReportFigure> curve_model_figure(const calibration::Calibration& c
   out.alt = fmt::format(
       "Friction curves of {} over the measured curve, and their errors over the "
       "number of parameters. Chosen: {}, {} at speeds held out.",
-      wording::counted(choice.ladder.size(), "model"), method::viscous::in_words(choice.chosen),
-      error);
+      wording::counted(choice.ladder.size(), "model"),
+      wording::words(method::viscous::described(choice.chosen)), error);
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include "figures/report_figure.h"
 #include "joint/degrees.h"
 #include "wording/reading_label.h"
+#include "wording/words.h"
 
 namespace tribolog::figures {
 namespace {
@@ -153,7 +154,7 @@ std::string bias_range(const study::StudyResult& study, const study::StudyFactor
     if (r != nullptr) extent.add(bias_percent(r->errors));
   }
   if (extent.empty) return {};
-  return fmt::format("{} {:+.3f} to {:+.3f} %", truth::reading_words(reading), extent.low,
+  return fmt::format("{} {:+.3f} to {:+.3f} %", wording::words_for("reading", reading), extent.low,
                      extent.high);
 }
 

@@ -120,8 +120,8 @@ bool coincide(const method::hysteresis::LoopPoint* first,
 void add_loop(render::figure::Panel& panel, const calibration::Calibration& calibration,
               const LoopView& view, const wording::AxisScale& torque, bool legend) {
   const method::hysteresis::LoopTrace& trace = *view.trace;
-  const bool model =
-      view.model_torque_Nm != nullptr && calibration.hysteresis.bristle_source != "recorded";
+  const bool model = view.model_torque_Nm != nullptr &&
+                     !calibration.hysteresis.bristle_source.is("loop.bristle_recorded");
   const auto& strokes = model ? *view.model_torque_Nm : trace.torque_Nm;
   add_visible(panel, line(legend ? "measured" : "", shown(trace.q_rad, view.angle),
                           shown(trace.torque_Nm, torque), cloud, cloud_px));

@@ -235,14 +235,14 @@ std::string caption_of(const history::QuantityTrend& trend, const wording::AxisS
     for (std::size_t k = 0; k < changes.size(); ++k) caption += (k > 0 ? "; " : "") + changes[k];
   }
   if (trend.reference) {
-    caption += fmt::format(
-        ". Reference {} from {}",
-        wording::with_interval(
-            statistics::symmetric_estimate(
-                trend.reference->level,
-                statistics::normal_975 * std::sqrt(trend.reference->level_variance), ""),
-            scale),
-        wording::counted(trend.reference->members, "calibration"));
+    caption +=
+        fmt::format(". Reference {} from {}",
+                    wording::with_interval(
+                        statistics::symmetric_estimate(
+                            trend.reference->level,
+                            statistics::normal_975 * std::sqrt(trend.reference->level_variance)),
+                        scale),
+                    wording::counted(trend.reference->members, "calibration"));
   }
   return caption + ".";
 }

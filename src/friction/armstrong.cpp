@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/exponential_step.h"
 #include "friction/sign_change.h"
 
@@ -14,23 +15,23 @@ enum Member : std::size_t { deflection, lagged_speed, stuck_time, stribeck, slid
 }  // namespace
 
 ParameterSlots ArmstrongFriction::Parameters::by_name() {
-  return {{"stiffness_Nm_rad", "kt > 0", &stiffness_Nm_rad},
-          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"viscous_Nms_rad", "Tv >= 0", &viscous_Nms_rad},
-          {"rested_stribeck_Nm", "Ts,inf >= 0, beyond Tc after a long rest", &rested_stribeck_Nm},
-          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
-          {"lag_s", "tL > 0, frictional lag", &lag_s},
-          {"rise_time_s", "gamma > 0, of static friction at rest", &rise_time_s}};
+  return {{"stiffness_Nm_rad", &stiffness_Nm_rad},
+          {"coulomb_Nm", &coulomb_Nm},
+          {"viscous_Nms_rad", &viscous_Nms_rad},
+          {"rested_stribeck_Nm", &rested_stribeck_Nm},
+          {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
+          {"lag_s", &lag_s},
+          {"rise_time_s", &rise_time_s}};
 }
 
 ArmstrongFriction::ArmstrongFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
-  require_not_negative(p_.rested_stribeck_Nm, "Stribeck torque after rest", "N·m");
+  require_not_negative(p_.rested_stribeck_Nm, Code{"parameter.rested_stribeck"}, "N·m");
   require_positive(p_.stribeck_speed_rad_s, "Stribeck velocity", "rad/s");
   require_positive(p_.lag_s, "frictional lag", "s");
-  require_positive(p_.rise_time_s, "rise time of static friction", "s");
+  require_positive(p_.rise_time_s, Code{"parameter.rise_time"}, "s");
 }
 
 double ArmstrongFriction::break_away_Nm(double rest_s, double last_stribeck_Nm) const {

@@ -1,36 +1,32 @@
 #include "friction/bliman_sorine.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::friction {
 
 ParameterSlots BlimanSorineFriction::Parameters::by_name() {
-  return {{"fast_torque_Nm", "f1 > 0", &fast_torque_Nm},
-          {"slow_torque_Nm", "0 <= f2 < f1; Coulomb torque is f1 - f2", &slow_torque_Nm},
-          {"slow_way_rad", "e > 0", &slow_way_rad},
-          {"way_ratio", "0 < eta < 1", &way_ratio, true},
-          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+  return {{"fast_torque_Nm", &fast_torque_Nm},
+          {"slow_torque_Nm", &slow_torque_Nm},
+          {"slow_way_rad", &slow_way_rad},
+          {"way_ratio", &way_ratio, true},
+          {"viscous_Nms_rad", &viscous_Nms_rad}};
 }
 
 BlimanSorineFriction::BlimanSorineFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.fast_torque_Nm, "torque f1", "N·m");
   require_not_negative(p_.slow_torque_Nm, "torque f2", "N·m");
-  require_positive(p_.slow_way_rad, "way of the slow part", "rad");
-  require_positive(p_.way_ratio, "ratio of the ways", "");
+  require_positive(p_.slow_way_rad, Code{"parameter.slow_way"}, "rad");
+  require_positive(p_.way_ratio, Code{"parameter.way_ratio"}, "");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   if (p_.slow_torque_Nm >= p_.fast_torque_Nm) {
-    throw std::invalid_argument(
-        fmt::format("torque f2 {} N·m is not allowed; it must be < f1, {} N·m", p_.slow_torque_Nm,
-                    p_.fast_torque_Nm));
+    throw Refusal({"bliman_sorine.slow_torque_not_below_fast",
+                   {{"slow_Nm", p_.slow_torque_Nm}, {"fast_Nm", p_.fast_torque_Nm}}});
   }
   if (p_.way_ratio >= 1) {
-    throw std::invalid_argument(
-        fmt::format("ratio of the ways {} is not allowed; it must be < 1", p_.way_ratio));
+    throw Refusal({"bliman_sorine.way_ratio_not_below_one", {{"ratio", p_.way_ratio}}});
   }
 }
 

@@ -1,8 +1,6 @@
 #include "friction/catalogue.h"
 
-#include <stdexcept>
-#include <utility>
-
+#include "base/statement.h"
 #include "friction/armstrong.h"
 #include "friction/bliman_sorine.h"
 #include "friction/dahl.h"
@@ -98,9 +96,9 @@ GmsFriction::Parameters gms(const ContactParameters& c) {
 
 /// @param example only its name counts.
 template <class Kind, class Model>
-ModelRecipe<Kind> recipe(const Model& example, std::string title, std::string source) {
+ModelRecipe<Kind> recipe(const Model& example) {
   using Parameters = typename Model::Parameters;
-  return {example.name(), std::move(title), std::move(source), named(Parameters{}),
+  return {example.name(), named(Parameters{}),
           [](const NamedParameters& values) -> std::unique_ptr<Kind> {
             Parameters parameters;
             set_values(parameters.by_name(), values);
@@ -109,9 +107,9 @@ ModelRecipe<Kind> recipe(const Model& example, std::string title, std::string so
 }
 
 template <class Model>
-FrictionModelEntry model(std::string title, std::string source, FrictionTraits traits,
+FrictionModelEntry model(FrictionTraits traits,
                          typename Model::Parameters (*match)(const ContactParameters&)) {
-  return {recipe<DynamicFriction>(Model(match({})), std::move(title), std::move(source)), traits,
+  return {recipe<DynamicFriction>(Model(match({}))), traits,
           [match](const ContactParameters& c) { return named(match(c)); }};
 }
 
@@ -121,39 +119,25 @@ const std::vector<FrictionModelEntry>& dynamic_friction_models() {
   // break-away, Stribeck, lag, pre-sliding, non-local memory, drifts, rate independent, random,
   // remembers rest
   static const std::vector<FrictionModelEntry> models{
-      model<DahlFriction>("Dahl", "Dahl 1968", {0, 0, 0, 1, 0, 1, 1, 0}, dahl),
-      model<HaessigBristleFriction>("Bristle", "Haessig and Friedland 1990",
-                                    {0, 0, 0, 1, 0, 0, 1, 1}, haessig_bristles),
-      model<ResetIntegratorFriction>("Reset integrator", "Haessig and Friedland 1990",
-                                     {1, 0, 0, 1, 0, 0, 0, 0}, reset_integrator),
-      model<HessSoomFriction>("Hess and Soom", "Hess and Soom 1990", {0, 1, 1, 0, 0, 0, 0, 0},
-                              hess_soom),
-      model<BlimanSorineFriction>("Bliman and Sorine", "Bliman and Sorine 1991, 1995",
-                                  {1, 0, 0, 1, 0, 1, 1, 0}, bliman_sorine),
-      model<ArmstrongFriction>("Armstrong's seven parameters",
-                               "Armstrong-Hélouvry, Dupont, Canudas de Wit 1994",
-                               {1, 1, 1, 1, 0, 0, 0, 0, 1}, armstrong),
-      model<LuGreFriction>("LuGre",
-                           "Canudas de Wit, Olsson, Åström, Lischinsky 1995, eq. (3) to (5)",
-                           {1, 1, 1, 1, 0, 1, 0, 0}, lugre),
-      model<LeuvenFriction>("Leuven",
-                            "Swevers, Al-Bender, Ganseman, Prajogo 2000; Lampaert et al. 2002",
-                            {1, 1, 1, 1, 1, 1, 0, 0}, leuven),
-      model<ElastoPlasticFriction>("Elasto-plastic", "Dupont, Hayward, Armstrong, Altpeter 2002",
-                                   {1, 1, 1, 1, 0, 0, 0, 0}, elasto_plastic),
-      model<GmsFriction>("Generalised Maxwell slip", "Al-Bender, Lampaert, Swevers 2005",
-                         {1, 1, 1, 1, 1, 0, 0, 0}, gms),
+      model<DahlFriction>({0, 0, 0, 1, 0, 1, 1, 0}, dahl),
+      model<HaessigBristleFriction>({0, 0, 0, 1, 0, 0, 1, 1}, haessig_bristles),
+      model<ResetIntegratorFriction>({1, 0, 0, 1, 0, 0, 0, 0}, reset_integrator),
+      model<HessSoomFriction>({0, 1, 1, 0, 0, 0, 0, 0}, hess_soom),
+      model<BlimanSorineFriction>({1, 0, 0, 1, 0, 1, 1, 0}, bliman_sorine),
+      model<ArmstrongFriction>({1, 1, 1, 1, 0, 0, 0, 0, 1}, armstrong),
+      model<LuGreFriction>({1, 1, 1, 1, 0, 1, 0, 0}, lugre),
+      model<LeuvenFriction>({1, 1, 1, 1, 1, 1, 0, 0}, leuven),
+      model<ElastoPlasticFriction>({1, 1, 1, 1, 0, 0, 0, 0}, elasto_plastic),
+      model<GmsFriction>({1, 1, 1, 1, 1, 0, 0, 0}, gms),
   };
   return models;
 }
 
 const std::vector<StaticLawEntry>& static_friction_laws() {
   static const std::vector<StaticLawEntry> laws{
-      recipe<StaticFriction>(StribeckFriction({{1, 1, 1, 2}, 0}), "Coulomb, viscous and Stribeck",
-                             "eq. (1)"),
-      recipe<StaticFriction>(ThresholdSpeedFriction({1, 1, 0, 0, 1}), "Threshold speed", "eq. (2)"),
-      recipe<StaticFriction>(WaiboerFriction({}), "Waiboer",
-                             "Waiboer, Aarts, Jonker 2005, eq. (6), (7)"),
+      recipe<StaticFriction>(StribeckFriction({{1, 1, 1, 2}, 0})),
+      recipe<StaticFriction>(ThresholdSpeedFriction({1, 1, 0, 0, 1})),
+      recipe<StaticFriction>(WaiboerFriction({})),
   };
   return laws;
 }
@@ -164,8 +148,7 @@ const FrictionModelEntry& dynamic_friction_model(std::string_view name) {
     if (one.name == name) return one;
     known += (known.empty() ? "" : ", ") + one.name;
   }
-  throw std::invalid_argument("there is no friction model '" + std::string(name) + "'; known are " +
-                              known);
+  throw Refusal({"friction.no_such_model", {{"model", std::string(name)}, {"known", known}}});
 }
 
 }  // namespace tribolog::friction

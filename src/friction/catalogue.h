@@ -41,12 +41,10 @@ struct FrictionTraits {
 /// A model by name, and how to make one from named parameters.
 template <class Model>
 struct ModelRecipe {
-  std::string name;            ///< As files say it: "lugre".
-  std::string title;           ///< "LuGre"
-  std::string source;          ///< Authors and year, and the paper's equation if it has one.
+  std::string name;            ///< As files say it: "lugre". Messages have its title and source.
   NamedParameters parameters;  ///< All that it has; only the usual values mean something.
   /// What is not among the parameters given keeps the value that it has in `parameters`.
-  /// @throw std::invalid_argument quoting value and rule, or for a name that is not known.
+  /// @throw Refusal stating value and rule, or for a name that is not known.
   std::function<std::unique_ptr<Model>(const NamedParameters&)> make;
 };
 
@@ -67,7 +65,7 @@ const std::vector<FrictionModelEntry>& dynamic_friction_models();
 /// In the order of the paper's equations.
 const std::vector<StaticLawEntry>& static_friction_laws();
 
-/// @throw std::invalid_argument naming the models that there are.
+/// @throw Refusal naming the models that there are.
 const FrictionModelEntry& dynamic_friction_model(std::string_view name);
 
 }  // namespace tribolog::friction

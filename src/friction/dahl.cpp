@@ -7,10 +7,10 @@
 
 namespace tribolog::friction {
 ParameterSlots DahlFriction::Parameters::by_name() {
-  return {{"stiffness_Nm_rad", "s0 > 0, at zero torque", &stiffness_Nm_rad},
-          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"exponent", "i >= 0; ductile above 1, brittle below", &exponent, true},
-          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+  return {{"stiffness_Nm_rad", &stiffness_Nm_rad},
+          {"coulomb_Nm", &coulomb_Nm},
+          {"exponent", &exponent, true},
+          {"viscous_Nms_rad", &viscous_Nms_rad}};
 }
 
 DahlFriction::DahlFriction(const Parameters& parameters) : p_(parameters) {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 
@@ -30,12 +28,11 @@ double cosine(double x) {
 }  // namespace
 
 ParameterSlots ElastoPlasticFriction::Parameters::by_name() {
-  return joined({ParameterSlots{{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
-                                {"bristle_damping_Nms_rad", "s1 >= 0", &bristle_damping_Nms_rad},
-                                {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad}},
+  return joined({ParameterSlots{{"bristle_stiffness_Nm_rad", &bristle_stiffness_Nm_rad},
+                                {"bristle_damping_Nms_rad", &bristle_damping_Nms_rad},
+                                {"viscous_Nms_rad", &viscous_Nms_rad}},
                  curve.by_name(),
-                 ParameterSlots{{"break_away_deflection_rad", "0 < zba < Tc/s0",
-                                 &break_away_deflection_rad}}});
+                 ParameterSlots{{"break_away_deflection_rad", &break_away_deflection_rad}}});
 }
 
 ElastoPlasticFriction::ElastoPlasticFriction(const Parameters& parameters)
@@ -48,10 +45,8 @@ ElastoPlasticFriction::ElastoPlasticFriction(const Parameters& parameters)
   require_positive(p_.break_away_deflection_rad, "break-away deflection", "rad");
   const double least = p_.curve.coulomb_Nm / p_.bristle_stiffness_Nm_rad;
   if (p_.break_away_deflection_rad >= least) {
-    throw std::invalid_argument(
-        fmt::format("break-away deflection {} rad is not allowed; it must be < Coulomb torque / "
-                    "stiffness, {} rad",
-                    p_.break_away_deflection_rad, least));
+    throw Refusal({"elasto_plastic.break_away_not_below_coulomb",
+                   {{"deflection_rad", p_.break_away_deflection_rad}, {"coulomb_rad", least}}});
   }
 }
 

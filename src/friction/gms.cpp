@@ -14,13 +14,9 @@ constexpr double at_limit = 1 - 1e-9;  // a solver stops next to the moment, not
 }  // namespace
 
 ParameterSlots GmsFriction::Parameters::by_name() {
-  return joined(
-      {ParameterSlots{{"elements", "of each stiffness_Nm_rad > 0 and share > 0; shares add up to 1",
-                       &elements}},
-       curve.by_name(),
-       ParameterSlots{
-           {"attraction_Nm_s", "C > 0, how fast slipping torque follows s(w)", &attraction_Nm_s},
-           {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad}}});
+  return joined({ParameterSlots{{"elements", &elements}}, curve.by_name(),
+                 ParameterSlots{{"attraction_Nm_s", &attraction_Nm_s},
+                                {"viscous_Nms_rad", &viscous_Nms_rad}}});
 }
 
 GmsFriction::GmsFriction(const Parameters& parameters) : p_(parameters), curve_(parameters.curve) {

@@ -26,7 +26,7 @@ class GmsFriction final : public DynamicFriction {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit GmsFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

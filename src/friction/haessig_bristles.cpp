@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::friction {
 namespace {
@@ -23,21 +21,20 @@ double share_of(std::uint64_t seed, std::uint64_t bristle, std::uint64_t snaps) 
 }  // namespace
 
 ParameterSlots HaessigBristleFriction::Parameters::by_name() {
-  return {{"stiffness_Nm_rad", "s0 > 0, of all bonds together", &stiffness_Nm_rad},
-          {"snap_deflection_rad", "ds > 0; Coulomb torque is s0 ds/3", &snap_deflection_rad},
-          {"bristles", "N, 1 to 100000", &bristles, true},
-          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad},
-          {"seed", "of the places where bonds form", &seed, true}};
+  return {{"stiffness_Nm_rad", &stiffness_Nm_rad},
+          {"snap_deflection_rad", &snap_deflection_rad},
+          {"bristles", &bristles, true},
+          {"viscous_Nms_rad", &viscous_Nms_rad},
+          {"seed", &seed, true}};
 }
 
 HaessigBristleFriction::HaessigBristleFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.stiffness_Nm_rad, "stiffness", "N·m/rad");
-  require_positive(p_.snap_deflection_rad, "deflection at which a bond snaps", "rad");
+  require_positive(p_.snap_deflection_rad, Code{"parameter.snap_deflection"}, "rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   if (p_.bristles < 1 || p_.bristles > most_bristles) {
-    throw std::invalid_argument(
-        fmt::format("number of bristles {} is not allowed; it must be from 1 to {}", p_.bristles,
-                    most_bristles));
+    throw Refusal({"haessig_bristles.number_not_allowed",
+                   {{"bristles", p_.bristles}, {"most", most_bristles}}});
   }
 }
 

@@ -29,7 +29,7 @@ class HaessigBristleFriction final : public DynamicFriction {
   /// Bounds memory and time.
   static constexpr std::uint64_t most_bristles = 100'000;
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit HaessigBristleFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

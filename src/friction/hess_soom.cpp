@@ -8,11 +8,11 @@
 namespace tribolog::friction {
 
 ParameterSlots HessSoomFriction::Parameters::by_name() {
-  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"static_Nm", "Ts >= Tc", &static_Nm},
-          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
-          {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad},
-          {"lag_s", "t > 0, frictional lag", &lag_s}};
+  return {{"coulomb_Nm", &coulomb_Nm},
+          {"static_Nm", &static_Nm},
+          {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
+          {"viscous_Nms_rad", &viscous_Nms_rad},
+          {"lag_s", &lag_s}};
 }
 
 HessSoomFriction::HessSoomFriction(const Parameters& parameters) : p_(parameters) {

@@ -3,24 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/relaxation.h"
 #include "friction/sign_change.h"
 
 namespace tribolog::friction {
 
 ParameterSlots LeuvenFriction::Parameters::by_name() {
-  return joined(
-      {ParameterSlots{{"elements", "of each stiffness_Nm_rad > 0 and share > 0; shares add up to 1",
-                       &elements}},
-       curve.by_name(),
-       ParameterSlots{{"transition_power", "n >= 1", &transition_power, true},
-                      {"micro_damping_Nms_rad", "s1 >= 0", &micro_damping_Nms_rad},
-                      {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad}}});
+  return joined({ParameterSlots{{"elements", &elements}}, curve.by_name(),
+                 ParameterSlots{{"transition_power", &transition_power, true},
+                                {"micro_damping_Nms_rad", &micro_damping_Nms_rad},
+                                {"viscous_Nms_rad", &viscous_Nms_rad}}});
 }
 
 LeuvenFriction::LeuvenFriction(const Parameters& parameters)
@@ -29,8 +24,7 @@ LeuvenFriction::LeuvenFriction(const Parameters& parameters)
   require_not_negative(p_.micro_damping_Nms_rad, "micro-viscous damping", "N·m·s/rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   if (!(p_.transition_power >= 1)) {
-    throw std::invalid_argument(
-        fmt::format("transition power {} is not allowed; it must be >= 1", p_.transition_power));
+    throw Refusal({"leuven.transition_power_below_one", {{"power", p_.transition_power}}});
   }
   for (const MaxwellElement& one : p_.elements) stiffness_Nm_rad_ += one.stiffness_Nm_rad;
 }

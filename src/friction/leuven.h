@@ -31,7 +31,7 @@ class LeuvenFriction final : public DynamicFriction {
   /// still rising when sliding begins.
   static constexpr double reserve = 1.25;
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit LeuvenFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

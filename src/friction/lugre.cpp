@@ -8,12 +8,12 @@
 namespace tribolog::friction {
 
 ParameterSlots LuGreFriction::Parameters::by_name() {
-  return {{"bristle_stiffness_Nm_rad", "s0 > 0", &bristle_stiffness_Nm_rad},
-          {"bristle_damping_Nms_rad", "s1 >= 0", &bristle_damping_Nms_rad},
-          {"viscous_Nms_rad", "s2 >= 0", &viscous_Nms_rad},
-          {"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"static_Nm", "Ts >= Tc, break-away torque", &static_Nm},
-          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s}};
+  return {{"bristle_stiffness_Nm_rad", &bristle_stiffness_Nm_rad},
+          {"bristle_damping_Nms_rad", &bristle_damping_Nms_rad},
+          {"viscous_Nms_rad", &viscous_Nms_rad},
+          {"coulomb_Nm", &coulomb_Nm},
+          {"static_Nm", &static_Nm},
+          {"stribeck_speed_rad_s", &stribeck_speed_rad_s}};
 }
 
 LuGreFriction::LuGreFriction(const Parameters& parameters) : p_(parameters) {

@@ -24,8 +24,8 @@ class LuGreFriction final : public DynamicFriction {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule, e.g. "Coulomb torque 1.4 N·m
-  /// exceeds static torque 1.1 N·m; it must not be larger".
+  /// @throw Refusal stating the value and the rule, e.g. that the Coulomb torque exceeds the static
+  /// one.
   explicit LuGreFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

@@ -1,11 +1,9 @@
 #include "friction/maxwell_slip.h"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::friction {
 
@@ -15,8 +13,7 @@ std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double sta
   require_positive(stiffness_Nm_rad, "stiffness", "N·m/rad");
   require_positive(static_Nm, "static torque", "N·m");
   if (count < 1) {
-    throw std::invalid_argument(
-        fmt::format("number of elements {} is not allowed; it must be >= 1", count));
+    throw Refusal({"maxwell_slip.number_below_one", {{"elements", count}}});
   }
   const double last = (2 - 1.0 / count) * static_Nm / stiffness_Nm_rad;
   const auto virgin = [&](int j) {
@@ -35,17 +32,16 @@ std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double sta
 }
 
 void require_maxwell_elements(const std::vector<MaxwellElement>& elements) {
-  if (elements.empty()) throw std::invalid_argument("a model needs at least one element");
+  if (elements.empty()) throw Refusal({"maxwell_slip.no_element"});
   double sum = 0;
   for (const MaxwellElement& one : elements) {
-    require_positive(one.stiffness_Nm_rad, "stiffness of an element", "N·m/rad");
-    require_positive(one.share, "share of an element", "");
+    require_positive(one.stiffness_Nm_rad, Code{"parameter.element_stiffness"}, "N·m/rad");
+    require_positive(one.share, Code{"parameter.element_share"}, "");
     sum += one.share;
   }
   constexpr double rounding = 1e-9;
   if (!(std::abs(sum - 1) < rounding)) {
-    throw std::invalid_argument(
-        fmt::format("shares of the elements add up to {}; they must add up to 1", sum));
+    throw Refusal({"maxwell_slip.shares_not_one", {{"sum", sum}}});
   }
 }
 

@@ -16,10 +16,10 @@ struct MaxwellElement {
 /// curve is the polygon through points of T(x) = Ts (1 - (1 - x/xs)^2).
 /// @param stiffness_Nm_rad of all together before the first slip, > 0
 /// @param static_Nm torque at which the last one slips, > 0
-/// @throw std::invalid_argument quoting the value and the rule.
+/// @throw Refusal stating the value and the rule.
 std::vector<MaxwellElement> maxwell_elements(double stiffness_Nm_rad, double static_Nm, int count);
 
-/// @throw std::invalid_argument if there is none, a value is not > 0 or the shares do not add up.
+/// @throw Refusal if there is none, a value is not > 0 or the shares do not add up.
 void require_maxwell_elements(const std::vector<MaxwellElement>& elements);
 
 }  // namespace tribolog::friction

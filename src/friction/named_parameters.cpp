@@ -1,8 +1,9 @@
 #include "friction/named_parameters.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <type_traits>
+
+#include "base/statement.h"
 
 namespace tribolog::friction {
 
@@ -16,7 +17,7 @@ NamedParameters values_of(const ParameterSlots& slots) {
   NamedParameters values;
   for (const ParameterSlot& slot : slots) {
     values.push_back(
-        {slot.key, slot.meaning, slot.has_usual,
+        {slot.key, slot.has_usual,
          std::visit([](const auto* place) { return ParameterValue(*place); }, slot.place)});
   }
   return values;
@@ -27,14 +28,14 @@ void set_values(const ParameterSlots& slots, const NamedParameters& values) {
     const auto slot = std::find_if(slots.begin(), slots.end(),
                                    [&](const ParameterSlot& s) { return one.key == s.key; });
     if (slot == slots.end()) {
-      throw std::invalid_argument("the model has no parameter '" + one.key + "'");
+      throw Refusal({"friction.no_such_parameter", {{"parameter", one.key}}});
     }
     std::visit(
         [&](auto* place) {
           using Value = std::remove_pointer_t<decltype(place)>;
           const auto* value = std::get_if<Value>(&one.value);
           if (value == nullptr) {
-            throw std::invalid_argument("parameter '" + one.key + "' is of another kind");
+            throw Refusal({"friction.parameter_of_another_kind", {{"parameter", one.key}}});
           }
           *place = *value;
         },

@@ -18,9 +18,8 @@ namespace tribolog::friction {
 using ParameterValue = std::variant<double, std::uint64_t, std::vector<MaxwellElement>>;
 
 struct NamedParameter {
-  std::string key;      ///< With its unit: "attraction_Nm_s".
-  std::string meaning;  ///< Symbol, rule, a few words: "C > 0, how fast slipping follows s(w)".
-  bool has_usual{};     ///< The literature has a usual value, which `value` is unless stated.
+  std::string key;   ///< With its unit: "attraction_Nm_s".
+  bool has_usual{};  ///< The literature has a usual value, which `value` is unless stated.
   ParameterValue value;
   friend bool operator==(const NamedParameter&, const NamedParameter&) = default;
 };
@@ -29,7 +28,6 @@ using NamedParameters = std::vector<NamedParameter>;
 /// Where a model's Parameters keep one of them.
 struct ParameterSlot {
   const char* key;
-  const char* meaning;
   std::variant<double*, std::uint64_t*, std::vector<MaxwellElement>*> place;
   bool has_usual{false};
 };
@@ -47,7 +45,7 @@ NamedParameters named(Parameters parameters) {
 }
 
 /// Puts each value into the slot of its key.
-/// @throw std::invalid_argument for a key or a kind of value that the slots do not have.
+/// @throw Refusal for a key or a kind of value that the slots do not have.
 void set_values(const ParameterSlots& slots, const NamedParameters& values);
 
 // What every friction model has, with memory or without: a name and named parameters.

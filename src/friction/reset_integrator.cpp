@@ -12,11 +12,11 @@ enum ResetMember : std::size_t { bristle_deflection, slip_direction };
 }  // namespace
 
 ParameterSlots ResetIntegratorFriction::Parameters::by_name() {
-  return {{"stiffness_Nm_rad", "s0 > 0", &stiffness_Nm_rad},
-          {"damping_Nms_rad", "s1 >= 0", &damping_Nms_rad},
-          {"largest_deflection_rad", "z0 > 0; Coulomb torque is s0 z0", &largest_deflection_rad},
-          {"stiction_gain", "a >= 0; break-away torque is (1 + a) s0 z0", &stiction_gain},
-          {"viscous_Nms_rad", ">= 0", &viscous_Nms_rad}};
+  return {{"stiffness_Nm_rad", &stiffness_Nm_rad},
+          {"damping_Nms_rad", &damping_Nms_rad},
+          {"largest_deflection_rad", &largest_deflection_rad},
+          {"stiction_gain", &stiction_gain},
+          {"viscous_Nms_rad", &viscous_Nms_rad}};
 }
 
 ResetIntegratorFriction::ResetIntegratorFriction(const Parameters& parameters) : p_(parameters) {

@@ -7,7 +7,7 @@ namespace tribolog::friction {
 
 SteadyFriction::SteadyFriction(std::shared_ptr<const DynamicFriction> model)
     : model_(std::move(model)) {
-  if (!model_) throw std::invalid_argument("there is no friction model to slide steadily");
+  if (!model_) throw std::invalid_argument("no model");
 }
 
 }  // namespace tribolog::friction

@@ -9,10 +9,10 @@
 namespace tribolog::friction {
 
 ParameterSlots StribeckCurve::Parameters::by_name() {
-  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"static_Nm", "Ts >= Tc, break-away torque", &static_Nm},
-          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
-          {"stribeck_power", "d > 0", &power, true}};
+  return {{"coulomb_Nm", &coulomb_Nm},
+          {"static_Nm", &static_Nm},
+          {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
+          {"stribeck_power", &power, true}};
 }
 
 StribeckCurve::StribeckCurve(const Parameters& parameters) : p_(parameters) {
@@ -30,8 +30,7 @@ double StribeckCurve::operator()(double speed_rad_s) const {
 }
 
 ParameterSlots StribeckFriction::Parameters::by_name() {
-  return joined(
-      {curve.by_name(), ParameterSlots{{"viscous_Nms_rad", "Tw >= 0", &viscous_Nms_rad}}});
+  return joined({curve.by_name(), ParameterSlots{{"viscous_Nms_rad", &viscous_Nms_rad}}});
 }
 
 StribeckFriction::StribeckFriction(const Parameters& parameters)

@@ -17,7 +17,7 @@ class StribeckCurve {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit StribeckCurve(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }
@@ -43,7 +43,7 @@ class StribeckFriction final : public StaticFriction {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit StribeckFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

@@ -3,21 +3,22 @@
 #include <cmath>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::friction {
 
 ParameterSlots ThresholdSpeedFriction::Parameters::by_name() {
-  return {{"coulomb_Nm", "Tc > 0", &coulomb_Nm},
-          {"static_Nm", "Ts >= Tc", &static_Nm},
-          {"stribeck_decay_s_rad", "cw >= 0", &stribeck_decay_s_rad},
-          {"viscous_Nms_rad", "f >= 0", &viscous_Nms_rad},
-          {"threshold_rad_s", "wth > 0", &threshold_rad_s, true}};
+  return {{"coulomb_Nm", &coulomb_Nm},
+          {"static_Nm", &static_Nm},
+          {"stribeck_decay_s_rad", &stribeck_decay_s_rad},
+          {"viscous_Nms_rad", &viscous_Nms_rad},
+          {"threshold_rad_s", &threshold_rad_s, true}};
 }
 
 ThresholdSpeedFriction::ThresholdSpeedFriction(const Parameters& parameters) : p_(parameters) {
   require_positive(p_.coulomb_Nm, "Coulomb torque", "N·m");
   require_positive(p_.static_Nm, "static torque", "N·m");
-  require_not_negative(p_.stribeck_decay_s_rad, "decay of the Stribeck effect", "s/rad");
+  require_not_negative(p_.stribeck_decay_s_rad, Code{"parameter.stribeck_decay"}, "s/rad");
   require_not_negative(p_.viscous_Nms_rad, "viscous coefficient", "N·m·s/rad");
   require_positive(p_.threshold_rad_s, "threshold speed", "rad/s");
   require_not_above(p_.coulomb_Nm, "Coulomb torque", p_.static_Nm, "static torque", "N·m");

@@ -22,7 +22,7 @@ class ThresholdSpeedFriction final : public StaticFriction {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit ThresholdSpeedFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

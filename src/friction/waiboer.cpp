@@ -2,21 +2,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::friction {
 
 ParameterSlots WaiboerFriction::Parameters::by_name() {
-  return {{"asperity_torque_Nm", "Ta >= 0", &asperity_torque_Nm},
-          {"stribeck_speed_rad_s", "ws > 0", &stribeck_speed_rad_s},
-          {"stribeck_power", "da > 0", &stribeck_power},
-          {"viscous_coefficient", "cv >= 0 [N·m (s/rad)^(1-dv)]", &viscous_coefficient},
-          {"viscous_power", "0 <= dv < 1", &viscous_power},
-          {"smoothing_s_rad", "c > 0 of eq. (7)", &smoothing_s_rad, true}};
+  return {
+      {"asperity_torque_Nm", &asperity_torque_Nm}, {"stribeck_speed_rad_s", &stribeck_speed_rad_s},
+      {"stribeck_power", &stribeck_power},         {"viscous_coefficient", &viscous_coefficient},
+      {"viscous_power", &viscous_power},           {"smoothing_s_rad", &smoothing_s_rad, true}};
 }
 
 WaiboerFriction::WaiboerFriction(const Parameters& parameters) : p_(parameters) {
@@ -25,10 +21,9 @@ WaiboerFriction::WaiboerFriction(const Parameters& parameters) : p_(parameters) 
   require_positive(p_.stribeck_power, "Stribeck power", "");
   require_not_negative(p_.viscous_coefficient, "viscous coefficient", "");
   require_not_negative(p_.viscous_power, "viscous power", "");
-  require_positive(p_.smoothing_s_rad, "smoothing of eq. (7)", "s/rad");
+  require_positive(p_.smoothing_s_rad, Code{"parameter.smoothing"}, "s/rad");
   if (p_.viscous_power >= 1) {
-    throw std::invalid_argument(
-        fmt::format("viscous power {} is not allowed; it must be < 1", p_.viscous_power));
+    throw Refusal({"waiboer.viscous_power_not_below_one", {{"power", p_.viscous_power}}});
   }
 }
 

@@ -24,7 +24,7 @@ class WaiboerFriction final : public StaticFriction {
     ParameterSlots by_name();
   };
 
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   explicit WaiboerFriction(const Parameters& parameters);
 
   [[nodiscard]] const Parameters& parameters() const { return p_; }

@@ -32,7 +32,7 @@ Change change_between(const statistics::Estimate& first, const statistics::Estim
   const double below = std::hypot(second.value - second.low, first.high - first.value);
   const double above = std::hypot(second.high - second.value, first.value - first.low);
   Change made;
-  made.absolute = {change, change - below, change + above, "independent intervals, in quadrature"};
+  made.absolute = {change, change - below, change + above, {"interval.in_quadrature"}};
   made.chance = chance_of(change, change > 0 ? below : above);
   const bool is_near_zero = first.value == 0 || (first.low <= 0 && first.high >= 0);
   if (!is_angle && !is_near_zero) {

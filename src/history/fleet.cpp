@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "base/requirements.h"
-#include "calibration/entry_of_calibration.h"
+#include "calibration/read_calibration.h"
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 

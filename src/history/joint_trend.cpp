@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "calibration/entry_of_calibration.h"
+#include "calibration/read_calibration.h"
 #include "history/quantity_series.h"
 #include "history/quantity_traits.h"
 #include "history/reference_line.h"
@@ -76,7 +76,7 @@ FoundChange found_change(const std::vector<const HistoryPoint*>& charted, const 
   if (e.back) change.back = charted[*e.back]->measured_at;
   change.calibrations_to_alarm = e.alarm - e.start + 1;
   change.size =
-      statistics::symmetric_estimate(mean, half_width, "the last three against the reference");
+      statistics::symmetric_estimate(mean, half_width, {"interval.last_three_against_reference"});
   if (std::abs(reference.level) > 2 * std::sqrt(reference.level_variance)) {
     change.percent = 100 * mean / std::abs(reference.level);
   }
@@ -99,7 +99,7 @@ FoundChange found_drift(const std::vector<const HistoryPoint*>& charted, const S
   change.calibrations_to_alarm = drift.visible + 1;
   change.size = statistics::symmetric_estimate(
       drift.per_day * span, statistics::student_t_975(drift.freedom) * drift.standard_error * span,
-      "straight line over all calibrations");
+      {"interval.line_over_calibrations"});
   change.drift_start = drift.at_start;
   if (std::abs(drift.at_start) > std::abs(change.size.value)) {
     change.percent = 100 * change.size.value / std::abs(drift.at_start);

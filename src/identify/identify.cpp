@@ -19,21 +19,18 @@ namespace {
 
 /// Sets every stage's report: not identifiable, for want of torque, and what to record.
 void refuse_for_want_of_torque(calibration::Calibration& c) {
-  const auto refuse = [](statistics::StageReport& stage, const char* name, const char* needed) {
-    stage = {name, statistics::StageState::not_identifiable,
-             std::string("no torque was recorded; ") + needed};
+  const auto refuse = [](statistics::StageReport& stage, const char* name, Code needed) {
+    stage = {name, statistics::StageState::not_identifiable, needed};
   };
-  const char* const column =
-      "log the motor's torque, or its present current with the torque constant, in a column beside "
-      "the angle";
+  constexpr Code column{"no_torque.log_a_column"};
   refuse(c.rough.stage, "cog_rough", column);
   refuse(c.precise.stage, "cog_precise", column);
-  refuse(c.hysteresis.stage, "hysteresis", "the loop is torque against angle");
-  refuse(c.masses.stage, "surrogate_masses", "a mass is read off a torque");
-  refuse(c.viscous.stage, "viscous_curves", "the curve is torque against speed");
-  refuse(c.quality.stage, "quality_errors", "there is no curve to check");
-  refuse(c.selection.stage, "selection", "there is no mass to select");
-  refuse(c.friction.stage, "friction_parameters", "there is no curve to fit");
+  refuse(c.hysteresis.stage, "hysteresis", "no_torque.no_loop");
+  refuse(c.masses.stage, "surrogate_masses", "no_torque.no_mass");
+  refuse(c.viscous.stage, "viscous_curves", "no_torque.no_curve");
+  refuse(c.quality.stage, "quality_errors", "no_torque.no_curve_to_check");
+  refuse(c.selection.stage, "selection", "no_torque.no_mass_to_select");
+  refuse(c.friction.stage, "friction_parameters", "no_torque.no_curve_to_fit");
 }
 
 /// What the earlier stages know of gravity.

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace tribolog::joint {
 
 bool resamples_are_allowed(std::uint64_t resamples) {
   return resamples == 0 || (resamples >= fewest_resamples && resamples <= most_resamples);
 }
 
-std::string allowed_resamples_in_words() {
-  return fmt::format("0 (closed forms alone), or {} to {}", fewest_resamples, most_resamples);
+Statement allowed_resamples() {
+  return {"resamples.allowed", {{"fewest", fewest_resamples}, {"most", most_resamples}}};
 }
 
 std::vector<const Recording*> Dataset::with_role(Role role) const {

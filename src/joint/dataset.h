@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "friction/static_friction.h"
 #include "joint/acceptance_limit.h"
 #include "joint/drive.h"
@@ -26,8 +27,8 @@ inline constexpr std::size_t most_resamples = 1000000;
 
 /// 0 (no bootstrap), or from the fewest to the most.
 bool resamples_are_allowed(std::uint64_t resamples);
-/// "0 (closed forms alone), or 100 to 1000000"
-std::string allowed_resamples_in_words();
+/// What is allowed: 0, or from the fewest to the most.
+Statement allowed_resamples();
 
 // What a logger is known to write into the column that a manifest takes for the effort.
 

@@ -1,10 +1,9 @@
 #include "joint/drive.h"
 
-#include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include <fmt/format.h>
+#include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::joint {
 
@@ -29,24 +28,14 @@ std::string to_string(Side side) { return side == Side::motor ? "motor" : "joint
 Drive::Drive(double gear_ratio, EffortKind kind, Side side,
              std::optional<double> torque_constant_Nm_A)
     : gear_ratio_(gear_ratio), kind_(kind), side_(side), torque_constant_(torque_constant_Nm_A) {
-  if (!std::isfinite(gear_ratio) || gear_ratio <= 0) {
-    throw std::invalid_argument(
-        fmt::format("gear ratio {} is not allowed; it must be > 0", gear_ratio));
-  }
+  require_positive(gear_ratio, "gear ratio", "");
   const bool is_current = kind == EffortKind::motor_current;
-  if (is_current && !torque_constant_) {
-    throw std::invalid_argument(
-        "a motor current needs a torque constant [N·m/A] to become a torque; none is given");
-  }
+  if (is_current && !torque_constant_) throw Refusal({"drive.no_torque_constant"});
   if (!is_current && torque_constant_) {
-    throw std::invalid_argument(fmt::format(
-        "torque constant {} N·m/A is given for an effort of kind {}; it belongs to motor_current",
-        *torque_constant_, to_string(kind)));
+    throw Refusal({"drive.torque_constant_of_no_current",
+                   {{"torque_constant_Nm_A", *torque_constant_}, {"kind", to_string(kind)}}});
   }
-  if (torque_constant_ && (!std::isfinite(*torque_constant_) || *torque_constant_ <= 0)) {
-    throw std::invalid_argument(
-        fmt::format("torque constant {} N·m/A is not allowed; it must be > 0", *torque_constant_));
-  }
+  if (torque_constant_) require_positive(*torque_constant_, "torque constant", "N·m/A");
 }
 
 double Drive::motor_torque_per_effort() const {

@@ -31,7 +31,7 @@ class Drive {
   /// @param gear_ratio n = motor angle / joint angle, > 0.
   /// @param torque_constant_Nm_A newton metres per ampere on the side given; required for
   ///        EffortKind::motor_current and refused otherwise.
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   Drive(double gear_ratio, EffortKind kind, Side side,
         std::optional<double> torque_constant_Nm_A = std::nullopt);
 

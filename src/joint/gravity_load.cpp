@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::joint {
 
@@ -16,11 +14,10 @@ GravityLoad::GravityLoad(double mass_kg, double distance_m, double q_peak_rad, d
       q_peak_rad_(q_peak_rad),
       gravity_m_s2_(gravity_m_s2) {
   require_positive(mass_kg, "mass", "kg");
-  require_positive(distance_m, "distance of the centre of gravity", "m");
+  require_positive(distance_m, Code{"parameter.cog_distance"}, "m");
   require_positive(gravity_m_s2, "gravity", "m/s²");
   if (!std::isfinite(q_peak_rad)) {
-    throw std::invalid_argument(
-        fmt::format("angle of the gravity peak {} is not finite", q_peak_rad));
+    throw Refusal({"gravity_peak.value_not_finite", {{"angle_rad", q_peak_rad}}});
   }
 }
 
@@ -45,10 +42,9 @@ double KnownLoad::torque_Nm(double angle_sum_rad) const {
 
 StatedGravity::StatedGravity(double amplitude_Nm, double q_peak_rad)
     : amplitude_Nm_(amplitude_Nm), q_peak_rad_(q_peak_rad) {
-  require_positive(amplitude_Nm, "amplitude of the known gravity", "N·m");
+  require_positive(amplitude_Nm, Code{"parameter.known_gravity_amplitude"}, "N·m");
   if (!std::isfinite(q_peak_rad)) {
-    throw std::invalid_argument(
-        fmt::format("angle of the known gravity peak {} is not finite", q_peak_rad));
+    throw Refusal({"gravity_peak.known_value_not_finite", {{"angle_rad", q_peak_rad}}});
   }
 }
 

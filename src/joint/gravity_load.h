@@ -15,7 +15,7 @@ class GravityLoad {
  public:
   /// @param mass_kg > 0 @param distance_m > 0 (axis to centre of gravity)
   /// @param q_peak_rad joint angle at which the centre of gravity is horizontal.
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   GravityLoad(double mass_kg, double distance_m, double q_peak_rad, double gravity_m_s2 = 9.81);
 
   [[nodiscard]] double mass_kg() const { return mass_kg_; }
@@ -66,7 +66,7 @@ struct KnownLoad {
 class StatedGravity {
  public:
   /// @param amplitude_Nm > 0, joint side. @param q_peak_rad joint angle at which it is largest.
-  /// @throw std::invalid_argument quoting the value and the rule.
+  /// @throw Refusal stating the value and the rule.
   StatedGravity(double amplitude_Nm, double q_peak_rad);
 
   [[nodiscard]] double amplitude_Nm() const { return amplitude_Nm_; }

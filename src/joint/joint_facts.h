@@ -44,7 +44,7 @@ struct JointFacts {
   std::set<std::string> identified;
 };
 
-/// @throw std::invalid_argument quoting the value and the rule that it breaks.
+/// @throw Refusal stating the value and the rule that it breaks.
 void check_joint_facts(const JointFacts& facts);
 
 }  // namespace tribolog::joint

@@ -20,8 +20,10 @@ std::string at_run(const method::viscous::ViscousCurve* curve, std::size_t run) 
 }
 
 std::string mean_text(const method::viscous::ConstantSpeedRun& run) {
-  const statistics::Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
-                                  run.torque_Nm + run.torque_half_width_Nm, ""};
+  const statistics::Estimate mean{run.torque_Nm,
+                                  run.torque_Nm - run.torque_half_width_Nm,
+                                  run.torque_Nm + run.torque_half_width_Nm,
+                                  {}};
   return wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus();
 }
 
@@ -66,7 +68,7 @@ void describe_viscous_curves(const calibration::Calibration& c, Section& section
                                        (v.from_sweep ? " angle bins of a sweep in both directions"
                                                      : " plateaus of constant speed")});
 
-  if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.in_words())});
+  if (!v.from_sweep) section.facts.push_back({"Angles", as_sentence(v.angles.described())});
   describe_run_gravity(c, section);
 
   const method::viscous::ViscousCurve* recommended = v.find(c.selection.recommended);

@@ -6,6 +6,7 @@
 #include "report/estimator_words.h"
 #include "report/view_parts.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -31,7 +32,7 @@ void add_facts(const method::gravity::CogSweepResult& r, Section& section) {
   section.facts.push_back({"Speed", r.constant_speed
                                         ? "constant, only the plateaus are used"
                                         : "varying, friction and inertia are fitted along"});
-  section.facts.push_back({"Fit", or_dash(r.method)});
+  section.facts.push_back({"Fit", or_dash(wording::words(r.method))});
 }
 
 }  // namespace
@@ -46,8 +47,8 @@ void describe_cog_sweep(const method::gravity::CogSweepResult& r, double gear_ra
   table.caption = "Results of stage " + std::to_string(section.number);
   table.columns = estimate_columns();
   const statistics::Estimate argmax{r.argmax_rad, r.argmax_low_rad, r.argmax_high_rad,
-                                    r.argmax_at_end ? "paper's way; lies at the end of the sweep"
-                                                    : "paper's way: largest torque"};
+                                    r.argmax_at_end ? Statement{"interval.largest_torque_at_end"}
+                                                    : Statement{"interval.largest_torque"}};
   for (const wording::Scale& scale :
        {wording::degree_scale(), wording::radian_scale(r.q_peak_rad.value)}) {
     table.rows.push_back(estimate_row("Angle of the largest torque", argmax, scale));

@@ -7,6 +7,7 @@
 #include "report/view_parts.h"
 #include "wording/axis_scale.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
@@ -117,7 +118,7 @@ Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points
   for (const method::hysteresis::LoopPoint& p : points) {
     const std::string name(1, p.name);
     const wording::RoundedEstimate torque = wording::round_by_interval(
-        {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, ""}, wording::plain_scale("N·m"));
+        {p.torque_Nm, p.torque_low_Nm, p.torque_high_Nm, {}}, wording::plain_scale("N·m"));
     table.rows.push_back(
         {{name, point_meaning(name), wording::fixed(p.t_s, 4),
           wording::fixed(p.q_rad * wording::degree_scale().factor, 4), torque.plus_minus(),
@@ -131,8 +132,9 @@ Table loop_points_table(const std::vector<method::hysteresis::LoopPoint>& points
 void describe_hysteresis(const method::hysteresis::HysteresisResult& r, Section& section) {
   if (r.found) {
     section.facts.push_back({"Oscillations used", wording::count(r.oscillations.size())});
-    section.facts.push_back(
-        {"Bristle deflection z", r.bristle_source.empty() ? "not known" : r.bristle_source});
+    section.facts.push_back({"Bristle deflection z", r.bristle_source.empty()
+                                                         ? "not known"
+                                                         : wording::words(r.bristle_source)});
   }
   add_results(r, section);
   if (!r.oscillations.empty()) section.tables.push_back(oscillations_table(r, section));

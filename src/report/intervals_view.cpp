@@ -5,6 +5,7 @@
 #include "base/requirements.h"
 #include "report/view_parts.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -151,7 +152,7 @@ Table masses_table(const method::intervals::CrossChecksResult& r) {
         c.resampled_kg
             ? wording::round_by_interval(*c.resampled_kg, wording::plain_scale("kg")).range()
             : "";
-    Row row{{std::to_string(k + 1) + ". " + method::intervals::method_in_words(c.method),
+    Row row{{std::to_string(k + 1) + ". " + wording::words_for("estimator", c.method),
              closed.estimate, or_dash(closed.range()), or_dash(resampled)},
             c.is_recommended};
     if (c.is_recommended) {

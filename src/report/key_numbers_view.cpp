@@ -5,6 +5,7 @@
 
 #include "report/view_parts.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -23,6 +24,10 @@ std::string as_sentence(const std::string& text) {
   return last == '.' || last == '!' || last == '?' || last == ':' ? sentence : sentence + ".";
 }
 
+std::string as_sentence(const Statement& statement) {
+  return as_sentence(wording::words(statement));
+}
+
 std::vector<Column> estimate_columns() {
   return {{"Quantity", "", false, true},
           {"Estimate", "", true},
@@ -33,10 +38,12 @@ std::vector<Column> estimate_columns() {
 
 Row estimate_row(const std::string& quantity, const statistics::Estimate& estimate,
                  const wording::Scale& scale) {
-  if (!std::isfinite(estimate.value)) return not_identified_row(quantity, estimate.method);
+  if (!std::isfinite(estimate.value)) {
+    return not_identified_row(quantity, wording::words(estimate.method));
+  }
   const wording::RoundedEstimate text = wording::round_by_interval(estimate, scale);
   return {{quantity, text.plus_minus(), or_dash(scale.unit), or_dash(text.range()),
-           or_dash(estimate.method)},
+           or_dash(wording::words(estimate.method))},
           false};
 }
 
@@ -98,7 +105,7 @@ class KeyNumbers {
 
  private:
   void angle(const std::string& quantity, statistics::Estimate e, const std::string& from) {
-    e.method = from;
+    e.method = Statement::verbatim(from);
     table_.rows.push_back(estimate_row(quantity, e, wording::degree_scale()));
     table_.rows.push_back(estimate_row(quantity, e, wording::radian_scale(e.value)));
   }
@@ -106,7 +113,7 @@ class KeyNumbers {
   /// One row per side; `to_joint` is the factor from motor to joint.
   void sides(const std::string& quantity, statistics::Estimate motor, double to_joint,
              wording::Scale (*scale_for)(double), const std::string& from) {
-    motor.method = from;
+    motor.method = Statement::verbatim(from);
     const std::string at_motor = n_ == 1.0 ? "" : ", at the motor";
     table_.rows.push_back(estimate_row(quantity + at_motor, motor, scale_for(motor.value)));
     if (n_ == 1.0) return;
@@ -188,7 +195,8 @@ class KeyNumbers {
   void mass_row(const std::string& quantity, const method::hysteresis::SurrogateMass& mass,
                 bool is_chosen) {
     statistics::Estimate e = mass.mass_kg;
-    e.method = stage_reference(StageId::surrogate_masses) + ", " + estimator_name(mass.estimator);
+    e.method = Statement::verbatim(stage_reference(StageId::surrogate_masses) + ", " +
+                                   estimator_name(mass.estimator));
     table_.rows.push_back(estimate_row(quantity, e, wording::plain_scale("kg")));
     table_.rows.back().is_chosen = is_chosen;
   }

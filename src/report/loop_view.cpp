@@ -6,6 +6,7 @@
 
 #include "report/view_parts.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -164,7 +165,8 @@ Fact identifiability_fact(const method::hysteresis::LuGreIdentifiability& i) {
           values +
               "\u00a0mN·m (rms torque that a change of the parameters by their own size makes "
               "along each direction); condition " +
-              wording::significant(i.condition, few_digits) + "; weakest: " + i.weakest_in_words};
+              wording::significant(i.condition, few_digits) +
+              "; weakest: " + wording::words(i.weakest_statement)};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "report/element_values.h"
 #include "report/page_style.h"
 #include "report/view_parts.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 namespace {
@@ -19,10 +20,11 @@ Table models_table() {
   const auto word = [](bool shows) { return std::string(shows ? "yes" : "–"); };
   for (const friction::FrictionModelEntry& one : friction::dynamic_friction_models()) {
     const friction::FrictionTraits& t = one.traits;
-    table.rows.push_back(
-        {{one.title, one.name, one.source, word(t.presliding), word(t.break_away), word(t.stribeck),
-          word(t.lag), word(t.non_local_memory), word(t.drifts), word(t.rate_independent)},
-         false});
+    table.rows.push_back({{wording::words_for("friction_model", one.name), one.name,
+                           wording::words_for("friction_source", one.name), word(t.presliding),
+                           word(t.break_away), word(t.stribeck), word(t.lag),
+                           word(t.non_local_memory), word(t.drifts), word(t.rate_independent)},
+                          false});
   }
   table.note =
       "Break-away: more torque to start than to keep sliding. Drifts: creeps under an oscillating "

@@ -36,8 +36,8 @@ std::string distance_words(const std::optional<history::Distance>& d, const std:
   if (!d || std::abs(d->z) <= limit) return "";
   constexpr double shown_in_full = 100;
   constexpr double shown_with_decimal = 10;
-  const statistics::Estimate median{d->median, d->median - latest.half_width(),
-                                    d->median + latest.half_width(), ""};
+  const statistics::Estimate median{
+      d->median, d->median - latest.half_width(), d->median + latest.half_width(), {}};
   const std::string z = std::abs(d->z) > shown_in_full
                             ? std::string("beyond 100")
                             : wording::with_minus_sign(fmt::format("{:.1f}", d->z));

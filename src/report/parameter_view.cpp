@@ -2,6 +2,7 @@
 
 #include "report/view_parts.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -81,11 +82,13 @@ constexpr int digits = 3;
 
 Row trial_row(const method::viscous::CurveModelTrial& t, bool is_chosen) {
   const bool took_part = t.excluded_because.empty();
-  return {{method::viscous::in_words(t.model), std::to_string(t.model.parameters()),
-           took_part ? wording::significant(t.training_rms_Nm, digits) : "–",
-           took_part ? wording::significant(t.held_out_rms_Nm, digits) : "–",
-           is_chosen ? "chosen" : or_dash(took_part ? "" : "out: " + t.excluded_because)},
-          is_chosen};
+  return {
+      {wording::words(method::viscous::described(t.model)), std::to_string(t.model.parameters()),
+       took_part ? wording::significant(t.training_rms_Nm, digits) : "–",
+       took_part ? wording::significant(t.held_out_rms_Nm, digits) : "–",
+       is_chosen ? "chosen"
+                 : or_dash(took_part ? "" : "out: " + wording::words(t.excluded_because))},
+      is_chosen};
 }
 
 Table trials_table(const std::string& id, const std::string& caption) {
@@ -128,12 +131,14 @@ Table parameters_table(const method::viscous::CurveModelChoice& c, const Section
   Table table;
   table.id = section.id + "-model";
   table.caption =
-      "Parameters of the chosen model: " + method::viscous::in_words(c.chosen) + ", at the motor";
+      "Parameters of the chosen model: " + wording::words(method::viscous::described(c.chosen)) +
+      ", at the motor";
   table.columns = estimate_columns();
   for (const method::viscous::CurveParameter& p : c.parameters) {
+    const std::string unit = p.unit_as.empty() ? p.unit : wording::words(p.unit_as);
     table.rows.push_back(estimate_row(
-        p.words, p.estimate,
-        p.unit == "N·m" ? wording::torque_scale(p.estimate.value) : wording::plain_scale(p.unit)));
+        wording::words(p.title), p.estimate,
+        unit == "N·m" ? wording::torque_scale(p.estimate.value) : wording::plain_scale(unit)));
   }
   return table;
 }
@@ -152,8 +157,8 @@ Table directions_table(const calibration::Calibration& c, const Section& section
                               estimator_name(lines.estimator) + ")";
       statistics::Estimate coulomb = statistics::scaled(l->coulomb_Nm, n);
       statistics::Estimate viscous = statistics::scaled(l->viscous_Nms_rad, n * n);
-      coulomb.method = viscous.method =
-          wording::count(l->runs) + " runs, " + wording::count(l->runs_left_out) + " left out";
+      coulomb.method = viscous.method = Statement::verbatim(
+          wording::count(l->runs) + " runs, " + wording::count(l->runs_left_out) + " left out");
       table.rows.push_back(
           estimate_row("Coulomb torque" + who, coulomb, wording::torque_scale(coulomb.value)));
       table.rows.push_back(estimate_row("Viscous coefficient" + who, viscous,
@@ -195,7 +200,8 @@ Table load_table(const method::viscous::LoadDependenceResult& r, const Section& 
 void describe_curve_models(const calibration::Calibration& c, Section& section) {
   const method::viscous::CurveModelChoice& model = c.curve_model;
   if (model.chosen_any) {
-    section.facts.push_back({"Model of the curve", method::viscous::in_words(model.chosen)});
+    section.facts.push_back(
+        {"Model of the curve", wording::words(method::viscous::described(model.chosen))});
     section.tables.push_back(ladder_table(model, section));
     section.tables.push_back(options_table(model, section));
     section.tables.push_back(parameters_table(model, section));

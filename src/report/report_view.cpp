@@ -90,7 +90,7 @@ std::string missing_figures(const ReportView& view) {
 
 void add_verdict(const calibration::Judgement& judgement, ReportView& view) {
   view.verdict_sentence = or_dash(as_sentence(judgement.sentence));
-  for (const std::string& finding : judgement.findings) {
+  for (const Statement& finding : judgement.findings) {
     view.findings.push_back(as_sentence(finding));
   }
   switch (judgement.verdict) {

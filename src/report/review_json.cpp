@@ -17,6 +17,7 @@
 #include "wording/shaft.h"
 #include "wording/units.h"
 #include "wording/visible_text.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -61,7 +62,7 @@ std::string review_json(const calibration::Calibration& c, wording::Language lan
 
   Json all;
   all["schema"] = "tribolog-loops-1";
-  all["bristle"] = shown_text(h.bristle_source);
+  all["bristle"] = shown_text(wording::words(h.bristle_source));
   Json quantities;
   const bool from_first_sample =
       std::any_of(drawn.begin(), drawn.end(), [](const Json& loop) { return loop["t0_s"] != 0.0; });
@@ -169,8 +170,10 @@ Json runs(const calibration::Calibration& c) {
   Json names = Json::array();
   for (const method::viscous::ConstantSpeedRun& run : c.viscous.runs) {
     speed.push_back(run.speed_rad_s);
-    const statistics::Estimate mean{run.torque_Nm, run.torque_Nm - run.torque_half_width_Nm,
-                                    run.torque_Nm + run.torque_half_width_Nm, ""};
+    const statistics::Estimate mean{run.torque_Nm,
+                                    run.torque_Nm - run.torque_half_width_Nm,
+                                    run.torque_Nm + run.torque_half_width_Nm,
+                                    {}};
     torque.push_back(wording::with_unit(
         wording::round_by_interval(mean, wording::plain_scale("N·m")).plus_minus(), "N·m"));
     if (!c.viscous.from_sweep) names.push_back(shown_text(log_name(run.recording)));

@@ -118,7 +118,8 @@ Json loop(const method::hysteresis::HysteresisResult& r, std::size_t k, const Lo
   std::vector<Column> columns{{"q", &trace.q_rad, &angle}, {"T", &trace.torque_Nm, &scales.torque}};
   if (!trace.z_rad.empty()) columns.push_back({"z", &trace.z_rad, &scales.deflection});
   if (!trace.dz_rad_s.empty()) columns.push_back({"dz", &trace.dz_rad_s, &scales.rate});
-  const std::vector<double>* fit = r.bristle_source == "recorded" ? nullptr : fitted_torque(r, k);
+  const std::vector<double>* fit =
+      r.bristle_source.is("loop.bristle_recorded") ? nullptr : fitted_torque(r, k);
   if (fit != nullptr) columns.push_back({"fit", fit, &scales.torque});
 
   std::vector<const std::vector<double>*> signals;

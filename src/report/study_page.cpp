@@ -13,6 +13,7 @@
 #include "report/page_style.h"
 #include "report/view_parts.h"
 #include "study/trust.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -53,7 +54,7 @@ std::string coverage_text(const study::StudiedReading& r) {
 }
 
 std::string capital_words(const std::string& reading) {
-  const std::string words = as_sentence(truth::reading_words(reading));
+  const std::string words = as_sentence(wording::words_for("reading", reading));
   return words.substr(0, words.size() - 1);
 }
 

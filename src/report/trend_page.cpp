@@ -36,11 +36,10 @@ std::string day(const std::string& utc) { return utc.substr(0, std::string("2026
 std::string size_of(const history::FoundChange& c, const std::string& unit) {
   if (c.percent) {
     const double half = std::abs(c.size.half_width() * *c.percent / c.size.value);
-    return wording::in_words(statistics::symmetric_estimate(std::abs(*c.percent), half, ""),
-                             {1, "%"});
+    return wording::in_words(statistics::symmetric_estimate(std::abs(*c.percent), half), {1, "%"});
   }
   return wording::in_words(
-      statistics::symmetric_estimate(std::abs(c.size.value), c.size.half_width(), ""),
+      statistics::symmetric_estimate(std::abs(c.size.value), c.size.half_width()),
       wording::quantity_scale(unit, c.size.value));
 }
 
@@ -61,7 +60,7 @@ std::string change_sentence(const history::QuantityTrend& q, const history::Foun
 std::string level_text(const history::QuantityTrend& q) {
   if (!q.reference) return or_dash("");
   const double half_width = statistics::normal_975 * std::sqrt(q.reference->level_variance);
-  return wording::in_words(statistics::symmetric_estimate(q.reference->level, half_width, ""),
+  return wording::in_words(statistics::symmetric_estimate(q.reference->level, half_width),
                            wording::quantity_scale(q.unit, q.reference->level));
 }
 
@@ -83,7 +82,7 @@ std::string temperature_text(const history::QuantityTrend& q) {
   return wording::in_words(
       statistics::symmetric_estimate(
           q.reference->slope_per_K * to_percent,
-          statistics::normal_975 * std::sqrt(q.reference->slope_variance) * to_percent, ""),
+          statistics::normal_975 * std::sqrt(q.reference->slope_variance) * to_percent),
       {1, "%/K"});
 }
 

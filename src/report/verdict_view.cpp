@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "report/view_parts.h"
-#include "truth/readings.h"
 #include "wording/units.h"
+#include "wording/words.h"
 
 namespace tribolog::report {
 
@@ -84,22 +84,22 @@ std::vector<QuantityRow> quantity_rows(const calibration::Judgement& judgement,
   const auto end_in_sight =
       findings.begin() + static_cast<std::ptrdiff_t>(std::min(findings.size(), findings_in_sight));
   // A limit's words stand once on the first screen; its row has the rule and what came of it.
-  const auto stands_above = [&](const calibration::QuantityVerdict& q, const std::string& reason) {
+  const auto stands_above = [&](const calibration::QuantityVerdict& q, const Statement& reason) {
     return std::any_of(
                q.limits.begin(), q.limits.end(),
-               [&](const calibration::LimitOutcome& limit) { return limit.words == reason; }) &&
+               [&](const calibration::LimitOutcome& limit) { return limit.outcome == reason; }) &&
            std::find(findings.begin(), end_in_sight, reason) != end_in_sight;
   };
   std::vector<QuantityRow> rows;
   for (const calibration::QuantityVerdict& q : judgement.quantities) {
     QuantityRow row;
-    row.words = q.words;
+    row.words = wording::words_for("quantity", q.key);
     row.outcome = outcome_of(q.verdict);
     row.verdict_word = word_of(q.verdict);
     add_estimate(q, row);
     for (const calibration::LimitOutcome& limit : q.limits) row.limits.push_back(cell_of(limit));
     if (since_last) add_change(*since_last, q, row);
-    for (const std::string& reason : q.reasons) {
+    for (const Statement& reason : q.reasons) {
       if (!stands_above(q, reason)) row.reasons.push_back(as_sentence(reason));
     }
     row.experiment = as_sentence(q.experiment);
@@ -159,8 +159,8 @@ std::vector<DataCheckRow> data_check_rows(const method::checks::DataChecksResult
     DataCheckRow row;
     row.id = "check-" + check.name;
     std::replace(row.id.begin(), row.id.end(), '_', '-');
-    row.title = check.title;
-    row.measure = check.measure;
+    row.title = wording::words_for("check", check.name);
+    row.measure = wording::words(check.measure);
     row.outcome = outcome_of(check.state);
     row.state_word = word_of(check.state);
     if (check.measured) row.measured = with_the_unit(*check.measured, check.unit, 3);
@@ -187,15 +187,15 @@ wording::Scale scale_of(const calibration::ReturnedQuantity& q) {
 
 Row row_of(const calibration::ReturnedQuantity& q) {
   const wording::Scale scale = scale_of(q);
-  const std::string words = as_sentence(truth::reading_words(q.name));
+  const std::string words = as_sentence(wording::words_for("reading", q.name));
   const std::string name = words.substr(0, words.size() - 1);
-  const statistics::Estimate put_in = statistics::symmetric_estimate(q.put_in, q.half_width, "");
+  const statistics::Estimate put_in = statistics::symmetric_estimate(q.put_in, q.half_width);
   const wording::RoundedEstimate rounded = wording::round_by_interval(put_in, scale);
   if (q.found == 0) {
     return {{name, rounded.estimate, "not found", "–", "–", scale.unit, "0 of 0", "no"}, false};
   }
-  const wording::RoundedEstimate back = wording::round_by_interval(
-      statistics::symmetric_estimate(q.came_back, q.half_width, ""), scale);
+  const wording::RoundedEstimate back =
+      wording::round_by_interval(statistics::symmetric_estimate(q.came_back, q.half_width), scale);
   const double deviation = (q.came_back - q.put_in) * scale.factor;
   return {{name, rounded.estimate, back.estimate,
            wording::with_plus_sign(wording::significant(deviation, digits)),
@@ -227,10 +227,10 @@ std::string noise_text(double value_Nm, const char* none) {
   return wording::with_unit(wording::significant(value_Nm * scale.factor, digits), scale.unit);
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
-  return all;
+std::string joined(const std::vector<Statement>& statements) {
+  Statement all;
+  for (const Statement& one : statements) all.add(one);
+  return wording::words(all);
 }
 
 }  // namespace
@@ -248,8 +248,8 @@ Section truth_check_section(const calibration::TruthCheckResult& check, int numb
   section.status = nothing                  ? "not possible"
                    : check.findings.empty() ? "comes back"
                                             : "does not come back";
-  std::vector<std::string> findings;
-  for (const calibration::TruthFinding& finding : check.findings) findings.push_back(finding.words);
+  std::vector<Statement> findings;
+  for (const calibration::TruthFinding& one : check.findings) findings.push_back(one.finding);
   section.reason = as_sentence(joined(findings));
   if (nothing) section.reason = as_sentence(joined(check.left_out));
   section.facts = {

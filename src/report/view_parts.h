@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "report/report_view.h"
 #include "wording/rounding.h"
 
@@ -100,6 +101,7 @@ const method::hysteresis::SurrogateMass* recommended_mass(
 
 /// With a capital letter and a full stop. A leading symbol ("q_peak", "n") keeps its letter.
 std::string as_sentence(const std::string& text);
+std::string as_sentence(const Statement& statement);
 
 /// A dash for text that is not stated.
 std::string or_dash(const std::string& text);

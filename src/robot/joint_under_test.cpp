@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "base/statement.h"
 #include "joint/degrees.h"
 
 namespace tribolog::robot {
@@ -41,8 +39,8 @@ Eigen::Vector3d line_in_frame(const SerialArm& arm, std::size_t joint) {
 JointUnderTest::JointUnderTest(SerialArm arm, Setting setting)
     : arm_(std::move(arm)), setting_(std::move(setting)) {
   if (setting_.joint >= arm_.size()) {
-    throw std::invalid_argument(
-        fmt::format("joint {} is not there; the arm has {}", setting_.joint + 1, arm_.size()));
+    throw Refusal(
+        {"arm.joint_not_there", {{"joint", setting_.joint + 1}, {"joints", arm_.size()}}});
   }
   within_rad_ = std::clamp(0.0, joint().lowest_rad, joint().highest_rad);
   std::vector<double> angles = setting_.held_rad;
@@ -52,10 +50,8 @@ JointUnderTest::JointUnderTest(SerialArm arm, Setting setting)
   axis_ = arm_.axis(held, setting_.joint);
   const double tilt = std::asin(std::clamp(axis_.z(), -1.0, 1.0));
   if (std::abs(tilt) > largest_tilt_rad) {
-    throw std::invalid_argument(
-        fmt::format("the axis of joint '{}' is tilted by {:.3g}° in this "
-                    "pose; it must be horizontal",
-                    joint().name, tilt * joint::degrees_per_rad));
+    throw Refusal({"arm.axis_not_horizontal",
+                   {{"joint", joint().name}, {"tilt_deg", tilt * joint::degrees_per_rad}}});
   }
   const Eigen::Vector3d line =
       pose(0).frames[setting_.joint].linear() * line_in_frame(arm_, setting_.joint);

@@ -17,7 +17,7 @@ class JointUnderTest {
     std::vector<double> held_rad;  ///< Angle of every joint; that of the driven one is not used.
   };
 
-  /// @throw std::invalid_argument if the joint does not exist, its axis is not horizontal in the
+  /// @throw Refusal if the joint does not exist, its axis is not horizontal in the
   /// pose it is held in (gravity torque would not follow the cosine of its angle alone), there is
   /// not one held angle for each joint, or one of another joint is outside its range.
   JointUnderTest(SerialArm arm, Setting setting);

@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "base/statement.h"
 #include "joint/degrees.h"
 
 namespace tribolog::robot {
@@ -14,39 +12,40 @@ namespace {
 
 constexpr double angle_slack_rad = 1e-9;  // degrees in a file, turned into radians and back
 
-[[noreturn]] void refuse(const ArmJoint& joint, const std::string& what) {
-  throw std::invalid_argument(fmt::format("joint '{}': {}", joint.name, what));
-}
-
 void check_shape(const ArmJoint& joint) {
   const LinkShape& shape = joint.shape;
   for (const double size :
        {shape.radius_m, shape.end_radius_m, shape.drum_radius_m, shape.drum_length_m}) {
     if (!(size > 0) || !std::isfinite(size)) {
-      refuse(joint, fmt::format("a size of {} m is not allowed; it must be > 0", size));
+      throw Refusal({"arm.size_not_positive", {{"size_m", size}, {"joint", joint.name}}});
     }
   }
   if (!(shape.bar_thickness_m >= 0) || !std::isfinite(shape.bar_thickness_m)) {
-    refuse(joint, fmt::format("a thickness of {} m is not allowed; it must be >= 0",
-                              shape.bar_thickness_m));
+    throw Refusal({"arm.thickness_negative",
+                   {{"thickness_m", shape.bar_thickness_m}, {"joint", joint.name}}});
   }
 }
 
 void check(const ArmJoint& joint) {
-  if (joint.name.empty()) throw std::invalid_argument("a joint has no name");
+  if (joint.name.empty()) throw Refusal({"arm.joint_without_name"});
   if (!joint.axis.allFinite() || !(joint.axis.norm() > 0)) {
-    refuse(joint, fmt::format("the axis [{}, {}, {}] has no direction", joint.axis.x(),
-                              joint.axis.y(), joint.axis.z()));
+    throw Refusal({"arm.axis_without_direction",
+                   {{"x", joint.axis.x()},
+                    {"y", joint.axis.y()},
+                    {"z", joint.axis.z()},
+                    {"joint", joint.name}}});
   }
-  if (!joint.offset_m.allFinite()) refuse(joint, "the offset is not finite");
+  if (!joint.offset_m.allFinite())
+    throw Refusal({"arm.offset_not_finite", {{"joint", joint.name}}});
   for (const Eigen::Vector3d& bend : joint.link_bends_m) {
-    if (!bend.allFinite()) refuse(joint, "a bend of its link is not finite");
+    if (!bend.allFinite()) throw Refusal({"arm.bend_not_finite", {{"joint", joint.name}}});
   }
   if (!std::isfinite(joint.lowest_rad) || !std::isfinite(joint.highest_rad) ||
       !(joint.lowest_rad < joint.highest_rad)) {
-    refuse(joint, fmt::format("the range of motion from {:.6g}° to {:.6g}° is empty",
-                              joint.lowest_rad * joint::degrees_per_rad,
-                              joint.highest_rad * joint::degrees_per_rad));
+    throw Refusal({"arm.range_empty",
+                   {{"lowest_deg", joint.lowest_rad * joint::degrees_per_rad},
+                    {"highest_deg", joint.highest_rad * joint::degrees_per_rad},
+                    {"joint", joint.name}}});
   }
   check_shape(joint);
 }
@@ -55,19 +54,17 @@ void check(const ArmJoint& joint) {
 
 SerialArm::SerialArm(std::string name, std::vector<ArmJoint> joints, Eigen::Vector3d tool_m)
     : name_(std::move(name)), joints_(std::move(joints)), tool_m_(std::move(tool_m)) {
-  if (joints_.empty()) throw std::invalid_argument("the arm has no joint");
-  if (!tool_m_.allFinite()) throw std::invalid_argument("the place of the flange is not finite");
+  if (joints_.empty()) throw Refusal({"arm.no_joint"});
+  if (!tool_m_.allFinite()) throw Refusal({"arm.flange_not_finite"});
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     check(joints_[i]);
     joints_[i].axis.normalize();
     for (std::size_t k = 0; k < i; ++k) {
-      if (joints_[k].name == joints_[i].name) refuse(joints_[i], "the name is given twice");
+      if (joints_[k].name != joints_[i].name) continue;
+      throw Refusal({"arm.name_given_twice", {{"joint", joints_[i].name}}});
     }
   }
-  if (!(length_m() > 0)) {
-    throw std::invalid_argument(
-        "all joints and the flange lie in one point; the arm needs a length");
-  }
+  if (!(length_m() > 0)) throw Refusal({"arm.without_length"});
 }
 
 double SerialArm::length_m() const {
@@ -82,13 +79,13 @@ std::size_t SerialArm::index_of(const std::string& joint) const {
     if (joints_[i].name == joint) return i;
     names += (i > 0 ? ", '" : "'") + joints_[i].name + "'";
   }
-  throw std::invalid_argument(fmt::format("there is no joint '{}'; the arm has {}", joint, names));
+  throw Refusal({"arm.no_such_joint", {{"joint", joint}, {"joints", names}}});
 }
 
 ArmPose SerialArm::pose(const std::vector<double>& angles_rad) const {
   if (angles_rad.size() != joints_.size()) {
-    throw std::invalid_argument(fmt::format("{} angles for {} joints; it must be one for each",
-                                            angles_rad.size(), joints_.size()));
+    throw Refusal({"arm.wrong_number_of_angles",
+                   {{"angles", angles_rad.size()}, {"joints", joints_.size()}}});
   }
   ArmPose out;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
@@ -97,11 +94,11 @@ ArmPose SerialArm::pose(const std::vector<double>& angles_rad) const {
     const double angle = angles_rad[i];
     if (!(angle >= joint.lowest_rad - angle_slack_rad &&
           angle <= joint.highest_rad + angle_slack_rad)) {
-      refuse(joint,
-             fmt::format("the angle {:.6g}° lies outside the range of motion, {:.6g}° to "
-                         "{:.6g}°",
-                         angle * joint::degrees_per_rad, joint.lowest_rad * joint::degrees_per_rad,
-                         joint.highest_rad * joint::degrees_per_rad));
+      throw Refusal({"arm.angle_out_of_range",
+                     {{"angle_deg", angle * joint::degrees_per_rad},
+                      {"lowest_deg", joint.lowest_rad * joint::degrees_per_rad},
+                      {"highest_deg", joint.highest_rad * joint::degrees_per_rad},
+                      {"joint", joint.name}}});
     }
     frame = frame * Eigen::Translation3d(joint.offset_m) * Eigen::AngleAxisd(angle, joint.axis);
     out.frames.push_back(frame);

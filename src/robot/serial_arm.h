@@ -42,7 +42,7 @@ struct ArmPose {
 class SerialArm {
  public:
   /// @param tool_m flange, in the frame of the last joint
-  /// @throw std::invalid_argument quoting the joint, the value and the rule: no joint, an axis
+  /// @throw Refusal stating the joint, the value and the rule: no joint, an axis
   /// without direction, numbers that are not finite, an empty range of motion, a size that is not
   /// positive, a name given twice, all joints and the flange in one point.
   SerialArm(std::string name, std::vector<ArmJoint> joints, Eigen::Vector3d tool_m);
@@ -54,10 +54,10 @@ class SerialArm {
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
   /// All lengths of the chain laid end to end, > 0: a scale for what stands around the arm.
   [[nodiscard]] double length_m() const;
-  /// @throw std::invalid_argument naming the joints that there are.
+  /// @throw Refusal naming the joints that there are.
   [[nodiscard]] std::size_t index_of(const std::string& joint) const;
 
-  /// @throw std::invalid_argument if there are not as many angles as joints, or one lies outside
+  /// @throw Refusal if there are not as many angles as joints, or one lies outside
   /// its range of motion.
   [[nodiscard]] ArmPose pose(const std::vector<double>& angles_rad) const;
   /// Axis of a joint in the base's frame.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "simulate/forced_motion.h"
 
 namespace tribolog::simulate {
@@ -16,7 +17,7 @@ joint::Recording simulate_break_away_ramp(const Scenario& s, const BreakAwayExpe
   require_positive(e.sample_rate_Hz, "sample_rate_Hz", "Hz");
   const double n = s.gear_ratio;
   const double inertia = s.motor_inertia_kgm2 + s.arm_inertia_kgm2 / (n * n);
-  require_positive(inertia, "inertia of motor and arm", "kg·m²");
+  require_positive(inertia, Code{"parameter.inertia_of_motor_and_arm"}, "kg·m²");
   const double held_Nm = s.load.torque_Nm(e.centre_rad) / n;
   const auto torque_at = [&](double t) { return held_Nm + direction * e.rate_Nm_s * t; };
   ForcedMotionSetup setup;

@@ -14,7 +14,7 @@ namespace tribolog::simulate {
 /// One ramp from an unloaded contact, without the noise of a drive. It ends where the torque has
 /// changed by largest_torque_Nm, or the joint has travelled largest_travel_rad.
 /// @param direction +1 or -1, of the torque.
-/// @throw std::invalid_argument for a ramp that cannot be carried out, or a joint without inertia.
+/// @throw Refusal for a ramp that cannot be carried out, or a joint without inertia.
 joint::Recording simulate_break_away_ramp(const Scenario& scenario, const BreakAwayExperiment& ramp,
                                           double direction, std::string name);
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/exponential_step.h"
 #include "simulate/careful_step.h"
 #include "simulate/motion.h"
@@ -156,10 +157,8 @@ void integrate_bristle(const friction::LuGreFriction& friction, const Motion& mo
                        double dt_s, double z0_rad, std::span<double> z_rad,
                        std::span<double> dz_rad_s) {
   require_positive(dt_s, "sampling interval", "s");
-  if (!std::isfinite(z0_rad)) throw std::invalid_argument("initial deflection is not finite");
-  if (z_rad.size() != dz_rad_s.size()) {
-    throw std::invalid_argument("deflection and rate must have the same number of samples");
-  }
+  if (!std::isfinite(z0_rad)) throw Refusal({"bristle.initial_deflection_not_finite"});
+  if (z_rad.size() != dz_rad_s.size()) throw std::invalid_argument("unequal sizes");
   const std::size_t count = z_rad.size();
   if (count == 0) return;
 

@@ -37,7 +37,7 @@ class CvodeSolver {
 
   enum class Stop { at_time, at_event };
   /// Goes on to a time or to the first event before it.
-  /// @throw std::invalid_argument: equations that no step is small enough for.
+  /// @throw Refusal: equations that no step is small enough for.
   Stop advance_to(double t);
   /// The same without a step that ends at t: the solver steps on as it likes, but never beyond
   /// `limit` >= t, and the unknowns are interpolated.

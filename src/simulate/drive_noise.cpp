@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::simulate {
@@ -80,9 +81,9 @@ void lose_samples(joint::Recording& recording, double percent, statistics::Rando
 
 void add_drive_noise(joint::Recording& recording, const Noise& noise, double gear_ratio,
                      double sample_rate_Hz, std::uint64_t stream) {
-  require_not_negative(noise.torque_white_Nm, "white torque noise", "N·m");
+  require_not_negative(noise.torque_white_Nm, Code{"parameter.white_torque_noise"}, "N·m");
   require_not_negative(noise.torque_step_Nm, "torque step", "N·m");
-  require_not_negative(noise.encoder_counts_per_turn, "encoder counts per turn", "");
+  require_not_negative(noise.encoder_counts_per_turn, Code{"parameter.encoder_counts"}, "");
   require_not_negative(noise.speed_filter_Hz, "speed filter", "Hz");
   require_not_negative(noise.clock_jitter_s, "clock jitter", "s");
   require_not_negative(noise.lost_percent, "lost samples", "%");

@@ -12,7 +12,7 @@ namespace tribolog::simulate {
 
 /// Lays the noise on a recording of true signals. All-zero noise leaves it bit for bit as it was.
 /// @param stream number of the recording, so that each has its own random numbers.
-/// @throw std::invalid_argument if a noise quantity is negative or not finite.
+/// @throw Refusal if a noise quantity is negative or not finite.
 void add_drive_noise(joint::Recording& recording, const Noise& noise, double gear_ratio,
                      double sample_rate_Hz, std::uint64_t stream);
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "simulate/cvode_solver.h"
 
@@ -23,14 +21,11 @@ ForcedMotion simulate_forced_motion(const friction::DynamicFriction& friction,
   require_positive(setup.duration_s, "duration", "s");
   require_positive(setup.sample_s, "sampling interval", "s");
   require_positive(setup.relative_tolerance, "relative tolerance", "");
-  if (!setup.applied_Nm) throw std::invalid_argument("there is no applied torque");
+  if (!setup.applied_Nm) throw std::invalid_argument("no torque");
 
   const std::vector<double> contact =
       setup.friction_state.empty() ? friction.unloaded() : setup.friction_state;
-  if (contact.size() != friction.states()) {
-    throw std::invalid_argument(fmt::format("the start state has {} numbers, the model needs {}",
-                                            contact.size(), friction.states()));
-  }
+  if (contact.size() != friction.states()) throw std::invalid_argument("unequal sizes");
   std::vector<double> start{setup.angle_rad, setup.speed_rad_s};
   start.insert(start.end(), contact.begin(), contact.end());
   std::vector<double> scale(contact.size());

@@ -41,8 +41,7 @@ struct ForcedMotionSetup {
   double largest_step_s{1e-3};
 };
 
-/// @throw std::invalid_argument for a value that is not allowed.
-/// @throw std::runtime_error if the solver gives up, saying when.
+/// @throw Refusal for a value that is not allowed, or equations that the solver gives up.
 ForcedMotion simulate_forced_motion(const friction::DynamicFriction& friction,
                                     const ForcedMotionSetup& setup);
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "simulate/motion.h"
 
@@ -50,10 +48,7 @@ void advance_cut(const friction::DynamicFriction& friction, const Motion& motion
 void friction_response(const friction::DynamicFriction& friction, const Motion& motion, double t0_s,
                        double dt_s, std::span<double> state, std::span<double> torque_Nm) {
   require_positive(dt_s, "sampling interval", "s");
-  if (state.size() != friction.states()) {
-    throw std::invalid_argument(fmt::format("the state has {} numbers, the model needs {}",
-                                            state.size(), friction.states()));
-  }
+  if (state.size() != friction.states()) throw std::invalid_argument("unequal sizes");
   if (torque_Nm.empty()) return;
   constexpr int most_cuts = 3;
   std::array<double, block_steps> end_speed;

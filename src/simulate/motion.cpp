@@ -8,9 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/sign_change.h"
 
 namespace tribolog::simulate {
@@ -27,7 +26,7 @@ HarmonicMotion::HarmonicMotion(double centre_rad, double frequency_Hz,
       omega_rad_s_(2 * pi * frequency_Hz),
       harmonics_(std::move(harmonics)) {
   require_positive(frequency_Hz, "frequency", "Hz");
-  if (harmonics_.empty()) throw std::invalid_argument("a harmonic motion needs a harmonic");
+  if (harmonics_.empty()) throw std::invalid_argument("no harmonic");
 }
 
 HarmonicMotion HarmonicMotion::sine(double centre_rad, double amplitude_rad, double frequency_Hz) {
@@ -123,9 +122,11 @@ TravelMotion::TravelMotion(const Plan& plan) : plan_(plan) {
   const double way = std::abs(plan.to_rad - plan.from_rad);
   const double ramps = 2 * ramp_way_rad(plan.speed_rad_s, plan.acceleration_rad_s2);
   if (!(way > ramps)) {
-    throw std::invalid_argument(fmt::format(
-        "a way of {} rad is too short to reach {} rad/s at {} rad/s²: the ramps alone take {} rad",
-        way, plan.speed_rad_s, plan.acceleration_rad_s2, ramps));
+    throw Refusal({"travel.way_too_short",
+                   {{"way_rad", way},
+                    {"speed_rad_s", plan.speed_rad_s},
+                    {"acceleration_rad_s2", plan.acceleration_rad_s2},
+                    {"ramps_rad", ramps}}});
   }
   cruise_s_ = (way - ramps) / plan.speed_rad_s;
 }

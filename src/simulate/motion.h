@@ -54,7 +54,7 @@ class TravelMotion final : public Motion {
     bool back{true};
     double rest_s{0.1};  ///< Before, between and after.
   };
-  /// @throw std::invalid_argument if the way is too short to reach the speed.
+  /// @throw Refusal if the way is too short to reach the speed.
   explicit TravelMotion(const Plan& plan);
 
   [[nodiscard]] double angle(double t_s) const override;

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 
 namespace tribolog::simulate {
 namespace {
@@ -116,9 +117,9 @@ void centre(std::vector<double>& angle_rad) {
 PeriodicOrbit periodic_orbit(const friction::DynamicFriction& friction,
                              const PeriodicOrbitSetup& setup) {
   require_positive(setup.period_s, "period", "s");
-  require_positive(static_cast<double>(setup.samples), "number of samples", "");
-  require_positive(setup.closed_to, "largest gap that counts as closed", "");
-  if (!setup.applied_Nm) throw std::invalid_argument("there is no applied torque");
+  require_positive(static_cast<double>(setup.samples), Code{"parameter.number_of_samples"}, "");
+  require_positive(setup.closed_to, Code{"parameter.largest_closed_gap"}, "");
+  if (!setup.applied_Nm) throw std::invalid_argument("no torque");
 
   const PeriodMap map(friction, setup);
   Period now = map.from(map.settled());

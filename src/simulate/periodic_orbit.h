@@ -45,8 +45,7 @@ struct PeriodicOrbit {
   bool converged{};    ///< gap <= closed_to
 };
 
-/// @throw std::invalid_argument for a value that is not allowed.
-/// @throw std::runtime_error if the solver gives up, saying when.
+/// @throw Refusal for a value that is not allowed, or equations that the solver gives up.
 PeriodicOrbit periodic_orbit(const friction::DynamicFriction& friction,
                              const PeriodicOrbitSetup& setup);
 

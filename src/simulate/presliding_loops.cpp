@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "simulate/periodic_orbit.h"
 
 namespace tribolog::simulate {
@@ -19,8 +20,8 @@ std::unique_ptr<friction::DynamicFriction> lugre(const friction::ContactParamete
 }
 
 PeriodicOrbitSetup setup_of(const SinusoidalForce& force) {
-  require_positive(force.amplitude_N, "amplitude of the force", "N");
-  require_positive(force.frequency_Hz, "frequency of the force", "Hz");
+  require_positive(force.amplitude_N, Code{"parameter.force_amplitude"}, "N");
+  require_positive(force.frequency_Hz, Code{"parameter.force_frequency"}, "Hz");
   PeriodicOrbitSetup setup;
   setup.inertia_kgm2 = mass_kg;
   setup.period_s = 1 / force.frequency_Hz;

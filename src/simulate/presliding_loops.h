@@ -48,8 +48,7 @@ struct PreslidingLoop {
 
 /// The loop of each force, from its periodic orbit: it is closed from the first cycle on. Where no
 /// such orbit is found, the gap shows it.
-/// @throw std::invalid_argument for a value that is not allowed.
-/// @throw std::runtime_error if the solver gives up.
+/// @throw Refusal for a value that is not allowed, or equations that the solver gives up.
 std::vector<PreslidingLoop> presliding_loops(
     const friction::ContactParameters& contact,
     const std::vector<SinusoidalForce>& forces = forces_of_figure_5());

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/requirements.h"
+#include "base/statement.h"
 #include "friction/lugre.h"
 #include "simulate/break_away_ramp.h"
 #include "simulate/bristle_integrator.h"
@@ -87,9 +87,7 @@ joint::Recording sweep(const Scenario& s, const SweepExperiment& e, std::string 
 
 std::size_t samples_of_cycles(double cycles, double frequency_Hz, double sample_rate_Hz) {
   require_positive(sample_rate_Hz, "sample_rate_Hz", "Hz");
-  if (!(cycles >= 1)) {
-    throw std::invalid_argument(fmt::format("cycles {} is not allowed; it must be >= 1", cycles));
-  }
+  if (!(cycles >= 1)) throw Refusal({"scenario.too_few_cycles", {{"cycles", cycles}}});
   return static_cast<std::size_t>(std::floor(cycles / frequency_Hz * sample_rate_Hz + 1e-9)) + 1;
 }
 
@@ -156,7 +154,7 @@ TravelMotion::Plan run_at(double motor_speed_rad_s, const ConstantSpeedExperimen
 }
 
 std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
-  if (!scenario.presliding) throw std::invalid_argument("the scenario has no friction model");
+  if (!scenario.presliding) throw Refusal({"scenario.no_friction_model"});
   require_positive(scenario.gear_ratio, "gear ratio", "");
   require_not_negative(scenario.motor_inertia_kgm2, "motor inertia", "kg·m²");
   require_not_negative(scenario.arm_inertia_kgm2, "arm inertia", "kg·m²");
@@ -181,7 +179,7 @@ std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario) {
            e.sample_rate_Hz);
     }
   } else if (!scenario.further_oscillations.empty()) {
-    throw std::invalid_argument("further oscillations are stated without a first one");
+    throw Refusal({"scenario.no_first_oscillation"});
   }
   if (const auto& e = scenario.constant_speed) {
     for (std::size_t i = 0; i < e->motor_speeds_rad_s.size(); ++i) {

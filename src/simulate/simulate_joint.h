@@ -27,12 +27,12 @@ struct IdealRecording {
 };
 
 /// The scenario's recordings without its noise, in the order of simulate_joint().
-/// @throw std::invalid_argument as simulate_joint().
+/// @throw Refusal as simulate_joint().
 std::vector<IdealRecording> simulate_ideal_joint(const Scenario& scenario);
 
 /// The same with noise laid on: simulate_joint() in two steps, so that many runs of the same
 /// motions can share the first.
-/// @throw std::invalid_argument if a noise quantity is negative or not finite.
+/// @throw Refusal if a noise quantity is negative or not finite.
 std::vector<joint::Recording> with_noise(std::vector<IdealRecording> ideal, const Noise& noise,
                                          double gear_ratio);
 
@@ -40,7 +40,7 @@ std::vector<joint::Recording> with_noise(std::vector<IdealRecording> ideal, cons
 /// asked for by the scenario). Names are file names such as "rough_sweep.csv" and
 /// "constant_speed_07.csv". The same scenario, seed included, gives the same numbers on every
 /// machine.
-/// @throw std::invalid_argument for an experiment that cannot be carried out, naming the key, or
+/// @throw Refusal for an experiment that cannot be carried out, naming the key, or
 /// where there is no friction model.
 std::vector<joint::Recording> simulate_joint(const Scenario& scenario);
 
@@ -48,7 +48,7 @@ std::vector<joint::Recording> simulate_joint(const Scenario& scenario);
 
 /// The recordings of simulate_joint() with the facts that a manifest would state: motor torque at
 /// the motor, and the friction that was simulated as the known curve. Inputs are empty.
-/// @throw std::invalid_argument as simulate_joint().
+/// @throw Refusal as simulate_joint().
 joint::Dataset simulated_dataset(const Scenario& scenario);
 
 /// The same for recordings of it that were made already.

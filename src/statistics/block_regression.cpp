@@ -116,7 +116,7 @@ BlockRegression block_regression(const Eigen::MatrixXd& x, const Eigen::VectorXd
   const Eigen::Index rows = x.rows();
   const Eigen::Index columns = x.cols();
   if (rows < columns || y.size() != rows || block_of_row.size() != static_cast<std::size_t>(rows)) {
-    throw std::invalid_argument("block regression needs as many rows as columns, and equal sizes");
+    throw std::invalid_argument("wrong sizes");
   }
   const Eigen::VectorXd norms =
       x.colwise().norm().transpose().unaryExpr([](double n) { return n > 0 ? n : 1.0; });

@@ -5,7 +5,7 @@
 
 namespace tribolog::statistics {
 
-Estimate symmetric_estimate(double value, double half_width, std::string method) {
+Estimate symmetric_estimate(double value, double half_width, Statement method) {
   const double h = std::abs(half_width);
   return {value, value - h, value + h, std::move(method)};
 }

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/statement.h"
+
 namespace tribolog::statistics {
 
 /// An estimate with a 95 % interval. `low <= estimate <= high`.
@@ -10,13 +12,13 @@ struct Estimate {
   double value{};
   double low{};
   double high{};
-  std::string method;  ///< How the interval was made, in a few words for the report.
+  Statement method;  ///< How the interval was made.
 
   [[nodiscard]] double half_width() const { return (high - low) / 2; }
 };
 
 /// An estimate whose interval is symmetric.
-Estimate symmetric_estimate(double value, double half_width, std::string method);
+Estimate symmetric_estimate(double value, double half_width, Statement method = {});
 
 /// The same quantity in another unit: value and interval times a factor of any sign.
 Estimate scaled(const Estimate& estimate, double factor);
@@ -33,7 +35,7 @@ std::string to_string(StageState state);
 struct StageReport {
   std::string name;  ///< Stable: "cog_rough", "hysteresis", ...
   StageState state{StageState::skipped};
-  std::string reason;  ///< Words for the user; empty only if done.
+  Statement reason;  ///< Empty only if done.
 };
 
 }  // namespace tribolog::statistics

@@ -46,7 +46,7 @@ Estimate percentile_interval(double estimate, std::vector<double> values) {
   constexpr double most_lost = 0.05;
   const auto all = static_cast<double>(values.size());
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  const char* method = "bootstrap";
+  constexpr Code method{"interval.bootstrap"};
   if (values.empty() || static_cast<double>(values.size()) < (1 - most_lost) * all) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return {estimate, -infinity, infinity, method};
@@ -93,7 +93,7 @@ std::vector<double> thinned(std::vector<double> sorted) {
 }  // namespace
 
 double median_of(std::vector<double> values) {
-  if (values.empty()) throw std::logic_error("median of nothing");
+  if (values.empty()) throw std::logic_error("no values");
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
@@ -101,7 +101,7 @@ double median_of(std::vector<double> values) {
 }
 
 double pairwise_scatter(std::vector<double> values) {
-  if (values.size() < 2) throw std::logic_error("scatter of less than two values");
+  if (values.size() < 2) throw std::logic_error("no scatter");
   std::sort(values.begin(), values.end());
   values = thinned(std::move(values));
   std::vector<double> differences;

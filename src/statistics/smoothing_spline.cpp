@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
+#include "base/statement.h"
 
 namespace tribolog::statistics {
 namespace {
@@ -229,19 +228,18 @@ double best_power(std::span<Smoother> parts, const Smoother& whole, double from,
 void require_points(const CurvePoints& p) {
   constexpr std::size_t fewest = 4;
   if (p.t.size() < fewest || p.y.size() != p.t.size() || p.error.size() != p.t.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} times, {} values and {} errors; a smoothing spline needs at least {}, as "
-                    "many of each",
-                    p.t.size(), p.y.size(), p.error.size(), fewest));
+    throw Refusal({"spline.wrong_sizes",
+                   {{"times", p.t.size()},
+                    {"values", p.y.size()},
+                    {"errors", p.error.size()},
+                    {"needed", fewest}}});
   }
   for (std::size_t i = 0; i < p.t.size(); ++i) {
     if (i > 0 && !(p.t[i] > p.t[i - 1])) {
-      throw std::invalid_argument(fmt::format(
-          "time {} follows time {}; times of a spline must increase", p.t[i], p.t[i - 1]));
+      throw Refusal({"spline.times_do_not_increase", {{"time", p.t[i]}, {"before", p.t[i - 1]}}});
     }
     if (!(p.error[i] > 0)) {
-      throw std::invalid_argument(
-          fmt::format("error {} at time {}; it must be larger than 0", p.error[i], p.t[i]));
+      throw Refusal({"spline.error_not_positive", {{"error", p.error[i]}, {"time", p.t[i]}}});
     }
   }
 }

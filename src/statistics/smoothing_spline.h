@@ -29,7 +29,7 @@ class SmoothingSpline {
     double curvature{};  ///< s''
   };
 
-  /// @throw std::invalid_argument if there are fewer than four points, vectors of other sizes,
+  /// @throw Refusal if there are fewer than four points, vectors of other sizes,
   /// times that do not increase or errors that are not > 0.
   explicit SmoothingSpline(const CurvePoints& points);
   /// For points of the same curve recorded once more: the weight is looked for beside the one that

@@ -142,7 +142,7 @@ std::vector<truth::Reading> true_readings(const simulate::Scenario& scenario,
       truth::readings_of(identify_quietly(ideal, 0, simulate::Noise{}.seed));
   for (truth::Reading& truth : truths) {
     const double value = stated_truth(scenario, truth).value_or(truth.estimate.value);
-    truth.estimate = {value, value, value, "known"};
+    truth.estimate = {value, value, value, {"interval.known"}};
   }
   return truths;
 }

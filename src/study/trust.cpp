@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "joint/degrees.h"
+#include "wording/words.h"
 
 namespace tribolog::study {
 namespace {
@@ -52,7 +53,7 @@ void add_bias_findings(const StudiedCase& base, std::vector<std::string>& findin
     const bool is_extreme = r.name.size() == 1 && r.name != "A" && r.name != "B";
     if (is_extreme) continue;  // their pair means stand for them
     const std::string words =
-        fmt::format("{} {}", truth::reading_words(r.name), bias_words(r.errors));
+        fmt::format("{} {}", wording::words_for("reading", r.name), bias_words(r.errors));
     const bool is_biased =
         r.errors.is_biased(practical_bounds(truth::ReadingKind::gravity, r.errors.truth).fine);
     (is_biased ? biased : unbiased).push_back(words);
@@ -83,7 +84,7 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
                 const char* promise, std::vector<std::string>& findings) {
   if (!holds(study.base_case(), reading, criterion)) {
     findings.push_back(fmt::format("{} {} in the base case already.",
-                                   capital(truth::reading_words(reading)), promise));
+                                   capital(wording::words_for("reading", reading)), promise));
     return;
   }
   std::vector<std::string> limits;
@@ -98,7 +99,7 @@ void add_limits(const StudyResult& study, const std::string& reading, Criterion 
     if (range.at_base && range.lowest > 0) add(range.lowest - 1);
     if (range.at_base && range.highest + 1 < factor.levels.size()) add(range.highest + 1);
   }
-  const std::string name = capital(truth::reading_words(reading));
+  const std::string name = capital(wording::words_for("reading", reading));
   findings.push_back(
       limits.empty() ? fmt::format("{} {} at no level tried.", name, promise)
                      : fmt::format("{} {} first at {}.", name, promise, fmt::join(limits, "; ")));
@@ -159,12 +160,12 @@ std::string study_sentence(const StudyResult& study) {
   std::string sentence = fmt::format(
       "In the base case the {} is within {:.2g} % of the true gravity torque in 95 of 100 runs, "
       "and {:.0f} % of its stated intervals hold the truth",
-      truth::reading_words(best->name), std::abs(percent(e.error_95, e.truth)),
+      wording::words_for("reading", best->name), std::abs(percent(e.error_95, e.truth)),
       100 * e.coverage.value);
   if (const StudiedReading* b = base.find("B")) {
     sentence += fmt::format("; point B is off by {:+.2f} %, the {} by {:+.3f} %",
                             percent(b->errors.bias, b->errors.truth),
-                            truth::reading_words(best->name), percent(e.bias, e.truth));
+                            wording::words_for("reading", best->name), percent(e.bias, e.truth));
   }
   return sentence + ".";
 }

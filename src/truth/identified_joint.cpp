@@ -5,8 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "friction/lugre.h"
 #include "friction/waiboer.h"
@@ -47,7 +45,7 @@ class Maker {
       : c_(calibration), n_(calibration.manifest.drive.gear_ratio()), gravity_Nm_(gravity_Nm) {}
 
   /// Torque of the model along a recording; empty if the model cannot follow, with the reason.
-  [[nodiscard]] std::vector<double> torque(const joint::Recording& r, std::string& why_not) const {
+  [[nodiscard]] std::vector<double> torque(const joint::Recording& r, Statement& why_not) const {
     switch (r.role) {
       case joint::Role::rough_sweep:
         return sweep_torque(r, c_.rough, why_not);
@@ -56,8 +54,7 @@ class Maker {
       case joint::Role::oscillation:
         return loop_torque(r, why_not);
       case joint::Role::break_away:
-        why_not =
-            "the motion of a break-away ramp is its answer, which no recorded one can stand for";
+        why_not = {"truth.ramp_is_its_answer"};
         return {};
       case joint::Role::constant_speed:
         break;
@@ -89,9 +86,9 @@ class Maker {
 
   [[nodiscard]] std::vector<double> sweep_torque(const joint::Recording& r,
                                                  const method::gravity::CogSweepResult& sweep,
-                                                 std::string& why_not) const {
+                                                 Statement& why_not) const {
     if (!sweep.found) {
-      why_not = "the sweep gave no gravity";
+      why_not = {"truth.sweep_without_gravity"};
       return {};
     }
     // One direction alone cannot tell friction from an offset; the level of both is in the mean.
@@ -118,7 +115,7 @@ class Maker {
   }
 
   [[nodiscard]] std::vector<double> run_torque(const joint::Recording& r,
-                                               std::string& why_not) const {
+                                               Statement& why_not) const {
     const method::selection::FrictionParametersResult& f = c_.friction;
     if (f.waiboer && f.waiboer->converged) {
       return sliding(r, method::motion::find_plateaus(r), method::viscous::waiboer_of(*f.waiboer),
@@ -130,14 +127,14 @@ class Maker {
                                      f.coulomb_viscous->viscous_Nms_rad.value, rest_speed(motion));
       return sliding(r, motion, friction, 0, 0);
     }
-    why_not = "no friction curve was identified";
+    why_not = {"truth.no_curve"};
     return {};
   }
 
   [[nodiscard]] std::vector<double> loop_torque(const joint::Recording& r,
-                                                std::string& why_not) const {
+                                                Statement& why_not) const {
     if (!c_.hysteresis.lugre || !c_.hysteresis.lugre->converged) {
-      why_not = "no LuGre model was fitted to the loop";
+      why_not = {"truth.no_loop_model"};
       return {};
     }
     const auto motion = method::motion::fit_oscillation_motion(r);
@@ -146,14 +143,14 @@ class Maker {
     const method::motion::MotionTrace trace =
         is_harmonic ? method::motion::MotionTrace{} : method::motion::trace_motion(r);
     if (!motion && !trace.motion) {
-      why_not = "the angle does not swing through one whole cycle; and " + trace.refusal;
+      why_not = {"truth.no_whole_cycle", {{"why", trace.refusal}}};
       return {};
     }
     const method::hysteresis::LuGreFit& fit = *c_.hysteresis.lugre;
     const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
     const auto level = fit.shown("static_Nm");
     if (!stiffness || !level) {
-      why_not = "the loops do not show stiffness and static torque";
+      why_not = {"truth.loop_parameters_not_shown"};
       return {};
     }
     // What they do not show stays out; neither damping may push.
@@ -239,7 +236,7 @@ std::vector<Reading> put_in(const calibration::Calibration& c, double gravity_Nm
     }
     const double value =
         reading.quantity == ReadingKind::gravity ? gravity_Nm : reading.estimate.value;
-    reading.estimate = {value, value, value, "put in"};
+    reading.estimate = {value, value, value, {"interval.put_in"}};
     kept.push_back(std::move(reading));
   }
   return kept;
@@ -277,7 +274,7 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
   out.dataset.manifest = dataset.manifest;
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
   if (mass == nullptr) {
-    out.left_out.emplace_back("nothing can be simulated: no gravity torque was identified");
+    out.left_out.push_back({"truth.nothing_to_simulate"});
     return out;
   }
   const double gravity = mass->gravity_Nm.value;
@@ -287,11 +284,11 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
                                        ? method::motion::moving_part(recorded)
                                        : recorded;
     joint::Recording r = shortened(whole);
-    std::string why_not;
+    Statement why_not;
     std::vector<double> torque = r.size() < 4 ? std::vector<double>{} : maker.torque(r, why_not);
     if (torque.empty()) {
-      out.left_out.push_back(
-          fmt::format("{}: {}", r.name, why_not.empty() ? "too few samples" : why_not));
+      if (why_not.empty()) why_not = {"truth.too_few_samples"};
+      out.left_out.push_back({"truth.not_simulated", {{"recording", r.name}, {"why", why_not}}});
       continue;
     }
     const double step = method::motion::common_step(whole.torque_Nm);
@@ -301,9 +298,11 @@ IdentifiedJoint identified_joint(const joint::Dataset& dataset, const calibratio
     out.white_Nm.push_back(std::sqrt(std::max(0.0, white * white - rounding * rounding)));
     out.torque_step_Nm.push_back(step);
     if (r.size() < whole.size()) {
+      const Code shortened_to = r.role == joint::Role::oscillation
+                                    ? Code{"truth.first_samples_simulated"}
+                                    : Code{"truth.spread_samples_simulated"};
       out.left_out.push_back(
-          fmt::format("{}: {} of its {} samples are simulated, {}", r.name, r.size(), whole.size(),
-                      r.role == joint::Role::oscillation ? "from the first on" : "evenly spread"));
+          {shortened_to, {{"recording", r.name}, {"samples", r.size()}, {"all", whole.size()}}});
     }
     r.torque_Nm = std::move(torque);
     r.z_rad.clear();

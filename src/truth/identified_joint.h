@@ -27,8 +27,8 @@ struct IdentifiedJoint {
   std::vector<double> white_Nm;  ///< White noise found in each recording of `dataset`.
   std::vector<double> torque_step_Nm;  ///< Step of the torque in each; 0: continuous.
   std::vector<simulate::Noise::Ripple>
-      ripple;                         ///< Found in the rough sweep; laid on all recordings.
-  std::vector<std::string> left_out;  ///< What could not be simulated, and why; sentences.
+      ripple;                       ///< Found in the rough sweep; laid on all recordings.
+  std::vector<Statement> left_out;  ///< What could not be simulated, and why.
 };
 
 /// @param dataset the one that the calibration was made from.

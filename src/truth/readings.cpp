@@ -38,8 +38,10 @@ void read_steady_points(const calibration::Calibration& c, Reader& out) {
     if (point.name != 'A' && point.name != 'B') continue;
     const double cosine = c.q_peak_rad ? std::cos(point.q_rad - c.q_peak_rad->value) : 1.0;
     out.add(std::string(1, point.name) + "_steady", ReadingKind::gravity,
-            statistics::scaled({point.torque_Nm, point.torque_low_Nm, point.torque_high_Nm,
-                                "scatter of the cycles"},
+            statistics::scaled({point.torque_Nm,
+                                point.torque_low_Nm,
+                                point.torque_high_Nm,
+                                {"interval.scatter_of_cycles"}},
                                1 / cosine));
   }
 }
@@ -110,33 +112,6 @@ const Reading* find_reading(const std::vector<Reading>& readings, const std::str
   const auto it = std::find_if(readings.begin(), readings.end(),
                                [&](const Reading& r) { return r.name == name; });
   return it == readings.end() ? nullptr : &*it;
-}
-
-std::string reading_words(const std::string& name) {
-  static const std::array<std::pair<const char*, const char*>, 19> words{
-      {{"A_steady", "A of the steady loop"},
-       {"B_steady", "B of the steady loop"},
-       {"AB", "mean of A and B"},
-       {"CD", "mean of C and D"},
-       {"EF", "mean of E and F"},
-       {"midline", "mid-line"},
-       {"sweep", "sweep fit"},
-       {"fit", "LuGre fit"},
-       {"q_peak", "gravity peak q_peak"},
-       {"bristle_stiffness", "bristle stiffness σ₀"},
-       {"static_torque", "break-away torque T_s"},
-       {"sweep_friction", "sweep friction"},
-       {"coulomb", "Coulomb torque T_c"},
-       {"viscous", "viscous coefficient c"},
-       {"asperity_torque", "asperity torque T_a"},
-       {"stribeck_speed", "Stribeck velocity ω_s"},
-       {"stribeck_power", "Stribeck power δ_a"},
-       {"viscous_coefficient", "viscous coefficient c_v"},
-       {"viscous_power", "viscous power δ_v"}}};
-  for (const auto& [key, text] : words) {
-    if (name == key) return text;
-  }
-  return "point " + name;
 }
 
 bool is_single_point(const std::string& name) {

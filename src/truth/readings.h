@@ -44,9 +44,6 @@ std::vector<Reading> readings_of(const calibration::Calibration& calibration);
 
 const Reading* find_reading(const std::vector<Reading>& readings, const std::string& name);
 
-/// "mid-line", "point B", "gravity peak", "Coulomb torque": a reading's name in words.
-std::string reading_words(const std::string& name);
-
 /// The reading is one of the paper's single points or the same point of the steady loop: it keeps
 /// the friction of its instant and is off by that, as its definition has it.
 bool is_single_point(const std::string& name);

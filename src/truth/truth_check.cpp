@@ -101,18 +101,18 @@ calibration::ReturnedQuantity returned(const Reading& put_in,
   return q;
 }
 
-std::string finding_of(const calibration::ReturnedQuantity& q, std::size_t runs) {
-  const std::string name = reading_words(q.name);
+Statement finding_of(const calibration::ReturnedQuantity& q, std::size_t runs) {
+  const Statement name(Code::of("reading." + q.name));
   if (q.found == 0) {
-    return fmt::format(
-        "the method cannot find its own answer on these motions at this noise: the {} was not "
-        "found in any of {} simulations of what was identified",
-        name, runs);
+    return {"truth.not_found", {{"reading", name}, {"runs", runs}}};
   }
-  return fmt::format(
-      "the method cannot find its own answer on these motions at this noise: of the {} {:.5g} {} "
-      "was put in, {:.5g} {} came back, and the stated interval holds it in {} of {} simulations",
-      name, q.put_in, q.unit, q.came_back, q.unit, q.inside, runs);
+  return {"truth.does_not_come_back",
+          {{"reading", name},
+           {"put_in", q.put_in},
+           {"unit", q.unit},
+           {"came_back", q.came_back},
+           {"inside", q.inside},
+           {"runs", runs}}};
 }
 
 double standard_deviation(const std::vector<simulate::Noise::Ripple>& ripple) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace tribolog::verdict {
 namespace {
 
@@ -17,25 +15,26 @@ calibration::LimitState against_bound(const statistics::Estimate& e, double boun
 }
 
 /// @param unit of the estimate; the limit's is "%" for some.
-std::string words_of(const calibration::LimitOutcome& o, const std::string& quantity,
-                     const std::string& unit, const std::string& rule) {
-  const std::string bound = fmt::format("the limit of {} {:.6g} {}", rule, o.limit, o.unit);
+Statement statement_of(const calibration::LimitOutcome& o, const std::string& quantity,
+                       const std::string& unit) {
+  const bool at_joint = o.key.find("_joint") != std::string::npos;
+  const Statement limited(Code::of((at_joint ? "quantity_at_joint." : "quantity.") + quantity));
+  const Statement limit(Code::of("limit." + o.rule), {{"limit", o.limit}, {"unit", o.unit}});
   if (o.state == calibration::LimitState::unknown) {
-    return fmt::format("{}: there is no estimate to hold against {}", quantity, bound);
+    return {"limit.no_estimate",
+            {{"quantity", Statement(Code::of("quantity." + quantity))}, {"limit", limit}}};
   }
   const statistics::Estimate& e = *o.estimate;
-  const std::string value =
-      fmt::format("{}{} {:.5g} {} (95 %: {:.5g} to {:.5g})", quantity,
-                  o.key.find("_joint") == std::string::npos ? "" : " at the joint", e.value, unit,
-                  e.low, e.high);
-  switch (o.state) {
-    case calibration::LimitState::inside:
-      return value + " keeps " + bound;
-    case calibration::LimitState::outside:
-      return value + " breaks " + bound;
-    default:
-      return value + ": the interval crosses " + bound + ": not shown";
-  }
+  const Code code = o.state == calibration::LimitState::inside    ? Code{"limit.kept"}
+                    : o.state == calibration::LimitState::outside ? Code{"limit.broken"}
+                                                                  : Code{"limit.not_shown"};
+  return {code,
+          {{"quantity", limited},
+           {"value", e.value},
+           {"unit", unit},
+           {"low", e.low},
+           {"high", e.high},
+           {"limit", limit}}};
 }
 
 /// The outcomes of one `[[limit]]`, one for each number in it.
@@ -51,8 +50,8 @@ class LimitJudge {
   }
 
   void judge() {
-    if (limit_.min) bound("min", *limit_.min, "at least", false);
-    if (limit_.max) bound("max", *limit_.max, "at most", true);
+    if (limit_.min) bound("min", *limit_.min, false);
+    if (limit_.max) bound("max", *limit_.max, true);
     if (limit_.half_width) width("half_width", *limit_.half_width, key_.unit, 1);
     if (limit_.half_width_percent) {
       const double value = estimate_ ? std::abs(estimate_->value) : 1.0;
@@ -61,10 +60,10 @@ class LimitJudge {
   }
 
  private:
-  void bound(const std::string& rule, double limit, const std::string& words, bool is_upper) {
+  void bound(const std::string& rule, double limit, bool is_upper) {
     calibration::LimitState state = calibration::LimitState::unknown;
     if (estimate_) state = against_bound(*estimate_, limit, is_upper);
-    add(rule, limit, key_.unit, words, state);
+    add(rule, limit, key_.unit, state);
   }
 
   void width(const std::string& rule, double limit, const std::string& unit, double factor) {
@@ -73,20 +72,19 @@ class LimitJudge {
       state = estimate_->half_width() * factor <= limit ? calibration::LimitState::inside
                                                         : calibration::LimitState::outside;
     }
-    add(rule, limit, unit, "an interval of at most ±", state);
+    add(rule, limit, unit, state);
   }
 
-  void add(const std::string& rule, double limit, const std::string& unit, const std::string& words,
+  void add(const std::string& rule, double limit, const std::string& unit,
            calibration::LimitState state) {
-    calibration::LimitOutcome o{key_.key, rule, limit, unit, estimate_, state, ""};
-    o.words = words_of(o, quantity_.words, key_.unit, words);
+    calibration::LimitOutcome o{key_.key, rule, limit, unit, estimate_, state, {}};
+    o.outcome = statement_of(o, quantity_.key, key_.unit);
     if (state != calibration::LimitState::inside) {
       calibration::lower(
-          quantity_, calibration::Verdict::doubtful, o.words,
+          quantity_, calibration::Verdict::doubtful, o.outcome,
           state == calibration::LimitState::outside && (rule == "min" || rule == "max")
-              ? "nothing to record: the joint, or the limit, is not as it should be; a second "
-                "measurement would confirm it"
-              : "more of the same: the interval has to become narrower");
+              ? Statement{"record.second_measurement"}
+              : Statement{"record.more_of_the_same"});
     }
     quantity_.limits.push_back(std::move(o));
   }

@@ -9,6 +9,6 @@
 namespace tribolog::verdict {
 
 /// Most important first; empty if there is nothing that a reader must know.
-std::vector<std::string> curve_findings(const calibration::Calibration& calibration);
+std::vector<Statement> curve_findings(const calibration::Calibration& calibration);
 
 }  // namespace tribolog::verdict

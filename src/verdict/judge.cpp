@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "calibration/calibration.h"
 #include "calibration/quantity_verdict.h"
 #include "method/checks/data_check.h"
@@ -46,10 +44,8 @@ void apply_truth_check(const calibration::TruthCheckResult& check, const std::st
           std::find_if(quantities.begin(), quantities.end(),
                        [&](const calibration::QuantityVerdict& q) { return q.key == key; });
       if (it == quantities.end()) continue;
-      calibration::lower(
-          *it, calibration::Verdict::doubtful, finding.words,
-          "a motion that shows it better, or less noise: the known-truth check says how far off "
-          "it comes back");
+      calibration::lower(*it, calibration::Verdict::doubtful, finding.finding,
+                         {"record.better_motion"});
     }
   }
 }
@@ -136,7 +132,7 @@ std::vector<Consequence> consequences(const Sources& sources) {
   return all;
 }
 
-/// Lowers the quantities that the failing checks touch, with the check's words as the reason.
+/// Lowers the quantities that the failing checks touch, with what the check found as the reason.
 void apply_data_checks(const method::checks::DataChecksResult& checks, const Sources& sources,
                        std::vector<calibration::QuantityVerdict>& quantities) {
   for (const Consequence& consequence : consequences(sources)) {
@@ -145,8 +141,10 @@ void apply_data_checks(const method::checks::DataChecksResult& checks, const Sou
     for (calibration::QuantityVerdict& quantity : quantities) {
       const Keys& touched = consequence.touched;
       if (std::find(touched.begin(), touched.end(), quantity.key) == touched.end()) continue;
-      calibration::lower(quantity, consequence.lowered_to, check->found + ": " + check->consequence,
-                         check->experiment);
+      calibration::lower(
+          quantity, consequence.lowered_to,
+          {"verdict.check_fails", {{"found", check->found}, {"consequence", check->consequence}}},
+          check->experiment);
     }
   }
 }
@@ -156,12 +154,11 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   for (const auto& room : {bristle_verdicts(c), curve_verdicts(c)}) {
     all.insert(all.end(), room.begin(), room.end());
   }
-  for (const std::string& words : c.cross_checks.findings) {
+  for (const Statement& finding : c.cross_checks.findings) {
     if (!c.cross_checks.doubtful) break;
     for (std::size_t k = 1; k < 3; ++k) {
-      calibration::lower(
-          all[k], calibration::Verdict::doubtful, words,
-          "the micro-oscillation at eight positions spread over one turn of the motor");
+      calibration::lower(all[k], calibration::Verdict::doubtful, finding,
+                         {"record.eight_positions"});
     }
   }
   const Sources sources{!c.viscous.runs.empty() && !c.viscous.from_sweep,
@@ -172,75 +169,74 @@ std::vector<calibration::QuantityVerdict> judge_quantities(const calibration::Ca
   return all;
 }
 
+/// The check's title and what it found.
+Statement finding_of(const method::checks::DataCheck& check) {
+  return {"verdict.check",
+          {{"check", Statement(Code::of("check." + check.name))}, {"found", check.found}}};
+}
+
 /// Most important first: what is wrong with the data, what does not agree, broken limits, what is
 /// missing, what is to be noted.
-std::vector<std::string> collect_findings(const calibration::Calibration& c,
-                                          const calibration::Judgement& judgement,
-                                          const std::vector<std::string>& disagreements) {
-  std::vector<std::string> findings;
-  const auto add = [&](const std::string& finding) {
+std::vector<Statement> collect_findings(const calibration::Calibration& c,
+                                        const calibration::Judgement& judgement,
+                                        const std::vector<Statement>& disagreements) {
+  std::vector<Statement> findings;
+  const auto add = [&](const Statement& finding) {
     const bool is_new = std::find(findings.begin(), findings.end(), finding) == findings.end();
     if (!finding.empty() && is_new) findings.push_back(finding);
   };
   for (const method::checks::DataCheck* check :
        c.data_checks.in_state(method::checks::CheckState::fails)) {
-    add(check->title + ": " + check->found);
+    add(finding_of(*check));
   }
-  if (c.position_plan) add(method::hysteresis::ripple_in_words(*c.position_plan, c.rough.ripple));
-  for (const std::string& words : disagreements) add(words);
+  if (c.position_plan)
+    add(method::hysteresis::why_more_positions(*c.position_plan, c.rough.ripple));
+  for (const Statement& one : disagreements) add(one);
   for (const calibration::QuantityVerdict& quantity : judgement.quantities) {
     for (const calibration::LimitOutcome& limit : quantity.limits) {
-      if (limit.state != calibration::LimitState::inside) add(limit.words);
+      if (limit.state != calibration::LimitState::inside) add(limit.outcome);
     }
   }
   for (const statistics::StageReport& stage : c.stages()) {
     if (stage.state != statistics::StageState::done) add(stage.reason);
   }
-  for (const std::string& words : curve_findings(c)) add(words);
-  for (const calibration::TruthFinding& finding : c.truth_check.findings) add(finding.words);
+  for (const Statement& one : curve_findings(c)) add(one);
+  for (const calibration::TruthFinding& one : c.truth_check.findings) add(one.finding);
   for (const method::checks::DataCheck* check :
        c.data_checks.in_state(method::checks::CheckState::warns)) {
-    add(check->title + ": " + check->found);
+    add(finding_of(*check));
   }
   return findings;
 }
 
-std::string sentence_of(const calibration::Calibration& c, calibration::Verdict overall,
-                        bool has_angle, bool has_mass, bool has_disagreement, bool limit_broken) {
+Statement sentence_of(const calibration::Calibration& c, calibration::Verdict overall,
+                      bool has_angle, bool has_mass, bool has_disagreement, bool limit_broken) {
   const auto failing = c.data_checks.in_state(method::checks::CheckState::fails);
   if (c.manifest.drive.kind() == joint::EffortKind::none) {
-    return "No torque was recorded: the motion alone shows neither gravity nor friction.";
+    return {"verdict.no_torque"};
   }
   if (overall == calibration::Verdict::not_identifiable) {
     if (!failing.empty() && c.q_peak_rad && !c.selection.recommended.empty()) {
-      return "The data cannot carry an identification: " + failing.front()->found + ".";
+      return {"verdict.data_cannot_carry", {{"found", failing.front()->found}}};
     }
-    return !has_angle && !has_mass
-               ? "Neither the centre of gravity nor the surrogate mass can be found in these "
-                 "recordings."
-           : has_angle ? "The surrogate mass cannot be found in these recordings."
-                       : "The angle of the centre of gravity cannot be found in these recordings.";
+    if (has_angle) return {"verdict.no_mass"};
+    return has_mass ? Statement{"verdict.no_angle"} : Statement{"verdict.neither_angle_nor_mass"};
   }
   if (overall == calibration::Verdict::usable) {
-    return "All stages have their data, and the independent estimates of the mass agree.";
+    return {"verdict.usable"};
   }
-  if (!failing.empty()) {
-    return "Angle and mass are known, but checks on the data fail.";
-  }
-  if (has_disagreement) return "Angle and mass are known, but independent estimates disagree.";
-  if (limit_broken) return "Angle and mass are known, but a limit of the manifest is not kept.";
-  if (!c.truth_check.findings.empty()) {
-    return "Angle and mass are known, but simulated with what was identified, the method does not "
-           "find its own answer.";
-  }
-  return "Angle and mass are known, but not every stage had the data it needs.";
+  if (!failing.empty()) return {"verdict.checks_fail"};
+  if (has_disagreement) return {"verdict.estimates_disagree"};
+  if (limit_broken) return {"verdict.limit_not_kept"};
+  if (!c.truth_check.findings.empty()) return {"verdict.own_answer_not_found"};
+  return {"verdict.stage_without_data"};
 }
 
 }  // namespace
 
 calibration::Judgement judge(const calibration::Calibration& c) {
   calibration::Judgement out;
-  const std::vector<std::string>& disagreements = c.cross_checks.findings;
+  const std::vector<Statement>& disagreements = c.cross_checks.findings;
   out.quantities = judge_quantities(c);
   const auto is_known = [&](std::size_t k) {
     return out.quantities[k].verdict != calibration::Verdict::not_identifiable;
@@ -263,24 +259,12 @@ calibration::Judgement judge(const calibration::Calibration& c) {
   return out;
 }
 
-const char* const record_a_sweep =
-    "slow sweep over the joint's range, across the gravity peak, in both directions";
-const char* const record_an_oscillation =
-    "ten cycles of a micro-oscillation about the gravity peak, at eight positions spread over one "
-    "turn of the motor, resolved into at least fifty encoder steps";
-const char* const record_runs =
-    "ten to twenty constant speeds, from the slowest smooth one to the fastest allowed, in both "
-    "directions over the same angles";
-
-calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& words,
-                                         const std::string& unit,
+calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& unit,
                                          const std::optional<statistics::Estimate>& estimate,
-                                         const std::string& why_absent,
-                                         const std::string& experiment) {
+                                         const Statement& why_absent, const Statement& experiment) {
   constexpr double widest_usable = 0.3;
   calibration::QuantityVerdict q;
   q.key = key;
-  q.words = words;
   q.unit = unit;
   if (!estimate || !std::isfinite(estimate->value)) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_absent, experiment);
@@ -290,12 +274,12 @@ calibration::QuantityVerdict by_estimate(const std::string& key, const std::stri
   const double share = estimate->half_width() / std::abs(estimate->value);
   if (!(estimate->low > 0)) {
     calibration::lower(q, calibration::Verdict::not_identifiable,
-                       fmt::format("the data do not show it: its 95 % interval reaches {}",
-                                   estimate->low < 0 ? "below zero" : "zero"),
+                       estimate->low < 0 ? Statement{"verdict.interval_reaches_below_zero"}
+                                         : Statement{"verdict.interval_reaches_zero"},
                        experiment);
   } else if (!(share <= widest_usable)) {
     calibration::lower(q, calibration::Verdict::doubtful,
-                       fmt::format("known to ± {:.0f} % only", 100 * share), experiment);
+                       {"verdict.known_to_share", {{"percent", 100 * share}}}, experiment);
   }
   return q;
 }

@@ -22,17 +22,15 @@ std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Cali
 std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibration& c);
 
 /// What to record for each family.
-extern const char* const record_a_sweep;
-extern const char* const record_an_oscillation;
-extern const char* const record_runs;
+inline constexpr Code record_a_sweep{"record.sweep"};
+inline constexpr Code record_an_oscillation{"record.oscillation"};
+inline constexpr Code record_runs{"record.runs"};
 
 /// A positive quantity by its estimate: absent or with an interval that reaches zero it is not
 /// identifiable; with one wider than 30 % of it, doubtful.
-/// @param why_absent in words, where there is no estimate.
-calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& words,
-                                         const std::string& unit,
+/// @param why_absent where there is no estimate.
+calibration::QuantityVerdict by_estimate(const std::string& key, const std::string& unit,
                                          const std::optional<statistics::Estimate>& estimate,
-                                         const std::string& why_absent,
-                                         const std::string& experiment);
+                                         const Statement& why_absent, const Statement& experiment);
 
 }  // namespace tribolog::verdict

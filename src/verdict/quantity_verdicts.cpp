@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "verdict/quantity_rooms.h"
 
@@ -8,7 +6,7 @@ namespace tribolog::verdict {
 namespace {
 
 /// Why no sweep gave the angle: the sweep that was recorded speaks first.
-std::string why_no_angle(const calibration::Calibration& c) {
+Statement why_no_angle(const calibration::Calibration& c) {
   const statistics::StageReport& rough = c.rough.stage;
   const statistics::StageReport& precise = c.precise.stage;
   return rough.state == statistics::StageState::skipped &&
@@ -22,7 +20,6 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   constexpr double widest_known_rad = 30 * joint::rad_per_degree;
   calibration::QuantityVerdict q;
   q.key = "cog_angle";
-  q.words = "Angle of the centre of gravity";
   q.unit = "rad";
   if (!c.q_peak_rad) {
     calibration::lower(q, calibration::Verdict::not_identifiable, why_no_angle(c), record_a_sweep);
@@ -31,11 +28,12 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
   q.estimate = c.q_peak_rad;
   const double half_width = c.q_peak_rad->half_width();
   if (half_width > widest_usable_rad) {
-    calibration::lower(q,
-                       half_width > widest_known_rad ? calibration::Verdict::not_identifiable
-                                                     : calibration::Verdict::doubtful,
-                       fmt::format("known to ± {:.0f}° only", half_width * joint::degrees_per_rad),
-                       record_a_sweep);
+    calibration::lower(
+        q,
+        half_width > widest_known_rad ? calibration::Verdict::not_identifiable
+                                      : calibration::Verdict::doubtful,
+        {"verdict.known_to_angle", {{"degrees", half_width * joint::degrees_per_rad}}},
+        record_a_sweep);
   }
   const statistics::StageReport& source =
       c.q_peak_source == "cog_precise" ? c.precise.stage : c.rough.stage;
@@ -49,10 +47,8 @@ calibration::QuantityVerdict angle(const calibration::Calibration& c) {
 
 std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Calibration& c) {
   const method::hysteresis::SurrogateMass* mass = c.masses.find(c.selection.recommended);
-  const std::string why = c.masses.stage.reason;
-  const char* const both =
-      "slow sweep over the joint's range in both directions, and a "
-      "micro-oscillation about the gravity peak";
+  const Statement& why = c.masses.stage.reason;
+  constexpr Code both{"record.sweep_and_oscillation"};
   std::optional<statistics::Estimate> gravity_Nm;
   std::optional<statistics::Estimate> mass_kg;
   if (mass != nullptr) {
@@ -60,14 +56,14 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
     mass_kg = mass->mass_kg;
   }
   std::vector<calibration::QuantityVerdict> all{
-      angle(c), by_estimate("gravity_torque", "Gravity torque", "N·m", gravity_Nm, why, both),
-      by_estimate("surrogate_mass", "Surrogate mass", "kg", mass_kg, why, both)};
+      angle(c), by_estimate("gravity_torque", "N·m", gravity_Nm, why, both),
+      by_estimate("surrogate_mass", "kg", mass_kg, why, both)};
   // Each independent way to gravity has to be there, or the mass stands on one alone.
   for (const statistics::StageReport* stage : {&c.rough.stage, &c.hysteresis.stage}) {
     if (mass == nullptr || stage->state == statistics::StageState::done) continue;
     for (std::size_t k = 1; k < all.size(); ++k) {
       calibration::lower(all[k], calibration::Verdict::doubtful,
-                         "nothing independent checks it: " + stage->reason, both);
+                         {"verdict.nothing_independent", {{"why", stage->reason}}}, both);
     }
   }
   return all;
@@ -76,35 +72,32 @@ std::vector<calibration::QuantityVerdict> gravity_verdicts(const calibration::Ca
 namespace {
 
 /// Why the loop gave no parameters: the fit's own words, or the stage's.
-std::string why_no_fit(const calibration::Calibration& c) {
+Statement why_no_fit(const calibration::Calibration& c) {
   const auto& fit = c.hysteresis.lugre;
   if (fit && !fit->reason.empty()) return fit->reason;
   if (!c.hysteresis.stage.reason.empty()) return c.hysteresis.stage.reason;
-  return "no friction model was fitted to the loop";
+  return {"verdict.no_loop_model"};
 }
 
 /// From ramps where there are some that broke away, else from the loop's level.
 calibration::QuantityVerdict break_away(const calibration::Calibration& c,
                                         const std::optional<statistics::Estimate>& loop_level_Nm,
-                                        const std::string& why) {
+                                        const Statement& why) {
   const method::hysteresis::BreakAwayResult& ramps = c.break_away;
   const bool from_ramps = ramps.mean_Nm.has_value();
   calibration::QuantityVerdict q =
-      by_estimate("break_away_torque", "Break-away torque", "N·m",
-                  from_ramps ? ramps.mean_Nm : loop_level_Nm, why, record_an_oscillation);
+      by_estimate("break_away_torque", "N·m", from_ramps ? ramps.mean_Nm : loop_level_Nm, why,
+                  record_an_oscillation);
   if (!ramps.ramps.empty() && !from_ramps) {
-    calibration::lower(
-        q, calibration::Verdict::doubtful, "the ramps do not show it: " + ramps.stage.reason,
-        "ramps of the torque that go on until the joint slides, several in each direction");
+    calibration::lower(q, calibration::Verdict::doubtful,
+                       {"verdict.ramps_do_not_show", {{"why", ramps.stage.reason}}},
+                       {"record.ramps"});
   }
   // Sliding friction cannot be larger than what it takes to start sliding.
   const std::optional<statistics::Estimate> coulomb = coulomb_torque(c);
   if (!from_ramps && loop_level_Nm && coulomb && loop_level_Nm->high < coulomb->low) {
-    calibration::lower(
-        q, calibration::Verdict::not_identifiable,
-        "the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
-        "the break-away torque is only known to be larger",
-        "oscillate with a larger amplitude, until the loop's branches run flat");
+    calibration::lower(q, calibration::Verdict::not_identifiable, {"verdict.never_broke_away"},
+                       {"record.larger_amplitude"});
   }
   return q;
 }
@@ -119,15 +112,15 @@ void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::Quant
   if (worst == nullptr || !(worst->height_Nm > 0)) return;
   const double share = worst->systematic_Nm / worst->height_Nm;
   if (share <= doubtful_share) return;
-  calibration::lower(
-      q,
-      share > hopeless_share ? calibration::Verdict::not_identifiable
-                             : calibration::Verdict::doubtful,
-      fmt::format("{}: the LuGre model leaves {:.2g} N·m, {:.1f} % of the loop's height, that "
-                  "noise does not explain (limit {:.1f} %): its number is the model's nearest, "
-                  "not the joint's",
-                  worst->recording, worst->systematic_Nm, 100 * share, 100 * doubtful_share),
-      "compare with the stiffness behind reversals, which needs no model (table of the loops)");
+  calibration::lower(q,
+                     share > hopeless_share ? calibration::Verdict::not_identifiable
+                                            : calibration::Verdict::doubtful,
+                     {"verdict.lugre_misfit",
+                      {{"recording", worst->recording},
+                       {"misfit_Nm", worst->systematic_Nm},
+                       {"percent", 100 * share},
+                       {"limit_percent", 100 * doubtful_share}}},
+                     {"record.compare_reversals"});
 }
 
 }  // namespace
@@ -135,10 +128,10 @@ void judge_by_misfit(const method::hysteresis::LuGreFit& fit, calibration::Quant
 std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Calibration& c) {
   const auto& fit = c.hysteresis.lugre;
   // A parameter that the loops do not show says why, and what would show it.
-  const auto of_fit = [&](const std::string& key, const std::string& words, const std::string& unit,
-                          const char* name, const std::optional<statistics::Estimate>& instead) {
-    std::string why = why_no_fit(c);
-    std::string experiment = record_an_oscillation;
+  const auto of_fit = [&](const std::string& key, const std::string& unit, const char* name,
+                          const std::optional<statistics::Estimate>& instead) {
+    Statement why = why_no_fit(c);
+    Statement experiment = record_an_oscillation;
     std::optional<statistics::Estimate> estimate = instead;
     if (fit && !estimate) estimate = fit->shown(name);
     for (const method::hysteresis::LuGreParameter& p :
@@ -147,13 +140,13 @@ std::vector<calibration::QuantityVerdict> bristle_verdicts(const calibration::Ca
       why = p.why_not;
       experiment = p.experiment;
     }
-    return by_estimate(key, words, unit, estimate, why, experiment);
+    return by_estimate(key, unit, estimate, why, experiment);
   };
   std::vector<calibration::QuantityVerdict> all{
       break_away(c, fit ? fit->shown("static_Nm") : std::nullopt, why_no_fit(c)),
-      of_fit("bristle_stiffness", "Bristle stiffness", "N·m/rad", "bristle_stiffness_Nm_rad", {}),
-      of_fit("bristle_damping", "Bristle damping", "N·m·s/rad", "bristle_damping_Nms_rad", {}),
-      of_fit("inertia", "Inertia at the motor", "kg·m²", "inertia_kgm2", c.rough.inertia_kgm2)};
+      of_fit("bristle_stiffness", "N·m/rad", "bristle_stiffness_Nm_rad", {}),
+      of_fit("bristle_damping", "N·m·s/rad", "bristle_damping_Nms_rad", {}),
+      of_fit("inertia", "kg·m²", "inertia_kgm2", c.rough.inertia_kgm2)};
   if (fit && fit->converged) {
     for (std::size_t k = 1; k < 3; ++k) judge_by_misfit(*fit, all[k]);
   }
@@ -168,7 +161,6 @@ namespace {
 calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
   calibration::QuantityVerdict q;
   q.key = "viscous_curve";
-  q.words = "Viscous curve";
   const statistics::StageReport& stage = c.viscous.stage;
   if (c.viscous.runs.empty() || c.viscous.curves.empty()) {
     calibration::lower(q, calibration::Verdict::not_identifiable, stage.reason, record_runs);
@@ -178,7 +170,8 @@ calibration::QuantityVerdict viscous_curve(const calibration::Calibration& c) {
     calibration::lower(q, calibration::Verdict::doubtful, stage.reason, record_runs);
   if (c.quality.errors.empty()) {
     calibration::lower(q, calibration::Verdict::doubtful,
-                       "nothing checks the curve: " + c.quality.stage.reason, record_runs);
+                       {"verdict.nothing_checks_curve", {{"why", c.quality.stage.reason}}},
+                       record_runs);
   }
   return q;
 }
@@ -193,20 +186,18 @@ std::optional<statistics::Estimate> coulomb_torque(const calibration::Calibratio
 std::vector<calibration::QuantityVerdict> curve_verdicts(const calibration::Calibration& c) {
   const auto& line = c.friction.coulomb_viscous;
   const auto& waiboer = c.friction.waiboer;
-  const std::string why = c.friction.stage.reason;
+  const Statement& why = c.friction.stage.reason;
   std::optional<statistics::Estimate> viscous = c.rough.viscous_Nms_rad;
   std::optional<statistics::Estimate> stribeck;
   if (line) viscous = line->viscous_Nms_rad;
   if (waiboer && waiboer->converged) stribeck = waiboer->stribeck_speed_rad_s;
   // Which model of the curve was chosen, and what it shows of each parameter, enters here.
   std::vector<calibration::QuantityVerdict> all{
-      by_estimate("coulomb_torque", "Coulomb torque", "N·m", coulomb_torque(c), why, record_runs),
-      by_estimate("stribeck_speed", "Stribeck velocity", "rad/s", stribeck,
-                  why.empty() ? "no model with a Stribeck velocity was fitted to the curve" : why,
-                  "more speeds below and about the dip of the friction curve"),
-      by_estimate("viscous_coefficient", "Viscous coefficient", "N·m·s/rad", viscous, why,
-                  record_runs),
-      viscous_curve(c)};
+      by_estimate("coulomb_torque", "N·m", coulomb_torque(c), why, record_runs),
+      by_estimate("stribeck_speed", "rad/s", stribeck,
+                  why.empty() ? Statement{"verdict.no_stribeck_model"} : why,
+                  {"record.speeds_about_the_dip"}),
+      by_estimate("viscous_coefficient", "N·m·s/rad", viscous, why, record_runs), viscous_curve(c)};
   // A curve without a dip has none.
   all[1].decides = false;
   return all;

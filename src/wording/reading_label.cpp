@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "truth/readings.h"
+#include "wording/words.h"
 
 namespace tribolog::wording {
 
 std::string reading_label(const std::string& reading) {
-  const std::string words = truth::reading_words(reading);
+  const std::string words = words_for("reading", reading);
   const std::size_t mark = words.find('_');
   if (mark == std::string::npos) return words;
   const std::size_t end = std::min(words.find(' ', mark), words.size());

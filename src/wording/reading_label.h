@@ -5,7 +5,7 @@
 
 namespace tribolog::wording {
 
-/// reading_words() with the subscript marked up: "break-away torque T_{s}".
+/// The reading's words with the subscript marked up: "break-away torque T_{s}".
 std::string reading_label(const std::string& reading);
 
 }  // namespace tribolog::wording

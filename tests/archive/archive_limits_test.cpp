@@ -73,7 +73,7 @@ TEST_P(AnyArchive, GivesBackEveryBit) {
                              Limits::min(), Limits::denorm_min(), 1e15 + 0.3, 9007199254740993.0}) {
     given.quantities.push_back({fmt::format("q{}", given.quantities.size()), "", "N·m",
                                 calibration::Verdict::usable,
-                                statistics::Estimate{value, value, value, ""}});
+                                statistics::Estimate{value, value, value, {}}});
   }
   given.inputs[0].bytes = 9007199254740993;  // no double has it
   std::string bytes;

@@ -19,7 +19,7 @@ calibration::Entry reviewed_entry(store::CalibrationArchive& archive) {
   const calibration::Entry entry = archive.find(added.id);
   archive.add_review(
       entry, {now, "A. 'Reviewer\"", calibration::Review::Decision::rejected, "too warm\nagain"});
-  archive.add_review(entry, {later, "B", calibration::Review::Decision::approved, ""});
+  archive.add_review(entry, {later, "B", calibration::Review::Decision::approved, {}});
   return entry;
 }
 

@@ -29,8 +29,8 @@ inline calibration::NewCalibration sample_calibration(int robot, int joint, int 
   c.facts.configuration = "Resamples: 1000\n";
   c.facts.tool_version = "0.1.0";
   c.facts.git_revision = "0123456789ab";
-  const statistics::Estimate coulomb{coulomb_Nm, coulomb_Nm - half_width_Nm,
-                                     coulomb_Nm + half_width_Nm, ""};
+  const statistics::Estimate coulomb{
+      coulomb_Nm, coulomb_Nm - half_width_Nm, coulomb_Nm + half_width_Nm, {}};
   c.quantities = {
       {"coulomb_torque", "Coulomb torque", "N·m", calibration::Verdict::usable, coulomb},
       {"viscous_curve", "Viscous curve", "", calibration::Verdict::usable, {}}};

@@ -105,7 +105,7 @@ TEST_F(OldArchive, OfSchema1IsReadAndTakesReviewsOnceItIsWritten) {
 
   store::CalibrationArchive writer = store::open_archive(path_, sql::Access::write);
   EXPECT_EQ(store::version_of(*connection_), store::schema_version);
-  writer.add_review(entry, {now, "A. Reviewer", calibration::Review::Decision::approved, ""});
+  writer.add_review(entry, {now, "A. Reviewer", calibration::Review::Decision::approved, {}});
   EXPECT_EQ(writer.reviews(entry).size(), 1U);
   EXPECT_TRUE(writer.verify(head, {}).faults.empty()) << "the chain goes on from where it was";
   EXPECT_EQ(store::open_archive(path_ + ".schema-1", sql::Access::read).verify(head, {}).head,

@@ -47,8 +47,9 @@ TEST(CalibrationJson, FollowsTheSchemaWithAKnownTruthCheck) {
   c.truth_check.quantities = {
       {"midline", "N·m", 3.9, 3.8, 0.1, 0.01, 2, 0, {-9, -11}, false},
       {"q_peak", "rad", -0.4, std::nan(""), std::nan(""), std::nan(""), 0, 0, {}, false}};
-  c.truth_check.left_out = {"run.csv: no friction curve was identified"};
-  c.truth_check.findings = {{"midline", "the mid-line does not come back"}};
+  c.truth_check.left_out = {
+      {"truth.not_simulated", {{"recording", "run.csv"}, {"why", Statement{"truth.no_curve"}}}}};
+  c.truth_check.findings = {{"midline", Statement::verbatim("the mid-line does not come back")}};
   expect_valid(c);
   const json check = parsed(c)["truth_check"];
   EXPECT_EQ(check["quantities"][0]["came_back"], 3.8);
@@ -65,6 +66,20 @@ TEST(CalibrationJson, FollowsTheSchemaWithoutAnyData) {
 TEST(CalibrationJson, FollowsTheSchemaForTheSimulatedJoint) {
   const joint::Dataset dataset = simulate::simulated_dataset(noisy_paper_joint(3));
   expect_valid(identify::identify(dataset));
+}
+
+TEST(CalibrationJson, HasTheCodeBesideTheWords) {
+  calibration::Calibration c = complete_calibration();
+  c.judgement.sentence = {"verdict.usable"};
+  c.judgement.findings = {{"verdict.known_to_share", {{"percent", 41.5}}},
+                          {"verdict.nothing_independent", {{"why", Statement{"truth.no_curve"}}}}};
+  const json verdict = parsed(c)["verdict"];
+  EXPECT_EQ(verdict["sentence_code"], "verdict.usable");
+  EXPECT_EQ(verdict["findings"][0], "known to ± 42 % only");
+  EXPECT_EQ(verdict["findings_code"][0],
+            json::parse(R"({"code": "verdict.known_to_share", "values": {"percent": 41.5}})"));
+  EXPECT_EQ(verdict["findings_code"][1]["values"]["why"], json::parse(R"(["truth.no_curve"])"));
+  expect_valid(c);
 }
 
 TEST(CalibrationJson, HoldsTheSteadyLoopInFewDigits) {

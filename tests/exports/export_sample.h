@@ -17,7 +17,7 @@ inline exports::results::ArchivedJoint export_sample() {
   const auto add = [&](const char* name, const char* words, const char* unit, double value,
                        double half_width) {
     joint.quantities.push_back({name, words, unit, calibration::Verdict::usable,
-                                statistics::symmetric_estimate(value, half_width, "")});
+                                statistics::symmetric_estimate(value, half_width)});
   };
   add("cog_angle", "Angle of the centre of gravity", "rad", -0.4, 0.01);
   add("gravity_torque", "Gravity torque", "N·m", 4, 0.1);
@@ -30,8 +30,8 @@ inline exports::results::ArchivedJoint export_sample() {
   add("viscous_coefficient", "Viscous coefficient", "N·m·s/rad", 0.002, 0.0001);
   joint.quantities.push_back(
       {"viscous_curve", "Viscous curve", "", calibration::Verdict::usable, {}});
-  joint.calibration = R"({"friction": {"curve": "midline", "coulomb_viscous":
-      {"fastest_rad_s": 200}}, "viscous": {"from_sweep": false,
+  joint.calibration = R"({"friction": {"coulomb_viscous": {"fastest_rad_s": 200}},
+      "selection": {"recommended": "midline"}, "viscous": {"from_sweep": false,
       "runs": [{"speed_rad_s": -100.01}, {"speed_rad_s": -10}, {"speed_rad_s": 10},
                {"speed_rad_s": 99.99}, {"speed_rad_s": 200}],
       "curves": {"midline": [-0.52, -0.34, 0.32, 0.50, 0.70]}}})";

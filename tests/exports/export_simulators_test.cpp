@@ -40,7 +40,7 @@ TEST(ExportForSimulators, RefusesWhatIsNotUsableAndSaysWhy) {
               std::string::npos);
     exports::results::ArchivedJoint negative = test::export_sample();
     test::quantity_of(negative, "viscous_coefficient").estimate =
-        statistics::Estimate{-1, -2, 0.1, ""};
+        statistics::Estimate{-1, -2, 0.1, {}};
     EXPECT_NE(
         test::refusal_of<UsageError>([&] { return make(negative, options); }).find("is below zero"),
         std::string::npos);
@@ -203,7 +203,7 @@ TEST(ModelicaFriction, IsWhatTheBearingOfTheLibraryTakes) {
 
 TEST(ModelicaFriction, HasNoPeakBelowOneAndNoneThatIsNotUsable) {
   exports::results::ArchivedJoint joint = test::export_sample();
-  test::quantity_of(joint, "break_away_torque").estimate = statistics::Estimate{0.2, 0.1, 0.3, ""};
+  test::quantity_of(joint, "break_away_torque").estimate = statistics::Estimate{0.2, 0.1, 0.3, {}};
   EXPECT_EQ(ModelicaReader(exports::results::modelica_friction(joint, {})).peak, 1);
   joint = test::export_sample();
   test::quantity_of(joint, "break_away_torque").verdict = calibration::Verdict::doubtful;

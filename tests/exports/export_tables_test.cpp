@@ -27,14 +27,14 @@ TEST(GearSide, ConservesPowerAndEnergy) {
   // What the gear passes on is the same on both sides: torque times speed, 1/2 J w², 1/2 k q².
   const double n = 50;
   const calibration::Quantity torque{"coulomb_torque", "", "N·m", calibration::Verdict::usable,
-                                     statistics::Estimate{2, 1, 3, ""}};
+                                     statistics::Estimate{2, 1, 3, {}}};
   const calibration::Quantity speed{"stribeck_speed", "", "rad/s", calibration::Verdict::usable,
-                                    statistics::Estimate{7, 6, 8, ""}};
+                                    statistics::Estimate{7, 6, 8, {}}};
   EXPECT_NEAR(calibration::at_joint(torque, n).value * calibration::at_joint(speed, n).value, 2 * 7,
               1e-12);
   for (const char* const name : {"inertia", "viscous_coefficient", "bristle_damping"}) {
     const calibration::Quantity q{name, "", "", calibration::Verdict::usable,
-                                  statistics::Estimate{0.3, 0.2, 0.4, ""}};
+                                  statistics::Estimate{0.3, 0.2, 0.4, {}}};
     const double joint_speed = calibration::at_joint(speed, n).value;
     EXPECT_NEAR(calibration::at_joint(q, n).value * joint_speed * joint_speed, 0.3 * 7 * 7, 1e-12)
         << name;

@@ -33,7 +33,7 @@ TEST(FigureSet, SweepAloneHasNoLoopFigures) {
 TEST(FigureSet, LoopWithoutBristleHasNoBristleFigures) {
   const joint::Dataset dataset = test::hand_made_dataset();
   calibration::Calibration calibration = test::hand_made_calibration(dataset);
-  calibration.hysteresis.bristle_source.clear();
+  calibration.hysteresis.bristle_source = {};
   calibration.hysteresis.points.clear();
   calibration.hysteresis.traces.front().z_rad.clear();
   calibration.hysteresis.traces.front().dz_rad_s.clear();

@@ -53,16 +53,19 @@ joint::Recording oscillation() {
 method::gravity::CogSweepResult sweep_result(const std::string& name,
                                              const joint::Recording* recording, double half_rad) {
   method::gravity::CogSweepResult result;
-  result.stage = {name, statistics::StageState::done, ""};
+  result.stage = {name, statistics::StageState::done, {}};
   result.found = true;
-  result.method = "least squares";
+  result.method = Statement::verbatim("least squares");
   result.argmax_rad = known::q_peak_rad + 0.002;
   result.argmax_low_rad = known::q_peak_rad - 0.006;
   result.argmax_high_rad = known::q_peak_rad + 0.007;
   result.argmax_torque_Nm = known::gravity_Nm + known::friction_Nm;
-  result.q_peak_rad = statistics::symmetric_estimate(known::q_peak_rad, half_rad, "by hand");
-  result.gravity_Nm = statistics::symmetric_estimate(known::gravity_Nm, 0.012, "by hand");
-  result.coulomb_Nm = statistics::symmetric_estimate(known::friction_Nm, 0.003, "by hand");
+  result.q_peak_rad =
+      statistics::symmetric_estimate(known::q_peak_rad, half_rad, Statement::verbatim("by hand"));
+  result.gravity_Nm =
+      statistics::symmetric_estimate(known::gravity_Nm, 0.012, Statement::verbatim("by hand"));
+  result.coulomb_Nm =
+      statistics::symmetric_estimate(known::friction_Nm, 0.003, Statement::verbatim("by hand"));
   result.both_directions = true;
   result.constant_speed = true;
   result.lowest_rad = recording->q_rad.front();
@@ -99,9 +102,9 @@ method::hysteresis::LoopPoint reading(char name, const joint::Recording& recordi
 
 method::hysteresis::HysteresisResult loop_result(const joint::Recording& recording) {
   method::hysteresis::HysteresisResult loop;
-  loop.stage = {"hysteresis", statistics::StageState::done, ""};
+  loop.stage = {"hysteresis", statistics::StageState::done, {}};
   loop.found = true;
-  loop.bristle_source = "recorded";
+  loop.bristle_source = {"loop.bristle_recorded"};
   loop.oscillations.push_back({known::centre_rad, known::amplitude_rad, known::frequency_Hz,
                                known::cycles, known::cycles - 1.0, 0.0});
   method::hysteresis::LoopTrace trace;
@@ -121,14 +124,16 @@ method::hysteresis::HysteresisResult loop_result(const joint::Recording& recordi
     loop.steady_points.push_back(point);
     loop.steady_points.back().torque_Nm += 0.2;
   }
-  loop.midline_Nm = statistics::symmetric_estimate(known::gravity_Nm, 0.008, "by hand");
+  loop.midline_Nm =
+      statistics::symmetric_estimate(known::gravity_Nm, 0.008, Statement::verbatim("by hand"));
   loop.midline_q_rad = known::centre_rad;
   loop.loop_height_Nm = 2 * known::loop_Nm;
   return loop;
 }
 
 method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
-  const statistics::Estimate torque = statistics::symmetric_estimate(torque_Nm, 0.01, "by hand");
+  const statistics::Estimate torque =
+      statistics::symmetric_estimate(torque_Nm, 0.01, Statement::verbatim("by hand"));
   return {estimator, torque, known::centre_rad, statistics::scaled(torque, known::kg_per_Nm),
           torque};
 }
@@ -136,7 +141,7 @@ method::hysteresis::SurrogateMass mass(const std::string& estimator, double torq
 /// Friction 0.5 N·m + 0.002 N·m·s/rad in both directions, seen with each candidate's gravity.
 void add_runs(calibration::Calibration& calibration, const std::vector<double>& speeds) {
   method::viscous::ViscousCurvesResult& viscous = calibration.viscous;
-  viscous.stage = {"viscous_curves", statistics::StageState::done, ""};
+  viscous.stage = {"viscous_curves", statistics::StageState::done, {}};
   for (const double speed : speeds) {
     method::viscous::ConstantSpeedRun run;
     run.recording = "runs.csv";
@@ -161,17 +166,19 @@ void add_runs(calibration::Calibration& calibration, const std::vector<double>& 
     viscous.curves.push_back(std::move(curve));
     calibration.quality.errors.push_back(std::move(error));
   }
-  calibration.quality.stage = {"quality_errors", statistics::StageState::done, ""};
+  calibration.quality.stage = {"quality_errors", statistics::StageState::done, {}};
   calibration.quality.reference = "direction_difference";
 }
 
 void add_laws(calibration::Calibration& calibration) {
   method::selection::FrictionParametersResult& friction = calibration.friction;
-  friction.stage = {"friction_parameters", statistics::StageState::done, ""};
+  friction.stage = {"friction_parameters", statistics::StageState::done, {}};
   friction.curve = calibration.selection.recommended;
   method::selection::CoulombViscousFit law;
-  law.coulomb_Nm = statistics::symmetric_estimate(known::friction_Nm, 0.004, "by hand");
-  law.viscous_Nms_rad = statistics::symmetric_estimate(0.002, 0.0001, "by hand");
+  law.coulomb_Nm =
+      statistics::symmetric_estimate(known::friction_Nm, 0.004, Statement::verbatim("by hand"));
+  law.viscous_Nms_rad =
+      statistics::symmetric_estimate(0.002, 0.0001, Statement::verbatim("by hand"));
   law.slowest_rad_s = 10.0;
   law.fastest_rad_s = 300.0;
   friction.coulomb_viscous = law;
@@ -202,7 +209,7 @@ calibration::Calibration hand_made_calibration(const joint::Dataset& dataset) {
   calibration.q_peak_rad = calibration.precise.q_peak_rad;
   calibration.q_peak_source = "cog_precise";
   calibration.hysteresis = loop_result(dataset.recordings[2]);
-  calibration.masses.stage = {"surrogate_masses", statistics::StageState::done, ""};
+  calibration.masses.stage = {"surrogate_masses", statistics::StageState::done, {}};
   calibration.masses.distance_m = 0.5;
   calibration.masses.gravity_m_s2 = 9.81;
   calibration.masses.masses = {mass("A", 4.8),         mass("B", 3.96),    mass("C", 4.9),
@@ -210,11 +217,11 @@ calibration::Calibration hand_made_calibration(const joint::Dataset& dataset) {
                                mass("AB", 4.02),       mass("CD", 4.01),   mass("EF", 3.98),
                                mass("midline", 4.005), mass("sweep", 4.03)};
   add_runs(calibration, {-300.0, -100.0, -10.0, -1.0, 1.0, 10.0, 100.0, 300.0});
-  calibration.selection.stage = {"selection", statistics::StageState::done, ""};
+  calibration.selection.stage = {"selection", statistics::StageState::done, {}};
   calibration.selection.paper_rule = "B";
   calibration.selection.recommended = "midline";
   calibration.selection.q_c_rad =
-      statistics::symmetric_estimate(-known::q_peak_rad, 0.0005, "by hand");
+      statistics::symmetric_estimate(-known::q_peak_rad, 0.0005, Statement::verbatim("by hand"));
   add_laws(calibration);
   return calibration;
 }
@@ -226,9 +233,10 @@ calibration::Calibration sweep_only_calibration(const joint::Dataset& dataset) {
   calibration.rough.constant_speed = false;
   calibration.q_peak_rad = calibration.rough.q_peak_rad;
   calibration.q_peak_source = "cog_rough";
-  calibration.precise.stage = {"cog_precise", statistics::StageState::skipped, "no recording"};
+  calibration.precise.stage = {"cog_precise", statistics::StageState::skipped,
+                               Statement::verbatim("no recording")};
   calibration.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
-                                  "encoder too coarse"};
+                                  Statement::verbatim("encoder too coarse")};
   calibration.masses.masses = {mass("sweep", 4.03)};
   add_runs(calibration, {-60.0, -50.0, -40.0, 40.0, 50.0, 60.0});
   calibration.viscous.from_sweep = true;

@@ -85,7 +85,7 @@ TEST_F(HostileCalibration, NumbersThatAreNone) {
   for (const double poison : {nan, infinity, -infinity, huge, -huge}) {
     SCOPED_TRACE(poison);
     calibration_ = test::hand_made_calibration(dataset_);
-    const statistics::Estimate bad{poison, poison, poison, ""};
+    const statistics::Estimate bad{poison, poison, poison, {}};
     for (method::gravity::CogSweepResult* sweep : {&calibration_.rough, &calibration_.precise}) {
       sweep->q_peak_rad = sweep->gravity_Nm = bad;
       sweep->argmax_rad = sweep->argmax_torque_Nm = sweep->argmax_low_rad = poison;

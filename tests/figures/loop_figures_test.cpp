@@ -79,7 +79,7 @@ TEST_F(LoopFigures, AxesSayMicroradiansAndMilliradians) {
 }
 
 TEST_F(LoopFigures, FittedBristleIsCalledAModel) {
-  calibration_.hysteresis.bristle_source = "LuGre model fitted to the loop";
+  calibration_.hysteresis.bristle_source = {"loop.bristle_fitted"};
   method::hysteresis::LuGreFit fit;
   fit.loops.emplace_back();
   fit.loops.front().torque_Nm = calibration_.hysteresis.traces[0].torque_Nm;
@@ -149,8 +149,8 @@ TEST_F(LoopFigures, ReadingsThatCoincideAreLabelledOnce) {
 }
 
 TEST_F(LoopFigures, PeakFarFromTheLoopIsNotDrawnOnIt) {
-  calibration_.q_peak_rad =
-      statistics::symmetric_estimate(known::q_peak_rad + 0.01, 0.02, "by hand");
+  calibration_.q_peak_rad = statistics::symmetric_estimate(known::q_peak_rad + 0.01, 0.02,
+                                                           Statement::verbatim("by hand"));
   for (const auto& figure :
        {torque_loop_figure(calibration_), torque_choice_figure(calibration_)}) {
     ASSERT_TRUE(figure);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "friction/model_runs.h"
+#include "wording/words.h"
 
 namespace tribolog::every_model_test {
 namespace {
@@ -68,7 +69,14 @@ TEST_P(EveryModel, IsMadeAgainFromItsNamedParameters) {
   EXPECT_EQ(again->named_parameters(), values);
   EXPECT_EQ(test::under_sine(*again, 1e-4, 1.0, 100, 2),
             test::under_sine(*model, 1e-4, 1.0, 100, 2));
-  for (const friction::NamedParameter& one : values) EXPECT_FALSE(one.meaning.empty()) << one.key;
+}
+
+TEST_P(EveryModel, HasWordsForItsNameSourceAndParameters) {
+  EXPECT_FALSE(wording::words_for("friction_model", entry_.name).empty());
+  EXPECT_FALSE(wording::words_for("friction_source", entry_.name).empty());
+  for (const friction::NamedParameter& one : entry_.parameters) {
+    EXPECT_FALSE(wording::words_for("parameter." + entry_.name, one.key).empty()) << one.key;
+  }
 }
 
 // Each parameter has a key of its own that reaches the model, and no other.
@@ -93,7 +101,7 @@ TEST_P(EveryModel, EveryNamedParameterCounts) {
 }
 
 TEST_P(EveryModel, RefusesNamesAndKindsItDoesNotHave) {
-  EXPECT_THROW((void)entry_.make({{"colour", "", false, 1.0}}), std::invalid_argument);
+  EXPECT_THROW((void)entry_.make({{"colour", false, 1.0}}), std::invalid_argument);
   friction::NamedParameters values = entry_.matched_parameters(contact);
   values.back().value = std::vector<friction::MaxwellElement>{{1.0, 1.0}};
   EXPECT_THROW((void)entry_.make(values), std::invalid_argument);

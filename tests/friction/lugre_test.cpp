@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include <gtest/gtest.h>
+
+#include "wording/words.h"
 
 namespace tribolog::lugre_test {
 namespace {
@@ -30,7 +31,7 @@ TEST(LuGre, RefusesCoulombAboveStatic) {
     friction::LuGreFriction({1, 0, 0, 1.4, 1.1, 1});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& e) {
-    EXPECT_EQ(std::string(e.what()),
+    EXPECT_EQ(wording::words(e),
               "Coulomb torque 1.4 N·m exceeds static torque 1.1 N·m; it must not be larger");
   }
   EXPECT_THROW(friction::LuGreFriction({0, 0, 0, 1, 1, 1}), std::invalid_argument);

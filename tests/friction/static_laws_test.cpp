@@ -10,6 +10,7 @@
 #include "friction/stribeck.h"
 #include "friction/threshold_speed.h"
 #include "friction/waiboer.h"
+#include "wording/words.h"
 
 namespace tribolog::static_laws_test {
 namespace {
@@ -56,6 +57,16 @@ TEST(StaticLaws, AreMadeByNameFromNamedParameters) {
     EXPECT_EQ(made->named_parameters(), originals[i]->named_parameters());
     for (const double speed : {-2.0, 0.0, 5e-4, 0.3}) {
       EXPECT_EQ(made->torque_Nm(speed), originals[i]->torque_Nm(speed));
+    }
+  }
+}
+
+TEST(StaticLaws, HaveWordsForTheirNamesSourcesAndParameters) {
+  for (const friction::StaticLawEntry& law : friction::static_friction_laws()) {
+    EXPECT_FALSE(wording::words_for("friction_model", law.name).empty());
+    EXPECT_FALSE(wording::words_for("friction_source", law.name).empty());
+    for (const friction::NamedParameter& one : law.parameters) {
+      EXPECT_FALSE(wording::words_for("parameter." + law.name, one.key).empty()) << one.key;
     }
   }
 }

@@ -120,7 +120,7 @@ TEST(DriftPower, WildValuesRaiseFewAlarms) {
       for (calibration::Quantity& q : m.quantities) {
         if (random.uniform() > 0.03) continue;
         const double by = 5 * 0.005 * q.estimate->value * random.normal();
-        q.estimate = {q.estimate->value + by, q.estimate->low + by, q.estimate->high + by, ""};
+        q.estimate = {q.estimate->value + by, q.estimate->low + by, q.estimate->high + by, {}};
       }
     }
     if (trend_of(calibrations).state() > TrendState::steady) ++alarms;

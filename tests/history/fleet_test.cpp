@@ -128,7 +128,7 @@ TEST(Fleet, SaysNothingOfTooFew) {
 TEST(Fleet, EqualNumbersWithoutIntervalsAreNoOutliers) {
   std::vector<calibration::Measured> all = test::measured_fleet({7, 1, 5}, 9);
   for (calibration::Measured& m : all) {
-    for (calibration::Quantity& q : m.quantities) q.estimate = statistics::Estimate{1, 1, 1, ""};
+    for (calibration::Quantity& q : m.quantities) q.estimate = statistics::Estimate{1, 1, 1, {}};
   }
   EXPECT_EQ(history::fleet_of(all).distances, 0U);
 }

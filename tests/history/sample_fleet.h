@@ -61,7 +61,7 @@ void sample_fleet(const FleetSize& size, std::uint64_t seed, const Take& take) {
           const double value = own[i] * (1 + between_calibrations * random.normal());
           const double half = 1.96 * between_calibrations * std::abs(own[i]);
           c.quantities.push_back({q.name, q.words, q.unit, calibration::Verdict::usable,
-                                  statistics::Estimate{value, value - half, value + half, ""}});
+                                  statistics::Estimate{value, value - half, value + half, {}}});
         }
         take(c);
       }

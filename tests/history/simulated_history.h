@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "archive/store/calibration_archive.h"
-#include "history/recorded_curves.h"
+#include "calibration/read_calibration.h"
 #include "statistics/random_stream.h"
 
 namespace tribolog::test {
@@ -79,9 +79,8 @@ inline std::vector<calibration::Measured> simulated_history(std::uint64_t seed, 
       if (is_warm && kind.name == std::string("viscous_coefficient")) {
         value *= std::exp(shape.viscous_per_K * (shape.temperature_C[k] - 25));
       }
-      m.quantities.push_back(
-          {kind.name, kind.name, kind.unit, calibration::Verdict::usable,
-           statistics::symmetric_estimate(value, 1.96 * stated * kind.value, "made up")});
+      m.quantities.push_back({kind.name, kind.name, kind.unit, calibration::Verdict::usable,
+                              statistics::symmetric_estimate(value, 1.96 * stated * kind.value)});
     }
     all.push_back(std::move(m));
   }
@@ -89,10 +88,10 @@ inline std::vector<calibration::Measured> simulated_history(std::uint64_t seed, 
 }
 
 /// A friction curve and a loop of a few points, both lifted at one point by `shift`.
-inline history::RecordedCurves simple_curves(double shift) {
-  history::RecordedCurves c;
+inline calibration::RecordedCurves simple_curves(double shift) {
+  calibration::RecordedCurves c;
   c.friction = {
-      "midline", {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
+      "midline", false, {-2, -1, 1, 2}, {-0.6, -0.5, 0.5, 0.6 + shift}, {0.01, 0.01, 0.01, 0.01}};
   c.loops = {{0.3, {-1e-5, 0, 1e-5, 0}, {3.8, 4.0 + shift, 3.9, 3.7}}};
   return c;
 }

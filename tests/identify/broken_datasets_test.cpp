@@ -15,6 +15,7 @@
 #include "method/checks/data_checks.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::broken_datasets_test {
 namespace {
@@ -109,14 +110,16 @@ TEST_P(BrokenDataset, IsFoundByNameAndNeverUsable) {
   const calibration::Calibration c = identify::identify(d);
   const method::checks::DataCheck* check = c.data_checks.find(GetParam().check);
   ASSERT_NE(check, nullptr);
-  EXPECT_EQ(check->state, method::checks::CheckState::fails) << check->found;
-  EXPECT_NE(check->found.find(GetParam().word), std::string::npos) << check->found;
+  EXPECT_EQ(check->state, method::checks::CheckState::fails) << wording::words(check->found);
+  EXPECT_NE(wording::words(check->found).find(GetParam().word), std::string::npos)
+      << wording::words(check->found);
   EXPECT_FALSE(check->consequence.empty());
   EXPECT_FALSE(check->experiment.empty());
-  EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
+  EXPECT_NE(c.judgement.verdict, calibration::Verdict::usable)
+      << wording::words(c.judgement.sentence);
   const auto& findings = c.judgement.findings;
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const std::string& finding) {
-    return finding.find(check->found) != std::string::npos;
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const Statement& finding) {
+    return wording::words(finding).find(wording::words(check->found)) != std::string::npos;
   }));
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
     EXPECT_EQ(q.verdict == calibration::Verdict::usable, q.reasons.empty()) << q.key;
@@ -389,11 +392,12 @@ TEST(BrokenDatasets, AreTwentyAndMore) { EXPECT_GE(breaches().size(), 20U); }
 TEST(BrokenDatasets, TheUnbrokenOneFailsNoCheckAndIsUsable) {
   const joint::Dataset d = good_dataset();
   const calibration::Calibration c = identify::identify(d);
-  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
+  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
+      << wording::words(c.judgement.sentence);
   for (const method::checks::DataCheck& check : c.data_checks.checks) {
     EXPECT_TRUE(check.state == method::checks::CheckState::passed ||
                 check.state == method::checks::CheckState::not_applicable)
-        << check.name << ": " << check.found;
+        << check.name << ": " << wording::words(check.found);
   }
 }
 
@@ -410,10 +414,11 @@ TEST(BrokenDatasets, AnEffortThatIsOnlyProposedIsToldButFailsNothing) {
   d.manifest.effort_is_confirmed = false;
   const calibration::Calibration c = identify::identify(d);
   EXPECT_EQ(c.data_checks.find("effort_provenance")->state, method::checks::CheckState::warns);
-  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable) << c.judgement.sentence;
+  EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable)
+      << wording::words(c.judgement.sentence);
   const auto& findings = c.judgement.findings;
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const std::string& finding) {
-    return finding.find("nobody confirmed it") != std::string::npos;
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Statement& finding) {
+    return wording::words(finding).find("nobody confirmed it") != std::string::npos;
   }));
 }
 
@@ -426,8 +431,9 @@ TEST(BrokenDatasets, ATorqueBehindTheGearIsToldAndTheMassStands) {
   });
   const calibration::Calibration c = identify::identify(d);
   const method::checks::DataCheck* check = c.data_checks.find("link_side_torque");
-  EXPECT_EQ(check->state, method::checks::CheckState::warns) << check->found;
-  EXPECT_NE(check->found.find("little gear friction"), std::string::npos) << check->found;
+  EXPECT_EQ(check->state, method::checks::CheckState::warns) << wording::words(check->found);
+  EXPECT_NE(wording::words(check->found).find("little gear friction"), std::string::npos)
+      << wording::words(check->found);
   EXPECT_NEAR(c.rough.gravity_Nm.value / test::true_gravity_Nm, 1, 0.01);
 }
 
@@ -437,8 +443,9 @@ TEST(BrokenDatasets, RippleAtEightPositionsIsToldButFailsNothing) {
   const joint::Dataset d = simulate::simulated_dataset(s);
   const calibration::Calibration c = identify::identify(d);
   const method::checks::DataCheck* check = c.data_checks.find("torque_ripple");
-  EXPECT_EQ(check->state, method::checks::CheckState::passed) << check->found;
-  EXPECT_NE(check->found.find("6.00 periods"), std::string::npos) << check->found;
+  EXPECT_EQ(check->state, method::checks::CheckState::passed) << wording::words(check->found);
+  EXPECT_NE(wording::words(check->found).find("6.00 periods"), std::string::npos)
+      << wording::words(check->found);
   EXPECT_EQ(c.data_checks.find("ripple_period")->state, method::checks::CheckState::passed);
 }
 
@@ -454,7 +461,8 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
   const method::checks::DataCheck* period = seen.find("ripple_period");
   EXPECT_EQ(period->state, method::checks::CheckState::warns);
   // 6 periods in 1/100 of a joint's turn are 7.5 in 1/80.
-  EXPECT_NE(period->found.find("7.50 periods"), std::string::npos) << period->found;
+  EXPECT_NE(wording::words(period->found).find("7.50 periods"), std::string::npos)
+      << wording::words(period->found);
 
   joint::Dataset smooth = good_dataset();
   const calibration::Calibration right = identify::identify(smooth);
@@ -462,7 +470,8 @@ TEST(BrokenDatasets, AWrongGearRatioShowsInTheRipplesPeriodOnly) {
   const calibration::Calibration wrong = identify::identify(smooth);
   EXPECT_EQ(wrong.data_checks.find("ripple_period")->state,
             method::checks::CheckState::not_applicable);
-  EXPECT_NE(wrong.data_checks.find("ripple_period")->found.find("nothing in these logs checks"),
+  EXPECT_NE(wording::words(wrong.data_checks.find("ripple_period")->found)
+                .find("nothing in these logs checks"),
             std::string::npos);
   const double mass = right.masses.find("midline")->mass_kg.value;
   EXPECT_NEAR(wrong.masses.find("midline")->mass_kg.value / mass, 0.8, 1e-6);

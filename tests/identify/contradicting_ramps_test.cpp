@@ -13,6 +13,7 @@
 #include "calibration/calibration_json.h"
 #include "identify/identify.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::contradicting_ramps_test {
 namespace {
@@ -99,7 +100,8 @@ TEST(ContradictingRamps, RampsThatNeverSlideLeaveNoNumberAtAll) {
   EXPECT_FALSE(q.estimate);
   EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable);
   ASSERT_FALSE(q.reasons.empty());
-  EXPECT_NE(q.reasons.front().find("without sliding"), std::string::npos) << q.reasons.front();
+  EXPECT_NE(wording::words(q.reasons.front()).find("without sliding"), std::string::npos)
+      << wording::words(q.reasons.front());
 }
 
 }  // namespace

@@ -159,8 +159,9 @@ TEST(PositionPlan, SaysThePeriodsAndSevenFurtherAnglesOverOneTurn) {
   EXPECT_EQ(c.position_plan->further_rad.size(), 7U);
   EXPECT_NEAR(c.position_plan->spread_motor_rad, 2 * std::numbers::pi, 1e-12);
   std::string why;
-  for (const std::string& finding : c.judgement.findings) {
-    if (finding.find("further angles") != std::string::npos) why = finding;
+  for (const Statement& finding : c.judgement.findings) {
+    const std::string words = wording::words(finding);
+    if (words.find("further angles") != std::string::npos) why = words;
   }
   for (const char* piece : {" at 1 ", " at 6 ", "periods a motor turn", "7 further angles"}) {
     EXPECT_NE(why.find(piece), std::string::npos) << piece << " in\n" << why;

@@ -91,16 +91,16 @@ std::shared_ptr<const friction::DynamicFriction> with(const std::string& model,
 /// For each model one parameter that no other has, far from the matched one.
 friction::NamedParameter own_parameter(const std::string& model) {
   static const std::map<std::string, friction::NamedParameter> own{
-      {"dahl", {"exponent", "", false, 0.5}},
-      {"haessig_bristles", {"bristles", "", false, std::uint64_t{2000}}},
-      {"reset_integrator", {"stiction_gain", "", false, 0.1}},
-      {"bliman_sorine", {"way_ratio", "", false, 0.25}},
-      {"armstrong", {"rise_time_s", "", false, 0.005}},
-      {"lugre", {"bristle_damping_Nms_rad", "", false, 0.1}},
-      {"leuven", {"transition_power", "", false, 1.5}},
-      {"elasto_plastic", {"break_away_deflection_rad", "", false, 2e-4}},
+      {"dahl", {"exponent", false, 0.5}},
+      {"haessig_bristles", {"bristles", false, std::uint64_t{2000}}},
+      {"reset_integrator", {"stiction_gain", false, 0.1}},
+      {"bliman_sorine", {"way_ratio", false, 0.25}},
+      {"armstrong", {"rise_time_s", false, 0.005}},
+      {"lugre", {"bristle_damping_Nms_rad", false, 0.1}},
+      {"leuven", {"transition_power", false, 1.5}},
+      {"elasto_plastic", {"break_away_deflection_rad", false, 2e-4}},
       {"gms",
-       {"elements", "", false,
+       {"elements", false,
         std::vector<friction::MaxwellElement>{{300, 0.2}, {120, 0.3}, {60, 0.5}}}}};
   return own.at(model);
 }
@@ -135,7 +135,7 @@ TEST_P(WholeJoint, SlidesOnTheModelsSteadyCurve) {
   const friction::FrictionModelEntry& model = friction::dynamic_friction_model(GetParam());
   scenario.presliding = model.matched(contact());
   if (model.traits.remembers_rest) {  // any rest is then a long one
-    scenario.presliding = with(GetParam(), {"rise_time_s", "", false, 1e-6});
+    scenario.presliding = with(GetParam(), {"rise_time_s", false, 1e-6});
   }
   scenario.sliding = nullptr;
   const calibration::Calibration c = identify::identify(simulate::simulated_dataset(scenario));

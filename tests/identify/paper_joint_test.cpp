@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/identify.h"
+#include "wording/words.h"
 
 namespace tribolog::paper_joint_test {
 namespace {
@@ -78,7 +79,8 @@ TEST_F(PaperJoint, ViscousParametersComeBack) {
 
 TEST_F(PaperJoint, EveryStageIsDoneAndTheVerdictIsUsable) {
   for (const statistics::StageReport& stage : c().stages()) {
-    EXPECT_EQ(stage.state, statistics::StageState::done) << stage.name << ": " << stage.reason;
+    EXPECT_EQ(stage.state, statistics::StageState::done)
+        << stage.name << ": " << wording::words(stage.reason);
   }
   EXPECT_EQ(c().judgement.verdict, calibration::Verdict::usable);
 }

@@ -7,6 +7,7 @@
 
 #include "identify/identify.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::quality_without_truth_test {
 namespace {
@@ -52,8 +53,8 @@ TEST(QualityWithoutTruth, ChoosesTheSameMassAndSaysHowFarItCanBeTrusted) {
     EXPECT_EQ(sighted.selection.recommended, blind.selection.recommended);
     same += sighted.selection.paper_rule == blind.selection.paper_rule;
     EXPECT_GT(blind.quality.reference_rms_percent, 0);
-    EXPECT_NE(blind.quality.evidence.find("no evidence"), std::string::npos)
-        << blind.quality.evidence;
+    EXPECT_NE(wording::words(blind.quality.evidence).find("no evidence"), std::string::npos)
+        << wording::words(blind.quality.evidence);
     for (const method::selection::QualityError& e : sighted.quality.errors) {
       const double other = blind.quality.find(e.estimator)->rms_percent;
       EXPECT_NEAR(other, e.rms_percent, std::max(0.05, 2 * blind.quality.reference_rms_percent));
@@ -68,14 +69,14 @@ TEST(QualityWithoutTruth, AsymmetricFrictionIsSeenBesideIt) {
   constexpr double offset_Nm = 0.15;
   joint::Dataset dataset = simulate::simulated_dataset(test::noisy_paper_joint(5));
   const calibration::Calibration even = identify_blind(dataset);
-  EXPECT_FALSE(even.direction_asymmetry.found) << even.direction_asymmetry.sentence;
+  EXPECT_FALSE(even.direction_asymmetry.found) << wording::words(even.direction_asymmetry.sentence);
   for (joint::Recording& r : dataset.recordings) {
     if (r.role != joint::Role::constant_speed) continue;
     for (double& torque : r.torque_Nm) torque += offset_Nm;
   }
   const calibration::Calibration odd = identify_blind(dataset);
   ASSERT_TRUE(odd.direction_asymmetry.examined);
-  EXPECT_TRUE(odd.direction_asymmetry.found) << odd.direction_asymmetry.sentence;
+  EXPECT_TRUE(odd.direction_asymmetry.found) << wording::words(odd.direction_asymmetry.sentence);
   EXPECT_NEAR(odd.direction_asymmetry.mean_Nm.value, offset_Nm, 0.01);
   for (std::size_t i = 0; i < even.quality.reference_Nm.size(); ++i) {
     EXPECT_NEAR(odd.quality.reference_Nm[i], even.quality.reference_Nm[i], 1e-9);
@@ -110,9 +111,11 @@ TEST(QualityWithoutTruth, WithoutCommonAnglesItIsRefusedInWords) {
   dataset.recordings = std::move(cut);
   const calibration::Calibration c = identify::identify(dataset);
   EXPECT_TRUE(c.quality.reference.empty());
-  EXPECT_NE(c.quality.stage.reason.find("the directions share no angle"), std::string::npos)
-      << c.quality.stage.reason;
-  EXPECT_NE(c.quality.stage.reason.find("both directions over the same angles"), std::string::npos);
+  EXPECT_NE(wording::words(c.quality.stage.reason).find("the directions share no angle"),
+            std::string::npos)
+      << wording::words(c.quality.stage.reason);
+  EXPECT_NE(wording::words(c.quality.stage.reason).find("both directions over the same angles"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "joint/degrees.h"
 #include "support/check_findings.h"
 #include "support/real_logs.h"
+#include "wording/words.h"
 
 namespace tribolog::real_log_test {
 namespace {
@@ -26,7 +27,7 @@ calibration::Calibration identify_manifest(const std::string& name, joint::Datas
 /// Some 6 % of the gravity torque: the joint's friction at angles held out is described more than
 /// twice as well with it, and no curve of the speed alone does that.
 void expect_load_dependence(const calibration::Calibration& c) {
-  ASSERT_TRUE(c.load_dependence.found) << c.load_dependence.sentence;
+  ASSERT_TRUE(c.load_dependence.found) << wording::words(c.load_dependence.sentence);
   EXPECT_NEAR(c.load_dependence.per_load.value, 0.062, 0.015);
   EXPECT_GT(c.load_dependence.per_load.low, 0.04);
   EXPECT_LT(c.load_dependence.held_out_Nm, 0.5 * c.load_dependence.held_out_without_load_Nm);
@@ -81,9 +82,10 @@ TEST(RealLog, Ur10eJoint3) {
 }
 
 bool has_finding(const calibration::Calibration& c, const std::string& words) {
-  return std::any_of(
-      c.judgement.findings.begin(), c.judgement.findings.end(),
-      [&](const std::string& finding) { return finding.find(words) != std::string::npos; });
+  return std::any_of(c.judgement.findings.begin(), c.judgement.findings.end(),
+                     [&](const Statement& finding) {
+                       return wording::words(finding).find(words) != std::string::npos;
+                     });
 }
 
 TEST(RealLog, CiceseFrictionOfEachDirectionIsThePublishedOne) {
@@ -108,7 +110,7 @@ TEST(RealLog, CiceseGravityComesFromTheRuns) {
   TRIBOLOG_NEEDS_REAL_LOG("cicese_joint1/presliding/sine_j1_rep1.csv");
   joint::Dataset dataset;
   const calibration::Calibration c = identify_manifest("cicese_joint1.toml", dataset);
-  ASSERT_TRUE(c.run_gravity.found) << c.run_gravity.reason;
+  ASSERT_TRUE(c.run_gravity.found) << wording::words(c.run_gravity.reason);
   EXPECT_NEAR(c.run_gravity.gravity_Nm.value / 38.465, 1, 0.03);
   EXPECT_LE(c.run_gravity.gravity_Nm.low, 38.465);
   EXPECT_GE(c.run_gravity.gravity_Nm.high, 38.465);
@@ -147,7 +149,8 @@ TEST(RealLog, CiceseBreakAwayAndLoops) {
   EXPECT_EQ(c.break_away.censored, 1U);
   EXPECT_FALSE(c.break_away.ramps.front().broke_away);
   EXPECT_NEAR(c.break_away.ramps.front().friction_Nm, 10.066, 0.001);
-  EXPECT_NE(c.break_away.stage.reason.find("larger than 10.07 N·m (censored"), std::string::npos);
+  EXPECT_NE(wording::words(c.break_away.stage.reason).find("larger than 10.07 N·m (censored"),
+            std::string::npos);
   ASSERT_TRUE(c.break_away.rising_Nm && c.break_away.falling_Nm);
   EXPECT_NEAR(c.break_away.falling_Nm->value, 11.8, 0.3);  // the first leap in each of the plots
   EXPECT_LT(c.break_away.rising_Nm->low, c.break_away.falling_Nm->value);
@@ -195,7 +198,8 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
     RecordProperty("model_" + std::to_string(k), std::to_string(shapes[0].stiffness_Nm_rad->value));
     // Where they differ by more than both intervals, the fit has to say that the model is wrong.
     if (!overlap(*shapes[0].stiffness_Nm_rad, *c.loop_shapes[k].stiffness_Nm_rad)) {
-      EXPECT_NE(f.reason.find("not LuGre's"), std::string::npos) << f.reason;
+      EXPECT_NE(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+          << wording::words(f.reason);
     }
     // The tangent behind a reversal is between one and two times the bristles' stiffness.
     EXPECT_GT(loop.traced->turn_stiffness_Nm_rad->high, stiffness->low);
@@ -203,7 +207,8 @@ TEST(RealLog, CiceseTorqueDrivenLoopsGiveAStiffness) {
     ++k;
   }
   // The joint holds far more in the ramps than the 6 N·m of the loops, which creep.
-  EXPECT_NE(f.reason.find("the loops creep"), std::string::npos) << f.reason;
+  EXPECT_NE(wording::words(f.reason).find("the loops creep"), std::string::npos)
+      << wording::words(f.reason);
   EXPECT_FALSE(f.shown("coulomb_Nm"));
   EXPECT_FALSE(f.shown("inertia_kgm2")) << "at such speeds inertia is nothing";
 }
@@ -227,7 +232,7 @@ void expect_level_by_ramps_alone(const calibration::Calibration& c) {
     for (const auto* e : {&q.closed_form, &q.bootstrap}) {
       if (!*e) continue;
       EXPECT_LE((*e)->low, (*e)->high) << q.name;
-      EXPECT_EQ((*e)->method.find('\0'), std::string::npos) << q.name;
+      EXPECT_FALSE((*e)->method.empty()) << q.name;
     }
   }
   ASSERT_TRUE(c.break_away.mean_Nm && quantity(c, "break_away_torque").estimate);
@@ -268,8 +273,9 @@ TEST(RealLog, Ur10eRaisesTheEncoderStepAndNothingElse) {
     for (const char* key : {"break_away_torque", "bristle_stiffness", "bristle_damping"}) {
       const calibration::QuantityVerdict& q = quantity(c, key);
       EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << key;
-      EXPECT_NE(q.reasons.front().find("the angle's step of 0.0001 rad"), std::string::npos)
-          << q.reasons.front();
+      EXPECT_NE(wording::words(q.reasons.front()).find("the angle's step of 0.0001 rad"),
+                std::string::npos)
+          << wording::words(q.reasons.front());
     }
     // "Pre-sliding takes place inside 6e-4 rad, six steps of the encoder": as a sample every 10 ms
     // shows it.
@@ -297,7 +303,8 @@ TEST(RealLog, CiceseIsPrintedWithFourDecimalsOfADegree) {
   }
   const method::checks::DataCheck* check = c.data_checks.find("encoder_step");
   EXPECT_EQ(check->state, method::checks::CheckState::passed);
-  EXPECT_NE(check->found.find("decimals in the log"), std::string::npos) << check->found;
+  EXPECT_NE(wording::words(check->found).find("decimals in the log"), std::string::npos)
+      << wording::words(check->found);
 }
 
 TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
@@ -307,11 +314,13 @@ TEST(RealLog, PendulumIsRefusedForWantOfTorque) {
     joint::Dataset dataset;
     const calibration::Calibration c = identify_manifest(manifest, dataset);
     EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable) << manifest;
-    EXPECT_NE(c.judgement.sentence.find("No torque was recorded"), std::string::npos);
+    EXPECT_NE(wording::words(c.judgement.sentence).find("No torque was recorded"),
+              std::string::npos);
     const calibration::QuantityVerdict& gravity = quantity(c, "cog_angle");
-    EXPECT_NE(gravity.reasons.front().find("present current with the torque constant"),
-              std::string::npos)
-        << gravity.reasons.front();
+    EXPECT_NE(
+        wording::words(gravity.reasons.front()).find("present current with the torque constant"),
+        std::string::npos)
+        << wording::words(gravity.reasons.front());
     for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
       EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << manifest << ": " << q.key;
       EXPECT_FALSE(q.experiment.empty()) << q.key;
@@ -325,10 +334,12 @@ TEST(RealLog, PendulumThatOnlyRisesCannotTellCoulombFromOffset) {
   const calibration::Calibration c = identify_manifest("bam_up_and_down.toml", dataset);
   const method::checks::DataCheck* check = c.data_checks.find("sweep_directions");
   EXPECT_EQ(check->state, method::checks::CheckState::fails);
-  EXPECT_NE(check->found.find("only ever rises"), std::string::npos) << check->found;
+  EXPECT_NE(wording::words(check->found).find("only ever rises"), std::string::npos)
+      << wording::words(check->found);
   const auto& reasons = quantity(c, "coulomb_torque").reasons;
-  EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const std::string& reason) {
-    return reason.find("Coulomb friction and offset cannot be told apart") != std::string::npos;
+  EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const Statement& reason) {
+    return wording::words(reason).find("Coulomb friction and offset cannot be told apart") !=
+           std::string::npos;
   }));
   joint::Dataset other;
   EXPECT_FALSE(identify_manifest("bam_sin_sin.toml", other).data_checks.fails("sweep_directions"));

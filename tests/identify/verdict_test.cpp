@@ -9,6 +9,7 @@
 #include "identify/identify.h"
 #include "support/paper_joint.h"
 #include "verdict/acceptance.h"
+#include "wording/words.h"
 
 namespace tribolog::verdict_test {
 namespace {
@@ -26,8 +27,7 @@ const calibration::QuantityVerdict& quantity(const calibration::Calibration& c,
 std::vector<calibration::QuantityVerdict> ten_Nm() {
   calibration::QuantityVerdict q;
   q.key = "coulomb_torque";
-  q.words = "Coulomb torque";
-  q.estimate = statistics::Estimate{10, 9, 11, "stated"};
+  q.estimate = statistics::Estimate{10, 9, 11, {}};
   q.unit = "N·m";
   return {q};
 }
@@ -101,7 +101,8 @@ TEST(Verdicts, TheNoiseFreeJointIsUsableInEveryQuantityThatDecides) {
       EXPECT_FALSE(q.experiment.empty());
       continue;
     }
-    EXPECT_EQ(q.verdict, calibration::Verdict::usable) << q.key << ": " << q.reasons.front();
+    EXPECT_EQ(q.verdict, calibration::Verdict::usable)
+        << q.key << ": " << wording::words(q.reasons.front());
   }
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::usable);
 }
@@ -113,8 +114,9 @@ TEST(Verdicts, ABrokenLimitMakesAUsableJointDoubtful) {
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::doubtful);
   EXPECT_EQ(quantity(c, "surrogate_mass").verdict, calibration::Verdict::doubtful);
   EXPECT_EQ(quantity(c, "gravity_torque").verdict, calibration::Verdict::usable);
-  EXPECT_NE(c.judgement.findings.front().find("breaks the limit"), std::string::npos)
-      << c.judgement.findings.front();
+  EXPECT_NE(wording::words(c.judgement.findings.front()).find("breaks the limit"),
+            std::string::npos)
+      << wording::words(c.judgement.findings.front());
   d.manifest.limits = {with_max(80, "surrogate_mass_kg")};
   EXPECT_EQ(identify::identify(d).judgement.verdict, calibration::Verdict::usable);
 }
@@ -127,9 +129,10 @@ TEST(Verdicts, OneDirectionLeavesCoulombAndOffsetInseparable) {
   const calibration::Calibration c = identify::identify(d);
   const calibration::QuantityVerdict& coulomb = quantity(c, "coulomb_torque");
   EXPECT_EQ(coulomb.verdict, calibration::Verdict::not_identifiable);
-  EXPECT_NE(coulomb.reasons.front().find("Coulomb friction and offset cannot be told apart"),
+  EXPECT_NE(wording::words(coulomb.reasons.front())
+                .find("Coulomb friction and offset cannot be told apart"),
             std::string::npos)
-      << coulomb.reasons.front();
+      << wording::words(coulomb.reasons.front());
   // The loop goes both ways, so its gravity is as good as ever.
   EXPECT_EQ(quantity(c, "bristle_stiffness").verdict, calibration::Verdict::usable);
 }
@@ -142,7 +145,8 @@ TEST(Verdicts, WithoutTorqueNothingThatNeedsItIsIdentifiable) {
   EXPECT_EQ(c.judgement.verdict, calibration::Verdict::not_identifiable);
   for (const calibration::QuantityVerdict& q : c.judgement.quantities) {
     EXPECT_EQ(q.verdict, calibration::Verdict::not_identifiable) << q.key;
-    EXPECT_NE(q.reasons.front().find("no torque was recorded"), std::string::npos) << q.key;
+    EXPECT_NE(wording::words(q.reasons.front()).find("no torque was recorded"), std::string::npos)
+        << q.key;
     EXPECT_FALSE(q.experiment.empty()) << q.key;
   }
   // What the motion says is still said.

@@ -12,6 +12,7 @@
 #include "simulate/break_away_ramp.h"
 #include "simulate/drive_noise.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::break_away_test {
 namespace {
@@ -45,7 +46,7 @@ joint::Recording ramp_of(const Ramp& ramp) {
 }
 
 const method::hysteresis::KnownGravity true_gravity{
-    statistics::symmetric_estimate(test::true_gravity_Nm, 1e-3, "known"), test::true_q_peak_rad()};
+    statistics::symmetric_estimate(test::true_gravity_Nm, 1e-3), test::true_q_peak_rad()};
 
 TEST(BreakAway, FindsTheStaticTorqueWhateverRateAndStiffness) {
   for (const double rate : {0.1, 0.4, -0.1}) {
@@ -76,7 +77,8 @@ TEST(BreakAway, ARampThatEndsBeforeIsABoundAndNoValue) {
   EXPECT_EQ(result.censored, 1U);
   EXPECT_FALSE(result.rising_Nm);
   EXPECT_EQ(result.stage.state, statistics::StageState::not_identifiable);
-  EXPECT_NE(result.stage.reason.find("larger than 0.8 N·m (censored"), std::string::npos);
+  EXPECT_NE(wording::words(result.stage.reason).find("larger than 0.8 N·m (censored"),
+            std::string::npos);
 }
 
 TEST(BreakAway, CensoredRampsDoNotPullTheMeanDown) {

@@ -8,6 +8,7 @@
 #include "simulate/motion.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::cog_sweep_test {
 namespace {
@@ -97,7 +98,7 @@ TEST(CogSweep, OneDirectionIsSaidToBeOne) {
   ASSERT_TRUE(rough.found);
   EXPECT_FALSE(rough.both_directions);
   EXPECT_EQ(rough.stage.state, statistics::StageState::partial);
-  EXPECT_NE(rough.stage.reason.find("one direction"), std::string::npos);
+  EXPECT_NE(wording::words(rough.stage.reason).find("one direction"), std::string::npos);
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-9);
 }
 
@@ -109,7 +110,7 @@ TEST(CogSweep, ASweepThatMissesThePeakSaysSo) {
   ASSERT_TRUE(rough.found);
   EXPECT_TRUE(rough.argmax_at_end);
   EXPECT_EQ(rough.stage.state, statistics::StageState::partial);
-  EXPECT_NE(rough.stage.reason.find("does not cross"), std::string::npos);
+  EXPECT_NE(wording::words(rough.stage.reason).find("does not cross"), std::string::npos);
   EXPECT_NEAR(rough.q_peak_rad.value, test::true_q_peak_rad(), 1e-6);
 }
 
@@ -143,7 +144,7 @@ TEST(CogSweep, NothingRecordedIsSkippedWithAnInstruction) {
       method::gravity::identify_cog_sweep("cog_rough", {}, 1.0);
   EXPECT_FALSE(none.found);
   EXPECT_EQ(none.stage.state, statistics::StageState::skipped);
-  EXPECT_NE(none.stage.reason.find("slow sweep"), std::string::npos);
+  EXPECT_NE(wording::words(none.stage.reason).find("slow sweep"), std::string::npos);
 }
 
 TEST(CogSweep, AStandingJointIsNotIdentifiable) {

@@ -44,7 +44,8 @@ TEST(Strokes, OfRestAreNone) {
 
 TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   const auto names = [](double factor, const char* word) {
-    return method::checks::likely_cause_of_scale(factor, 1e-3, 100).find(word) != std::string::npos;
+    return wording::words(method::checks::likely_cause_of_scale(factor, 1e-3, 100)).find(word) !=
+           std::string::npos;
   };
   EXPECT_TRUE(names(2.001, "two samples"));
   EXPECT_TRUE(names(1.667, "6 ms for 10 ms"));
@@ -58,7 +59,7 @@ TEST(ScaleCauses, AreNamedWithinTheUncertaintyOfTheFactor) {
   EXPECT_TRUE(names(0, "dead"));
   EXPECT_TRUE(names(1.37, "no usual cause"));
   // Two causes that the data cannot tell apart are both named.
-  const std::string both = method::checks::likely_cause_of_scale(9.55, 0.01, 9.55);
+  const std::string both = wording::words(method::checks::likely_cause_of_scale(9.55, 0.01, 9.55));
   EXPECT_NE(both.find("gear ratio"), std::string::npos) << both;
   EXPECT_NE(both.find("revolutions"), std::string::npos) << both;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
+#include "wording/words.h"
 
 namespace tribolog::direction_lines_test {
 namespace {
@@ -97,7 +98,7 @@ TEST(DirectionLines, OneDirectionAloneHasItsLine) {
 method::hysteresis::SurrogateMass weightless(double half_width_Nm) {
   method::hysteresis::SurrogateMass m;
   m.estimator = "midline";
-  m.gravity_Nm = statistics::symmetric_estimate(0, half_width_Nm, "");
+  m.gravity_Nm = statistics::symmetric_estimate(0, half_width_Nm);
   return m;
 }
 
@@ -105,7 +106,7 @@ TEST(DirectionAsymmetry, IsHalfTheDifferenceOfTheDirections) {
   const method::hysteresis::SurrogateMass m = weightless(0.01);
   const auto a = method::viscous::identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
   ASSERT_TRUE(a.examined);
-  EXPECT_TRUE(a.found) << a.sentence;
+  EXPECT_TRUE(a.found) << wording::words(a.sentence);
   EXPECT_NEAR(a.mean_Nm.value, 0.75, 0.06);
   EXPECT_EQ(a.speed_rad_s.size(), 8U);
 }
@@ -115,7 +116,7 @@ TEST(DirectionAsymmetry, AnUncertainGravityExplainsIt) {
   const method::hysteresis::SurrogateMass m = weightless(1.0);
   const auto a = method::viscous::identify_direction_asymmetry(curves(12.4, 10.9, 0.05, 2), &m, 0);
   EXPECT_TRUE(a.examined);
-  EXPECT_FALSE(a.found) << a.sentence;
+  EXPECT_FALSE(a.found) << wording::words(a.sentence);
 }
 
 TEST(DirectionAsymmetry, NoneIsFoundWhereThereIsNone) {

@@ -7,6 +7,7 @@
 
 #include "method/checks/check_list.h"
 #include "method/checks/scale_causes.h"
+#include "wording/words.h"
 
 namespace tribolog::effort_checks_test {
 namespace {
@@ -63,14 +64,16 @@ TEST(EffortProvenance, OfAProposalWarnsAndOfATargetFails) {
   const method::checks::DataCheck proposed =
       method::checks::check_effort_provenance(method::checks::look_at(d));
   EXPECT_EQ(proposed.state, method::checks::CheckState::warns);
-  EXPECT_NE(proposed.found.find("motor_torque on the motor side is a proposal"), std::string::npos);
+  EXPECT_NE(wording::words(proposed.found).find("motor_torque on the motor side is a proposal"),
+            std::string::npos);
   EXPECT_FALSE(proposed.experiment.empty());
   d.manifest.drive = joint::Drive(100, joint::EffortKind::target_torque, joint::Side::joint);
   const method::checks::DataCheck target =
       method::checks::check_effort_provenance(method::checks::look_at(d));
   EXPECT_EQ(target.state, method::checks::CheckState::fails);
-  EXPECT_NE(target.found.find("no measurement; that it is one"), std::string::npos) << target.found;
-  EXPECT_NE(target.consequence.find("the model's own friction"), std::string::npos);
+  EXPECT_NE(wording::words(target.found).find("no measurement; that it is one"), std::string::npos)
+      << wording::words(target.found);
+  EXPECT_NE(wording::words(target.consequence).find("the model's own friction"), std::string::npos);
 }
 
 TEST(EffortColumn, ContradictsTheManifestByItsName) {
@@ -113,9 +116,11 @@ TEST(EffortColumn, ContradictsTheManifestByItsName) {
     const bool agrees = std::string(one.word).empty();
     EXPECT_EQ(check.state,
               agrees ? method::checks::CheckState::passed : method::checks::CheckState::fails)
-        << check.found;
-    EXPECT_NE(check.found.find(one.word), std::string::npos) << check.found;
-    EXPECT_EQ(check.found.find(one.logged.column) != std::string::npos, !agrees) << check.found;
+        << wording::words(check.found);
+    EXPECT_NE(wording::words(check.found).find(one.word), std::string::npos)
+        << wording::words(check.found);
+    EXPECT_EQ(wording::words(check.found).find(one.logged.column) != std::string::npos, !agrees)
+        << wording::words(check.found);
   }
   EXPECT_EQ(method::checks::check_effort_column(method::checks::look_at(swept(motor, 0.1))).state,
             method::checks::CheckState::not_applicable);
@@ -126,15 +131,18 @@ TEST(LinkSideTorque, WithLittleFrictionIsTakenBehindTheGear) {
       method::checks::check_link_side_torque(method::checks::look_at(swept(at_joint(100), 0.01)));
   EXPECT_EQ(check.state, method::checks::CheckState::warns);
   EXPECT_NEAR(check.measured.value(), 100 * 0.01 / 1.01, 0.1);
-  EXPECT_NE(check.found.find("contains little gear friction"), std::string::npos) << check.found;
-  EXPECT_NE(check.consequence.find("friction behind the sensor"), std::string::npos);
+  EXPECT_NE(wording::words(check.found).find("contains little gear friction"), std::string::npos)
+      << wording::words(check.found);
+  EXPECT_NE(wording::words(check.consequence).find("friction behind the sensor"),
+            std::string::npos);
 }
 
 TEST(LinkSideTorque, WithAGearsFrictionIsTakenForOneOfTheMotor) {
   const method::checks::DataCheck check =
       method::checks::check_link_side_torque(method::checks::look_at(swept(at_joint(100), 0.15)));
   EXPECT_EQ(check.state, method::checks::CheckState::passed);
-  EXPECT_NE(check.found.find("motor's current"), std::string::npos) << check.found;
+  EXPECT_NE(wording::words(check.found).find("motor's current"), std::string::npos)
+      << wording::words(check.found);
   // More stages lose more.
   EXPECT_LT(
       *method::checks::check_link_side_torque(method::checks::look_at(swept(at_joint(10), 0.15)))
@@ -189,7 +197,7 @@ joint::Manifest with_known_gravity(const joint::Drive& drive) {
 method::checks::FoundGravity found_with_factor(const joint::Drive& drive, double factor,
                                                double q_peak_rad = 0.5) {
   const double motor_Nm = 400 * factor / drive.gear_ratio();
-  return {statistics::symmetric_estimate(motor_Nm, 0.01 * motor_Nm, "known"), q_peak_rad};
+  return {statistics::symmetric_estimate(motor_Nm, 0.01 * motor_Nm), q_peak_rad};
 }
 
 TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
@@ -221,8 +229,9 @@ TEST(StaticTorque, NamesWhatMakesItWrongByAFactor) {
         Case{torque, 3, method::checks::CheckState::fails, "a current in A taken for a torque"}}) {
     const method::checks::DataCheck check = method::checks::check_static_torque(
         with_known_gravity(one.drive), found_with_factor(one.drive, one.factor));
-    EXPECT_EQ(check.state, one.state) << one.factor << ": " << check.found;
-    EXPECT_NE(check.found.find(one.word), std::string::npos) << check.found;
+    EXPECT_EQ(check.state, one.state) << one.factor << ": " << wording::words(check.found);
+    EXPECT_NE(wording::words(check.found).find(one.word), std::string::npos)
+        << wording::words(check.found);
     EXPECT_EQ(check.consequence.empty(), one.state == method::checks::CheckState::passed);
     EXPECT_NEAR(check.measured.value(), one.factor, 1e-9 * one.factor);
   }
@@ -233,12 +242,14 @@ TEST(StaticTorque, HalfATurnAwayHasTheOtherSign) {
   const method::checks::DataCheck check = method::checks::check_static_torque(
       with_known_gravity(drive), found_with_factor(drive, 1, 0.5 + pi));
   EXPECT_EQ(check.state, method::checks::CheckState::fails);
-  EXPECT_NE(check.found.find("sign of the effort"), std::string::npos) << check.found;
+  EXPECT_NE(wording::words(check.found).find("sign of the effort"), std::string::npos)
+      << wording::words(check.found);
   EXPECT_NEAR(check.measured.value(), -1, 1e-12);
   const method::checks::DataCheck turned = method::checks::check_static_torque(
       with_known_gravity(drive), found_with_factor(drive, 1, 0.5 + pi / 3));
   EXPECT_EQ(turned.state, method::checks::CheckState::warns);
-  EXPECT_NE(turned.found.find("60° apart"), std::string::npos) << turned.found;
+  EXPECT_NE(wording::words(turned.found).find("60° apart"), std::string::npos)
+      << wording::words(turned.found);
 }
 
 TEST(StaticTorque, IsNotBelowThatOfThePayloadAlone) {
@@ -260,7 +271,7 @@ TEST(StaticTorque, IsNotBelowThatOfThePayloadAlone) {
 
 TEST(StaticTorque, OfAWideIntervalAccusesNobody) {
   const joint::Drive drive(100, joint::EffortKind::motor_torque, joint::Side::motor);
-  const method::checks::FoundGravity vague{statistics::symmetric_estimate(8.0, 6.0, "wide"),
+  const method::checks::FoundGravity vague{statistics::symmetric_estimate(8.0, 6.0),
                                            0.5};  // factor 2 ± 1.5
   EXPECT_EQ(method::checks::check_static_torque(with_known_gravity(drive), vague).state,
             method::checks::CheckState::passed);

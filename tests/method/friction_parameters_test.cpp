@@ -7,6 +7,7 @@
 #include "method/viscous/waiboer_fit.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::friction_parameters_test {
 namespace {
@@ -26,9 +27,9 @@ TEST(WaiboerFit, RecoversExactParameters) {
   for (const auto& p : {friction::WaiboerFriction::Parameters{0.8844, 5, 0.7, 0.12, 0.6, 1e6},
                         friction::WaiboerFriction::Parameters{12, 20, 2.0, 0.4, 0.1, 1e6},
                         friction::WaiboerFriction::Parameters{0.05, 2, 1.0, 0.003, 0.3, 1e6}}) {
-    std::string why;
+    Statement why;
     const auto fit = method::viscous::fit_waiboer(curve(friction::WaiboerFriction(p), 0), why);
-    ASSERT_TRUE(fit) << why;
+    ASSERT_TRUE(fit) << wording::words(why);
     EXPECT_NEAR(fit->asperity_torque_Nm.value, p.asperity_torque_Nm, 1e-4 * p.asperity_torque_Nm);
     EXPECT_NEAR(fit->stribeck_speed_rad_s.value, p.stribeck_speed_rad_s,
                 1e-3 * p.stribeck_speed_rad_s);
@@ -41,9 +42,9 @@ TEST(WaiboerFit, RecoversExactParameters) {
 
 TEST(WaiboerFit, FollowsANoisyCurve) {
   const friction::WaiboerFriction truth = test::paper_curve();
-  std::string why;
+  Statement why;
   const auto fit = method::viscous::fit_waiboer(curve(truth, 0.002), why);
-  ASSERT_TRUE(fit) << why;
+  ASSERT_TRUE(fit) << wording::words(why);
   for (double w = 1; w <= 300; w += 3) {
     EXPECT_NEAR(method::viscous::waiboer_of(*fit).magnitude_Nm(w), truth.magnitude_Nm(w), 0.01)
         << w;
@@ -51,9 +52,9 @@ TEST(WaiboerFit, FollowsANoisyCurve) {
 }
 
 TEST(WaiboerFit, TooFewSpeedsAreRefusedInWords) {
-  std::string why;
+  Statement why;
   EXPECT_FALSE(method::viscous::fit_waiboer({{1, 1}, {2, 1}, {3, 1}}, why));
-  EXPECT_NE(why.find("3 runs for five parameters"), std::string::npos);
+  EXPECT_NE(wording::words(why).find("3 runs for five parameters"), std::string::npos);
 }
 
 TEST(FrictionParameters, AStraightLineIsFoundExactly) {

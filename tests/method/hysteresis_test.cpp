@@ -5,12 +5,12 @@
 #include "method/hysteresis/hysteresis_loop.h"
 #include "method/hysteresis/surrogate_masses.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::hysteresis_test {
 namespace {
 
-const statistics::Estimate peak =
-    statistics::symmetric_estimate(test::true_q_peak_rad(), 1e-6, "known");
+const statistics::Estimate peak = statistics::symmetric_estimate(test::true_q_peak_rad(), 1e-6);
 
 method::hysteresis::HysteresisResult hysteresis_of(const joint::Dataset& d) {
   return method::hysteresis::identify_hysteresis(d.with_role(joint::Role::oscillation), {}, 100,
@@ -23,7 +23,7 @@ TEST(Hysteresis, PointsAreThoseOfAnIndependentSolver) {
   const method::hysteresis::HysteresisResult h =
       hysteresis_of(simulate::simulated_dataset(test::paper_joint()));
   ASSERT_EQ(h.points.size(), 6U);
-  EXPECT_EQ(h.bristle_source, "recorded");
+  EXPECT_TRUE(h.bristle_source.is("loop.bristle_recorded"));
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_EQ(h.points[k].name, method::hysteresis::loop_point_names[k]);
     EXPECT_NEAR(h.points[k].torque_Nm, solved_Nm[k], 1e-4) << h.points[k].name;
@@ -137,7 +137,8 @@ TEST(Hysteresis, ACoarseEncoderIsRefusedWithItsNumbers) {
   const method::hysteresis::HysteresisResult h = hysteresis_of(simulate::simulated_dataset(s));
   EXPECT_FALSE(h.found);
   EXPECT_EQ(h.stage.state, statistics::StageState::not_identifiable);
-  EXPECT_NE(h.stage.reason.find("at least 50"), std::string::npos) << h.stage.reason;
+  EXPECT_NE(wording::words(h.stage.reason).find("at least 50"), std::string::npos)
+      << wording::words(h.stage.reason);
 }
 
 TEST(Hysteresis, AllLoopsGetTheirBristleFromOneFit) {
@@ -173,7 +174,7 @@ joint::Dataset drifting(double shaking_rad) {
 TEST(Hysteresis, ALoopThatIsNoPeriodicMotionIsFittedAlongASpline) {
   const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(0));
   ASSERT_TRUE(h.lugre);
-  ASSERT_TRUE(h.lugre->converged) << h.lugre->reason;
+  ASSERT_TRUE(h.lugre->converged) << wording::words(h.lugre->reason);
   EXPECT_EQ(h.lugre->loops.front().motion, "spline");
 }
 
@@ -181,8 +182,9 @@ TEST(Hysteresis, ALoopWhoseAngleIsTooRoughIsNotFitted) {
   const method::hysteresis::HysteresisResult h = hysteresis_of(drifting(1e-5));
   ASSERT_TRUE(h.lugre);
   EXPECT_FALSE(h.lugre->converged);
-  EXPECT_NE(h.lugre->reason.find("no periodic motion"), std::string::npos) << h.lugre->reason;
-  EXPECT_NE(h.lugre->reason.find("too rough to give a speed"), std::string::npos);
+  EXPECT_NE(wording::words(h.lugre->reason).find("no periodic motion"), std::string::npos)
+      << wording::words(h.lugre->reason);
+  EXPECT_NE(wording::words(h.lugre->reason).find("too rough to give a speed"), std::string::npos);
   EXPECT_TRUE(h.bristle_source.empty());
 }
 
@@ -190,7 +192,7 @@ TEST(Hysteresis, NothingRecordedIsSkippedWithAnInstruction) {
   const method::hysteresis::HysteresisResult h =
       method::hysteresis::identify_hysteresis({}, {}, 100, peak);
   EXPECT_EQ(h.stage.state, statistics::StageState::skipped);
-  EXPECT_NE(h.stage.reason.find("a sine of about ten cycles"), std::string::npos);
+  EXPECT_NE(wording::words(h.stage.reason).find("a sine of about ten cycles"), std::string::npos);
 }
 
 }  // namespace

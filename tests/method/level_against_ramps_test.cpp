@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "method/hysteresis/break_away.h"
+#include "wording/words.h"
 
 namespace tribolog::level_against_ramps_test {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 method::hysteresis::LuGreFit fit_with_level(double static_Nm) {
   method::hysteresis::LuGreParameter level;
   level.name = "static_Nm";
-  level.estimate = statistics::symmetric_estimate(static_Nm, 0.1, "fit");
+  level.estimate = statistics::symmetric_estimate(static_Nm, 0.1);
   method::hysteresis::LuGreFit fit;
   fit.converged = true;
   fit.parameters = {level};
@@ -32,7 +33,8 @@ TEST(LevelAgainstRamps, IsNoStaticTorqueWhereTheJointHoldsMore) {
   const method::hysteresis::LuGreFit fit =
       method::hysteresis::against_ramps(fit_with_level(5.5), ramps_that_held(12, 11));
   EXPECT_FALSE(fit.shown("static_Nm"));
-  EXPECT_NE(fit.parameters[0].why_not.find("holds 11 N·m without sliding"), std::string::npos);
+  EXPECT_NE(wording::words(fit.parameters[0].why_not).find("holds 11 N·m without sliding"),
+            std::string::npos);
   EXPECT_FALSE(fit.parameters[0].experiment.empty());
 }
 
@@ -45,7 +47,7 @@ TEST(LevelAgainstRamps, TakesWhatWasReadFromItAlong) {
   }
   method::hysteresis::LuGreParameter held;
   held.name = "speed_weakening_Nms2_rad2";
-  held.why_not = "friction is the same at all speeds of the loops";
+  held.why_not = Statement::verbatim("friction is the same at all speeds of the loops");
   fit.parameters.push_back(held);
   fit = method::hysteresis::against_ramps(fit, ramps_that_held(12, 11));
   EXPECT_TRUE(fit.shown("bristle_stiffness_Nm_rad"))
@@ -78,8 +80,7 @@ TEST(LevelAgainstRamps, StaysWhereRampsScatterAboutIt) {
       ramps.ramps.push_back(ramp);
     }
   }
-  ramps.rising_Nm = ramps.falling_Nm =
-      statistics::symmetric_estimate(5.5, 0.28, "scatter of the ramps");
+  ramps.rising_Nm = ramps.falling_Nm = statistics::symmetric_estimate(5.5, 0.28);
   EXPECT_TRUE(method::hysteresis::against_ramps(fit_with_level(5.5), ramps).shown("static_Nm"));
   // One that ended without sliding is a bound, whatever the others say.
   ramps.ramps[0].broke_away = ramps.ramps[1].broke_away = false;

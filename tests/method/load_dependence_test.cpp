@@ -9,6 +9,7 @@
 
 #include "method/gravity/cog_sweep.h"
 #include "statistics/random_stream.h"
+#include "wording/words.h"
 
 namespace tribolog::load_dependence_test {
 namespace {
@@ -57,7 +58,7 @@ constexpr double no_load_rad = std::numbers::pi / 2;
 TEST(LoadDependence, IsFoundAgain) {
   const joint::Recording r = sine(0.06, 1.5, 1, no_load_rad);
   const Result found = identify(r);
-  ASSERT_TRUE(found.load.found) << found.load.sentence;
+  ASSERT_TRUE(found.load.found) << wording::words(found.load.sentence);
   EXPECT_NEAR(found.load.per_load.value, 0.06, 0.006);
   EXPECT_NEAR(found.load.unloaded_Nm.value, coulomb_Nm, 0.5);
   ASSERT_TRUE(found.load.viscous_Nms_rad);

@@ -10,6 +10,7 @@
 #include "statistics/levenberg_marquardt.h"
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::lugre_fit_test {
 namespace {
@@ -41,7 +42,7 @@ TEST(LuGreFit, FindsThePapersJointWithoutItsBristle) {
   loops[0].z_rad.clear();
   loops[0].dz_rad_s.clear();
   const method::hysteresis::LuGreFit f = test::fit_loops(loops);
-  ASSERT_TRUE(f.converged) << f.reason;
+  ASSERT_TRUE(f.converged) << wording::words(f.reason);
   ASSERT_TRUE(f.gravity_Nm);
   EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-4);
   EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 1e-3);
@@ -59,9 +60,10 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
   simulate::Scenario s = test::noisy_paper_joint(3);
   s.oscillation->sample_rate_Hz = 50'000;  // 500,000 samples
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
-  ASSERT_TRUE(f.converged) << f.reason;
-  EXPECT_NE(f.reason.find("the mean of each 5 neighbouring samples is fitted"), std::string::npos)
-      << f.reason;
+  ASSERT_TRUE(f.converged) << wording::words(f.reason);
+  EXPECT_NE(wording::words(f.reason).find("the mean of each 5 neighbouring samples is fitted"),
+            std::string::npos)
+      << wording::words(f.reason);
   EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 2e-3);
   EXPECT_LT(relative_error(f, s, "static_Nm"), 1e-3);
   // Of each sample, not of the means.
@@ -71,7 +73,7 @@ TEST(LuGreFit, ALongLoopIsFittedInMeansOfNeighboursAndSaysSo) {
   const method::hysteresis::LuGreFit fewer = test::fit_loops(s);
   const statistics::Estimate here = *f.shown("static_Nm");
   const statistics::Estimate there = *fewer.shown("static_Nm");
-  EXPECT_EQ(fewer.reason.find("neighbouring"), std::string::npos);
+  EXPECT_EQ(wording::words(fewer.reason).find("neighbouring"), std::string::npos);
   EXPECT_LT(std::abs(here.value - there.value), 2 * there.half_width());
   EXPECT_LT(here.half_width(), there.half_width());
 }
@@ -85,7 +87,7 @@ TEST(LuGreFit, AtMicroSpeedSaysWhatDoesNotShowAndWhatWouldShowIt) {
     EXPECT_FALSE(parameter(f, name).why_not.empty()) << name;
     EXPECT_FALSE(parameter(f, name).experiment.empty()) << name;
   }
-  EXPECT_NE(f.reason.find("Stribeck velocity do not show"), std::string::npos);
+  EXPECT_NE(wording::words(f.reason).find("Stribeck velocity do not show"), std::string::npos);
   EXPECT_EQ(f.parameters.size(), std::size(method::hysteresis::lugre_parameter_names));
 }
 
@@ -144,8 +146,9 @@ TEST(LuGreFit, LoopsTogetherShowMoreThanEachAlone) {
 TEST(LuGreFit, IdentifiabilityNamesTheWeakDirection) {
   // At a tenth of the way to sliding stiffness, static torque and inertia bend the loop alike.
   const method::hysteresis::LuGreFit f = test::fit_loops(with_loop(2e-6, 1.0));
-  EXPECT_NE(f.identifiability.weakest_in_words.find("static torque"), std::string::npos)
-      << f.identifiability.weakest_in_words;
+  EXPECT_NE(wording::words(f.identifiability.weakest_statement).find("static torque"),
+            std::string::npos)
+      << wording::words(f.identifiability.weakest_statement);
   const auto& s = f.identifiability.singular_values_Nm;
   ASSERT_EQ(s.size(), f.identifiability.names.size());
   EXPECT_TRUE(std::is_sorted(s.rbegin(), s.rend()));
@@ -214,14 +217,16 @@ TEST(LuGreFit, AnElasticLoopShowsStiffnessAndNothingElse) {
   simulate::Scenario s = with_loop(1e-6, 1.0);  // a twentieth of the way to sliding
   s.noise.torque_white_Nm = 0.02;
   const method::hysteresis::LuGreFit f = test::fit_loops(s);
-  ASSERT_TRUE(f.converged) << f.reason;
+  ASSERT_TRUE(f.converged) << wording::words(f.reason);
   EXPECT_EQ(f.rung, "elastic");
   EXPECT_LT(relative_error(f, s, "bristle_stiffness_Nm_rad"), 0.06);
   EXPECT_FALSE(f.shown("static_Nm"));
   EXPECT_FALSE(f.gravity_Nm) << "a spring's rest cannot be told from gravity";
   EXPECT_TRUE(f.loops.front().z_rad.empty());
-  EXPECT_NE(f.reason.find("larger amplitude"), std::string::npos) << f.reason;
-  EXPECT_NE(parameter(f, "static_Nm").experiment.find("of larger amplitude"), std::string::npos);
+  EXPECT_NE(wording::words(f.reason).find("larger amplitude"), std::string::npos)
+      << wording::words(f.reason);
+  EXPECT_NE(wording::words(parameter(f, "static_Nm").experiment).find("of larger amplitude"),
+            std::string::npos);
 }
 
 TEST(LuGreFit, ConstantTorqueIsRefused) {
@@ -229,7 +234,8 @@ TEST(LuGreFit, ConstantTorqueIsRefused) {
   std::fill(loops[0].torque_Nm.begin(), loops[0].torque_Nm.end(), 3.9);
   const method::hysteresis::LuGreFit f = test::fit_loops(loops);
   EXPECT_FALSE(f.converged);
-  EXPECT_NE(f.reason.find("same all over the loop"), std::string::npos) << f.reason;
+  EXPECT_NE(wording::words(f.reason).find("same all over the loop"), std::string::npos)
+      << wording::words(f.reason);
 }
 
 TEST(LuGreFit, NoiseAloneShowsNothing) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
+#include "wording/words.h"
 
 namespace tribolog::model_choice_test {
 namespace {
@@ -135,11 +136,11 @@ TEST(ModelChoice, FewSpeedsCarryASimpleModel) {
     ASSERT_TRUE(c.chosen_any);
     EXPECT_LE(c.chosen.parameters(), 3);
     EXPECT_FALSE(c.carries_five);
-    EXPECT_NE(c.five_sentence.find("4 speeds for 5 parameters"), std::string::npos);
+    EXPECT_NE(wording::words(c.five_sentence).find("4 speeds for 5 parameters"), std::string::npos);
   }
   const auto two = method::viscous::choose_curve_model(curve(line, noise_Nm, 1, {10, 100}), false);
   EXPECT_FALSE(two.chosen_any);
-  EXPECT_NE(two.sentence.find("2 speeds"), std::string::npos);
+  EXPECT_NE(wording::words(two.sentence).find("2 speeds"), std::string::npos);
 }
 
 TEST(ModelChoice, TheChoiceDoesNotDependOnUnits) {
@@ -204,8 +205,9 @@ TEST(ModelChoice, ASweepOffersNoStribeckEffect) {
   const auto c = method::viscous::choose_curve_model(curve(stribeck, noise_Nm, 1), true);
   ASSERT_TRUE(c.chosen_any);
   EXPECT_NE(c.chosen.law, method::viscous::CurveLaw::stribeck);
-  EXPECT_NE(c.find(method::viscous::CurveLaw::waiboer)->excluded_because.find("sweep"),
-            std::string::npos);
+  EXPECT_NE(
+      wording::words(c.find(method::viscous::CurveLaw::waiboer)->excluded_because).find("sweep"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 
 statistics::Estimate reading(double value, double half_width = 1e-6) {
-  return statistics::symmetric_estimate(value, half_width, "cycles");
+  return statistics::symmetric_estimate(value, half_width);
 }
 
 method::gravity::Ripple two_lines() {
@@ -31,6 +31,8 @@ std::vector<double> evenly_over_a_turn(int positions) {
   return angle;
 }
 
+constexpr Code scatter{"interval.scatter_of_cycles"};
+
 TEST(PositionMean, PositionsCountOnceWhereTheySeeTheSameRipple) {
   EXPECT_EQ(method::hysteresis::distinct_positions({0, 0, 0}, {}), 1U);
   EXPECT_EQ(method::hysteresis::distinct_positions({0, turn / 8, turn / 4}, {}), 3U);
@@ -42,7 +44,7 @@ TEST(PositionMean, PositionsCountOnceWhereTheySeeTheSameRipple) {
 
 TEST(PositionMean, ScatterOfThreeMakesTheInterval) {
   const method::hysteresis::PositionMean mean = method::hysteresis::mean_over_positions(
-      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
+      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, scatter);
   EXPECT_DOUBLE_EQ(mean.gravity_Nm.value, 2);
   EXPECT_EQ(mean.freedom, 2);
   // Standard error 1/sqrt(3), Student's t of two degrees of freedom 4.303.
@@ -53,11 +55,11 @@ TEST(PositionMean, ScatterOfThreeMakesTheInterval) {
 
 TEST(PositionMean, RepeatsOfAPositionTellNothingNewOfTheRipple) {
   const method::hysteresis::PositionMean once = method::hysteresis::mean_over_positions(
-      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, "cycles");
+      {reading(1), reading(2), reading(3)}, {0, 1, 2}, {}, scatter);
   const method::hysteresis::PositionMean thrice = method::hysteresis::mean_over_positions(
       {reading(1), reading(1), reading(1), reading(2), reading(2), reading(2), reading(3),
        reading(3), reading(3)},
-      {0, 1e-3, 2e-3, 1, 1, 1, 2, 2, 2}, {}, "cycles");
+      {0, 1e-3, 2e-3, 1, 1, 1, 2, 2, 2}, {}, scatter);
   EXPECT_EQ(thrice.freedom, once.freedom);
   EXPECT_NEAR(thrice.gravity_Nm.half_width(), once.gravity_Nm.half_width(), 1e-9);
 }
@@ -65,17 +67,16 @@ TEST(PositionMean, RepeatsOfAPositionTellNothingNewOfTheRipple) {
 TEST(PositionMean, FewerThanThreeDistinctPositionsSayNothingOfTheRipple) {
   const statistics::Estimate one = reading(1, 0.1);
   EXPECT_EQ(
-      method::hysteresis::mean_over_positions({one}, {0}, {}, "cycles").gravity_Nm.half_width(),
+      method::hysteresis::mean_over_positions({one}, {0}, {}, scatter).gravity_Nm.half_width(),
       one.half_width());
-  EXPECT_THROW(method::hysteresis::mean_over_positions({}, {}, {}, "cycles"),
-               std::invalid_argument);
+  EXPECT_THROW(method::hysteresis::mean_over_positions({}, {}, {}, scatter), std::invalid_argument);
   // Two that agree keep their own intervals.
   const method::hysteresis::PositionMean two = method::hysteresis::mean_over_positions(
-      {reading(1, 0.3), reading(1, 0.4)}, {0, 1}, {}, "cycles");
+      {reading(1, 0.3), reading(1, 0.4)}, {0, 1}, {}, scatter);
   EXPECT_NEAR(two.gravity_Nm.half_width(), 0.25, 1e-12);
   EXPECT_EQ(two.freedom, 0);
   const method::hysteresis::PositionMean together = method::hysteresis::mean_over_positions(
-      {reading(1), reading(1), reading(1)}, {0, 0.1, 0.2}, {}, "cycles");
+      {reading(1), reading(1), reading(1)}, {0, 0.1, 0.2}, {}, scatter);
   EXPECT_EQ(together.freedom, 0);
   EXPECT_TRUE(together.residuals_Nm.empty());
 }
@@ -86,7 +87,7 @@ TEST(PositionMean, EightPositionsOverATurnLeaveNothingOfTheRipple) {
   std::vector<statistics::Estimate> gravity;
   for (const double a : angle) gravity.push_back(reading(3.88 + ripple.torque_Nm(a)));
   const method::hysteresis::PositionMean mean =
-      method::hysteresis::mean_over_positions(gravity, angle, ripple, "cycles");
+      method::hysteresis::mean_over_positions(gravity, angle, ripple, scatter);
   EXPECT_NEAR(mean.gravity_Nm.value, 3.88, 1e-12);
   EXPECT_LT(mean.gravity_Nm.half_width(), 1e-12);
   EXPECT_EQ(mean.freedom, 3);
@@ -101,13 +102,13 @@ TEST(PositionMean, RippleOfUnknownPeriodsOverAnEvenTurnIsNoError) {
     gravity.push_back(reading(3.88 + ripple.torque_Nm(angle[k]) + 1e-4 * small[k]));
   }
   const method::hysteresis::PositionMean mean =
-      method::hysteresis::mean_over_positions(gravity, angle, {}, "cycles");
+      method::hysteresis::mean_over_positions(gravity, angle, {}, scatter);
   EXPECT_NEAR(mean.gravity_Nm.value, 3.88, 1e-4);
   EXPECT_LT(mean.gravity_Nm.half_width(), 1e-3);
   // The same readings from one half of the turn say nothing of the other.
   for (double& a : angle) a /= 2;
   EXPECT_GT(
-      method::hysteresis::mean_over_positions(gravity, angle, {}, "cycles").gravity_Nm.half_width(),
+      method::hysteresis::mean_over_positions(gravity, angle, {}, scatter).gravity_Nm.half_width(),
       5e-3);
 }
 

@@ -6,6 +6,7 @@
 
 #include "identify/identify.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::quality_errors_test {
 namespace {
@@ -69,7 +70,7 @@ TEST(QualityErrors, WithoutAnyReferenceItSaysWhatToRecord) {
   const method::selection::QualityErrorsResult q =
       method::selection::identify_quality_errors(v, nullptr);
   EXPECT_EQ(q.stage.state, statistics::StageState::not_identifiable);
-  EXPECT_NE(q.stage.reason.find("both directions"), std::string::npos);
+  EXPECT_NE(wording::words(q.stage.reason).find("both directions"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "joint/dataset.h"
 #include "statistics/random_stream.h"
 #include "support/paper_joint.h"
+#include "wording/words.h"
 
 namespace tribolog::run_gravity_test {
 namespace {
@@ -44,7 +45,7 @@ TEST(RunGravity, IsExactWithoutNoise) {
   const method::gravity::RunGravityResult g =
       identify({run(0, 2, 12, 0, 0, random), run(0.2, 1.5, 13, 0, 0, random),
                 run(0, -2, -11, 0, 0, random)});
-  ASSERT_TRUE(g.found) << g.reason;
+  ASSERT_TRUE(g.found) << wording::words(g.reason);
   EXPECT_NEAR(g.gravity_Nm.value, gravity_Nm, 1e-3);
   EXPECT_NEAR(g.q_peak_rad.value, q_peak_rad, 1e-4);
   EXPECT_EQ(g.runs_used, 3U);
@@ -102,13 +103,15 @@ TEST(RunGravity, ShortWaysAndNoGravityAreRefusedInWords) {
   EXPECT_FALSE(none.reason.empty());
   const method::gravity::RunGravityResult brief = identify({run(0, 0.02, 12, 0, 0.1, random)});
   EXPECT_FALSE(brief.found);
-  EXPECT_NE(brief.reason.find("travels far enough"), std::string::npos) << brief.reason;
+  EXPECT_NE(wording::words(brief.reason).find("travels far enough"), std::string::npos)
+      << wording::words(brief.reason);
   joint::Recording flat = run(0, 2, 12, 0, 0, random);
   for (double& torque : flat.torque_Nm) torque = 12 + 0.1 * random.normal();
   const method::gravity::RunGravityResult weightless =
       identify({flat, flat, flat, flat, flat, flat, flat, flat});
   EXPECT_FALSE(weightless.found);
-  EXPECT_NE(weightless.reason.find("do not show gravity"), std::string::npos) << weightless.reason;
+  EXPECT_NE(wording::words(weightless.reason).find("do not show gravity"), std::string::npos)
+      << wording::words(weightless.reason);
 }
 
 TEST(RunGravity, SimulatedJointGivesTheSameAsItsSweep) {
@@ -116,7 +119,7 @@ TEST(RunGravity, SimulatedJointGivesTheSameAsItsSweep) {
   const joint::Dataset d = simulate::simulated_dataset(s);
   const method::gravity::RunGravityResult g =
       method::gravity::identify_run_gravity(d.with_role(joint::Role::constant_speed), s.gear_ratio);
-  ASSERT_TRUE(g.found) << g.reason;
+  ASSERT_TRUE(g.found) << wording::words(g.reason);
   EXPECT_NEAR(g.gravity_Nm.value / test::true_gravity_Nm, 1, 1e-3);
   EXPECT_NEAR(g.q_peak_rad.value, test::true_q_peak_rad(), 1e-3);
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wording/words.h"
+
 namespace tribolog::selection_test {
 namespace {
 
@@ -15,7 +17,7 @@ struct Candidates {
   void add(const std::string& estimator, double mass_kg, double half_width_kg) {
     method::hysteresis::SurrogateMass mass;
     mass.estimator = estimator;
-    mass.mass_kg = statistics::symmetric_estimate(mass_kg, half_width_kg, "by hand");
+    mass.mass_kg = statistics::symmetric_estimate(mass_kg, half_width_kg);
     masses.masses.push_back(mass);
     errors.errors.push_back({estimator, {}, std::abs(mass_kg - 80.0)});
   }
@@ -41,7 +43,7 @@ TEST(Selection, OfSharpReadingsThePaperHasOneChoice) {
   EXPECT_EQ(s.paper_rule, "B");
   EXPECT_EQ(s.recommended, "midline");
   EXPECT_TRUE(s.paper_rule_rivals.empty());
-  EXPECT_EQ(s.why.find("could have chosen"), std::string::npos);
+  EXPECT_EQ(wording::words(s.why).find("could have chosen"), std::string::npos);
 }
 
 // B is 0.8 kg away and A 1.5 kg: they cannot be told apart once each may be 0.35 kg off.
@@ -49,7 +51,7 @@ TEST(Selection, NamesThoseThatNoiseCouldHaveMadeTheChoice) {
   EXPECT_TRUE(candidates(0.34).selected().paper_rule_rivals.empty());
   const method::selection::SelectionResult s = candidates(0.36).selected();
   EXPECT_EQ(s.paper_rule_rivals, std::vector<std::string>{"A"});
-  EXPECT_NE(s.why.find("could have chosen A instead of B"), std::string::npos);
+  EXPECT_NE(wording::words(s.why).find("could have chosen A instead of B"), std::string::npos);
   EXPECT_EQ(candidates(2.0).selected().paper_rule_rivals,
             (std::vector<std::string>{"A", "E", "F"}));
 }

@@ -15,6 +15,7 @@
 #include "support/loop_fit.h"
 #include "support/paper_joint.h"
 #include "support/torque_driven_loop.h"
+#include "wording/words.h"
 
 namespace tribolog::torque_driven_lugre_test {
 namespace {
@@ -42,13 +43,14 @@ std::vector<joint::Recording> clean_loops() {
 TEST(TorqueDrivenLuGre, CleanLoopsGiveStiffnessLevelAndGravity) {
   for (const joint::Recording& loop : clean_loops()) {
     const method::hysteresis::LuGreFit f = test::fit_traced({loop});
-    ASSERT_TRUE(f.converged) << f.reason;
+    ASSERT_TRUE(f.converged) << wording::words(f.reason);
     EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-4);
     EXPECT_LT(error_of(f, "static_Nm"), 1e-4);
     ASSERT_TRUE(f.gravity_Nm);
     EXPECT_NEAR(f.gravity_Nm->value / test::true_gravity_Nm, 1, 1e-5);
     EXPECT_EQ(f.loops.front().motion, "spline");
-    EXPECT_EQ(f.reason.find("not LuGre's"), std::string::npos) << f.reason;
+    EXPECT_EQ(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+        << wording::words(f.reason);
     ASSERT_TRUE(f.loops.front().traced->turn_stiffness_Nm_rad);
     EXPECT_NEAR(f.loops.front().traced->turn_stiffness_Nm_rad->value /
                     f.loops.front().traced->model_turn_stiffness_Nm_rad->value,
@@ -72,7 +74,8 @@ TEST(TorqueDrivenLuGre, SmallLoopsSayThatSlidingIsNotReached) {
       test::paper_joint(), test::growing_sine(0.1, 0.25, 0.5, duration_s), duration_s, rate_Hz);
   const method::hysteresis::LuGreFit f = test::fit_traced({loop});
   EXPECT_LT(error_of(f, "bristle_stiffness_Nm_rad"), 1e-3);
-  EXPECT_NE(f.reason.find("of the way to sliding"), std::string::npos) << f.reason;
+  EXPECT_NE(wording::words(f.reason).find("of the way to sliding"), std::string::npos)
+      << wording::words(f.reason);
   EXPECT_FALSE(f.shown("coulomb_Nm"));
 }
 
@@ -80,11 +83,10 @@ TEST(TorqueDrivenLuGre, TheStageTakesTheSplineAndLeavesHarmonicsToSines) {
   const std::vector<joint::Recording> loops = clean_loops();
   const std::vector<joint::Recording> sine = test::oscillations_of(test::noisy_paper_joint(1));
   const method::gravity::CogSweepResult no_sweep;
-  const statistics::Estimate peak =
-      statistics::symmetric_estimate(test::true_q_peak_rad(), 0, "stated");
+  const statistics::Estimate peak = statistics::symmetric_estimate(test::true_q_peak_rad(), 0);
   const method::hysteresis::HysteresisResult h =
       method::hysteresis::identify_hysteresis({&loops[0], &sine[0]}, no_sweep, 100, peak);
-  ASSERT_TRUE(h.found) << h.stage.reason;
+  ASSERT_TRUE(h.found) << wording::words(h.stage.reason);
   ASSERT_TRUE(h.lugre && h.lugre->converged);
   ASSERT_EQ(h.lugre->loops.size(), 2U);
   EXPECT_EQ(h.lugre->loops[0].motion, "spline");
@@ -98,7 +100,8 @@ TEST(TorqueDrivenLuGre, OtherFrictionIsToldFromLuGre) {
   const double centre = test::true_q_peak_rad();
   for (double& q : loop.q_rad) q += 3e5 * std::pow(q - centre, 2);
   const method::hysteresis::LuGreFit f = test::fit_traced({loop});
-  EXPECT_NE(f.reason.find("not LuGre's"), std::string::npos) << f.reason;
+  EXPECT_NE(wording::words(f.reason).find("not LuGre's"), std::string::npos)
+      << wording::words(f.reason);
 }
 
 TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
@@ -129,7 +132,7 @@ TEST(TorqueDrivenLuGre, IntervalsHoldInTheNoiseOfADrive) {
     }
     const auto& g = f.gravity_Nm;
     gravity += g && g->low <= test::true_gravity_Nm && test::true_gravity_Nm <= g->high ? 1 : 0;
-    misfits += f.reason.find("not LuGre's") == std::string::npos ? 0 : 1;
+    misfits += wording::words(f.reason).find("not LuGre's") == std::string::npos ? 0 : 1;
   });
   RecordProperty("stiffness", covered[0]);
   RecordProperty("static", covered[1]);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "statistics/random_stream.h"
+#include "wording/words.h"
 
 namespace tribolog::traced_motion_test {
 namespace {
@@ -30,7 +31,7 @@ joint::Recording recorded(double (*angle)(double), double duration_s, double rat
 TEST(TracedMotion, CleanAngleComesBackWithItsSpeed) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500));
-  ASSERT_TRUE(trace.motion) << trace.refusal;
+  ASSERT_TRUE(trace.motion) << wording::words(trace.refusal);
   const auto motor = trace.motion->motor_motion(100);
   for (double t = 0.5; t < 9.5; t += 0.171) {
     EXPECT_NEAR(motor->angle(t), 100 * growing(t), 1e-9);
@@ -44,10 +45,11 @@ TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
   constexpr double step = 4e-6;  // a fiftieth of the first loop
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500, step));
-  ASSERT_TRUE(trace.motion) << trace.refusal;
+  ASSERT_TRUE(trace.motion) << wording::words(trace.refusal);
   EXPECT_NEAR(trace.motion->noise_rad, step / std::sqrt(12.0), 1e-3 * step);
   EXPECT_NEAR(trace.motion->residual_rad / trace.motion->noise_rad, 1, 0.05);
-  EXPECT_NE(trace.motion->noise_in_words().find("step of the encoder"), std::string::npos);
+  EXPECT_NE(wording::words(trace.motion->noise_source()).find("step of the encoder"),
+            std::string::npos);
   const auto joint = trace.motion->motor_motion(1);
   double squares = 0;
   double n = 0;
@@ -61,18 +63,20 @@ TEST(TracedMotion, EdgesOfTheStepsTellMoreThanTheSteps) {
 TEST(TracedMotion, WhiteNoiseIsFoundAndSmoothed) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500, 0, 1e-6));
-  ASSERT_TRUE(trace.motion) << trace.refusal;
+  ASSERT_TRUE(trace.motion) << wording::words(trace.refusal);
   EXPECT_NEAR(trace.motion->noise_rad / 1e-6, 1, 0.1);
   EXPECT_NEAR(trace.motion->residual_rad / 1e-6, 1, 0.1);
-  EXPECT_NE(trace.motion->noise_in_words().find("scatter"), std::string::npos);
+  EXPECT_NE(wording::words(trace.motion->noise_source()).find("scatter"), std::string::npos);
 }
 
 TEST(TracedMotion, RoughAngleIsRefusedWithItsNoise) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(growing, 10, 500, 0, 2e-5));
   EXPECT_FALSE(trace.motion);
-  EXPECT_NE(trace.refusal.find("too rough to give a speed"), std::string::npos) << trace.refusal;
-  EXPECT_NE(trace.refusal.find("2e-05 rad"), std::string::npos) << trace.refusal;
+  EXPECT_NE(wording::words(trace.refusal).find("too rough to give a speed"), std::string::npos)
+      << wording::words(trace.refusal);
+  EXPECT_NE(wording::words(trace.refusal).find("2e-05 rad"), std::string::npos)
+      << wording::words(trace.refusal);
 }
 
 TEST(TracedMotion, ShakingWithinAStrokeIsRefused) {
@@ -80,12 +84,13 @@ TEST(TracedMotion, ShakingWithinAStrokeIsRefused) {
   const method::motion::MotionTrace trace =
       method::motion::trace_motion(recorded(+shaking, 10, 6000, 0, 5e-7));
   EXPECT_FALSE(trace.motion);
-  EXPECT_NE(trace.refusal.find("to and fro by"), std::string::npos) << trace.refusal;
+  EXPECT_NE(wording::words(trace.refusal).find("to and fro by"), std::string::npos)
+      << wording::words(trace.refusal);
 }
 
 TEST(TracedMotion, RefusesWhatIsNoLoop) {
   const auto refusal = [](const joint::Recording& r) {
-    return method::motion::trace_motion(r).refusal;
+    return wording::words(method::motion::trace_motion(r).refusal);
   };
   EXPECT_NE(refusal(recorded(growing, 0.05, 500)).find("26 samples"), std::string::npos);
   EXPECT_NE(refusal(recorded([](double) { return 1.0; }, 10, 100)).find("does not change"),

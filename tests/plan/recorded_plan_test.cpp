@@ -16,6 +16,7 @@
 #include "plan/simulated_plan.h"
 #include "simulate/drive_noise.h"
 #include "truth/readings.h"
+#include "wording/words.h"
 
 namespace tribolog::test::recorded_plan_test {
 namespace {
@@ -97,7 +98,8 @@ TEST(RecordedPlan, GivesTheTruthWithinItsIntervals) {
     // The moment of break-away lies 0.7 % below the static torque (method/hysteresis/break_away.h).
     EXPECT_NEAR(c.break_away.mean_Nm->value, 0.993 * 0.88437633,
                 1.5 * c.break_away.mean_Nm->half_width());
-    EXPECT_NE(c.judgement.verdict, calibration::Verdict::not_identifiable) << c.judgement.sentence;
+    EXPECT_NE(c.judgement.verdict, calibration::Verdict::not_identifiable)
+        << wording::words(c.judgement.sentence);
   }
   EXPECT_EQ(stated, 30U);
   // Of 30 intervals of 95 %, fewer than 25 hold the truth once in 300 times.

@@ -149,7 +149,7 @@ TEST(HistoryFigures, OfTwoCalibrationsNeedBoth) {
   const auto c = history::compare(all[0], all[1], {}, false);
   EXPECT_EQ(figures::comparison_figures(c, simple_curves(0), simple_curves(0)).size(), 2U);
   EXPECT_TRUE(figures::comparison_figures(c, simple_curves(0), {}).empty());
-  history::RecordedCurves old = simple_curves(0);
+  calibration::RecordedCurves old = simple_curves(0);
   old.loops.clear();
   EXPECT_EQ(figures::comparison_figures(c, old, simple_curves(0)).size(), 1U);
 }

@@ -14,33 +14,38 @@ namespace {
 calibration::Calibration filled_with(const std::string& text) {
   calibration::Calibration c = complete_calibration();
   joint::Manifest& m = c.manifest;
-  for (std::string* field :
-       {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on, &m.note, &m.payload,
-        &c.rough.method, &c.precise.method, &c.rough.q_peak_rad.method,
-        &c.hysteresis.bristle_source, &c.selection.why, &c.judgement.sentence,
-        &c.hysteresis.lugre->reason, &c.quality.reference, &c.friction.curve}) {
+  for (std::string* field : {&m.robot, &m.serial, &m.joint, &m.operator_name, &m.measured_on,
+                             &m.note, &m.payload, &c.quality.reference, &c.friction.curve}) {
     *field = text;
+  }
+  const Statement said = Statement::verbatim(text);
+  for (Statement* statement :
+       {&c.rough.method, &c.precise.method, &c.rough.q_peak_rad.method,
+        &c.hysteresis.bristle_source, &c.selection.why, &c.judgement.sentence,
+        &c.hysteresis.lugre->reason, &c.hysteresis.lugre->identifiability.weakest_statement}) {
+    *statement = said;
   }
   for (statistics::StageReport* stage :
        {&c.rough.stage, &c.precise.stage, &c.hysteresis.stage, &c.masses.stage, &c.viscous.stage,
         &c.quality.stage, &c.selection.stage, &c.friction.stage}) {
     stage->state = statistics::StageState::partial;
-    stage->reason = text;
+    stage->reason = said;
   }
-  c.hysteresis.lugre->identifiability.weakest_in_words = text;
   c.hysteresis.lugre->loops.front().recording = text;
   for (method::hysteresis::LuGreParameter& p : c.hysteresis.lugre->parameters)
-    p.why_not = p.experiment = text;
-  c.judgement.findings = {text};
+    p.why_not = p.experiment = said;
+  c.judgement.findings = {said};
   for (calibration::QuantityVerdict& quantity : c.judgement.quantities) {
-    quantity.words = quantity.experiment = text;
-    quantity.reasons = {text};
-    for (calibration::LimitOutcome& limit : quantity.limits)
-      limit.words = limit.unit = limit.key = text;
+    quantity.experiment = said;
+    quantity.reasons = {said};
+    for (calibration::LimitOutcome& limit : quantity.limits) {
+      limit.outcome = said;
+      limit.unit = limit.key = text;
+    }
   }
   for (method::checks::DataCheck& check : c.data_checks.checks) {
-    check.title = check.recording = check.measure = check.found = text;
-    check.consequence = check.experiment = text;
+    check.recording = text;
+    check.measure = check.found = check.consequence = check.experiment = said;
   }
   c.notes = {text};
   for (joint::InputFile& file : c.inputs) {
@@ -52,11 +57,11 @@ calibration::Calibration filled_with(const std::string& text) {
   for (method::motion::SpeedSource& source : c.speed_sources) source.recording = text;
   for (method::viscous::ConstantSpeedRun& run : c.viscous.runs) run.recording = text;
   c.truth_check.runs = 1;
-  c.truth_check.quantities = {{text, text, 1, 2, 0, 1, 1, 0, {1}, false}};
-  c.truth_check.left_out = {text};
-  c.truth_check.findings = {{text, text}};
+  c.truth_check.quantities = {{"q_peak", text, 1, 2, 0, 1, 1, 0, {1}, false}};
+  c.truth_check.left_out = {said};
+  c.truth_check.findings = {{text, said}};
   for (method::hysteresis::SurrogateMass& mass : c.masses.masses)
-    mass.torque_Nm.method = mass.mass_kg.method = text;
+    mass.torque_Nm.method = mass.mass_kg.method = said;
   return c;
 }
 

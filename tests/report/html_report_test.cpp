@@ -97,7 +97,7 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
   angle.name = c.judgement.quantities.front().key;
   angle.unit = "rad";
   angle.second = c.judgement.quantities.front().estimate;
-  angle.change = history::Change{{0.01, 0.008, 0.012, ""}, {}, 1e-6};
+  angle.change = history::Change{{0.01, 0.008, 0.012, {}}, {}, 1e-6};
   angle.word = history::ChangeWord::changed;
   since.quantities = {angle};
   const std::string html = report::html_report(c, {}, {}, sample_provenance(), since);
@@ -113,7 +113,9 @@ TEST(HtmlReport, ChangesSinceTheLastCalibrationStandBesideTheQuantities) {
 
 TEST(HtmlReport, TheWeightiestThreeFindingsAreInSight) {
   calibration::Calibration c = complete_calibration();
-  c.judgement.findings = {"one", "two", "three", "four", "five"};
+  c.judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"),
+                          Statement::verbatim("three"), Statement::verbatim("four"),
+                          Statement::verbatim("five")};
   const std::string html = report_of(c);
   const std::size_t at = html.find("id=\"verdict\"");
   const std::string banner = html.substr(at, html.find("</section>", at) - at);

@@ -48,17 +48,19 @@ TEST(ReportView, TheWordsOfABrokenLimitStandOnceOnTheFirstScreen) {
   calibration::LimitOutcome limit;
   limit.rule = "max";
   limit.state = calibration::LimitState::outside;
-  limit.words = "the surrogate mass is above its limit";
+  limit.outcome = Statement::verbatim("the surrogate mass is above its limit");
   calibration::QuantityVerdict mass;
   mass.key = "surrogate_mass";
   mass.limits = {limit};
-  mass.reasons = {limit.words, "the loops disagree"};
+  mass.reasons = {limit.outcome, Statement::verbatim("the loops disagree")};
   calibration::Judgement judgement;
   judgement.quantities = {mass};
-  judgement.findings = {"one", "two", limit.words, "the loops disagree"};
+  judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"), limit.outcome,
+                        Statement::verbatim("the loops disagree")};
   EXPECT_EQ(report::quantity_rows(judgement, std::nullopt).front().reasons,
             std::vector<std::string>{"The loops disagree."});
-  judgement.findings = {"one", "two", "three", limit.words};
+  judgement.findings = {Statement::verbatim("one"), Statement::verbatim("two"),
+                        Statement::verbatim("three"), limit.outcome};
   EXPECT_EQ(
       report::quantity_rows(judgement, std::nullopt).front().reasons,
       (std::vector<std::string>{"The surrogate mass is above its limit.", "The loops disagree."}))
@@ -158,7 +160,7 @@ TEST(ReportView, TheKnownTruthCheckIsASectionOfItsOwn) {
   c.truth_check.quantities = {
       {"midline", "N·m", 3.88319, 3.88325, 0.0002, 0.0005, 20, 19, {0.1, 1.2}, true},
       {"q_peak", "rad", -0.388, -0.380, 1e-5, 1e-5, 20, 0, {}, false}};
-  c.truth_check.findings = {{"q_peak", "the gravity peak does not come back"}};
+  c.truth_check.findings = {{"q_peak", Statement::verbatim("the gravity peak does not come back")}};
   auto figures = sample_figures(c);
   figures[0].stage = "known-truth";
   const auto drawn = sample_pictures(figures);
@@ -190,7 +192,8 @@ TEST(ReportView, BreakAwayRampsHaveASectionOnlyWhereRecorded) {
   ramp.recording = "ramp_1.csv";
   ramp.friction_Nm = 0.8;
   ramp.travel_rad = 1e-4;
-  c.break_away.stage = {"break_away", statistics::StageState::not_identifiable, "never slid"};
+  c.break_away.stage = {"break_away", statistics::StageState::not_identifiable,
+                        Statement::verbatim("never slid")};
   c.break_away.censored = 1;
   c.break_away.ramps = {ramp};
   ASSERT_EQ(sections().size(), 9U);
@@ -213,7 +216,7 @@ std::vector<std::string> key_number(const calibration::Calibration& c, const std
 TEST(ReportView, KeyNumbersAgreeWithTheVerdicts) {
   calibration::Calibration c = complete_calibration();
   ASSERT_EQ(key_number(c, "Break-away torque").back(), "stage 8, LuGre fit of the loops");
-  c.break_away.mean_Nm = statistics::symmetric_estimate(0.9, 0.02, "ramps");
+  c.break_away.mean_Nm = statistics::symmetric_estimate(0.9, 0.02, Statement::verbatim("ramps"));
   EXPECT_EQ(key_number(c, "Break-away torque").back(), "stage 9, ramps of the torque");
   calibration::QuantityVerdict refused;
   refused.key = "break_away_torque";
@@ -226,12 +229,12 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   calibration::Calibration c = complete_calibration();
   method::intervals::CrossCheck ours;
   ours.method = "midline";
-  ours.mass_kg = statistics::symmetric_estimate(79.17, 0.01, "");
+  ours.mass_kg = statistics::symmetric_estimate(79.17, 0.01);
   ours.is_recommended = true;
   method::intervals::CrossCheck other = ours;
   other.method = "sweep_directions";
-  other.mass_kg = statistics::symmetric_estimate(79.97, 0.02, "");
-  other.resampled_kg = statistics::symmetric_estimate(79.97, 0.02, "");
+  other.mass_kg = statistics::symmetric_estimate(79.97, 0.02);
+  other.resampled_kg = statistics::symmetric_estimate(79.97, 0.02);
   other.is_recommended = false;
   other.difference_percent = 1.01;
   other.difference_half_width_percent = 0.028;
@@ -240,8 +243,8 @@ TEST(ReportView, CrossChecksAndIntervalsHaveASectionOfTheirOwn) {
   c.cross_checks.checks = {ours, other};
   c.cross_checks.doubtful = true;
   c.intervals.resamples = 1000;
-  c.intervals.quantities = {{"waiboer.stribeck_power", statistics::symmetric_estimate(0.7, 0.1, ""),
-                             statistics::symmetric_estimate(0.7, 0.05, ""), true}};
+  c.intervals.quantities = {{"waiboer.stribeck_power", statistics::symmetric_estimate(0.7, 0.1),
+                             statistics::symmetric_estimate(0.7, 0.05), true}};
   const report::ReportView view = view_of(c);
   ASSERT_EQ(view.sections.size(), 9U);
   const report::Section& section = view.sections.back();

@@ -14,16 +14,19 @@ constexpr double kg_per_Nm = gear_ratio / (9.81 * 0.5);
 
 method::gravity::CogSweepResult sweep(const std::string& name, double half_width_rad) {
   method::gravity::CogSweepResult r;
-  r.stage = {name, statistics::StageState::done, ""};
+  r.stage = {name, statistics::StageState::done, {}};
   r.found = true;
-  r.method = "T = offset of each direction + G cos(q - q_peak)";
+  r.method = Statement::verbatim("T = offset of each direction + G cos(q - q_peak)");
   r.argmax_rad = -0.3885;
   r.argmax_low_rad = -0.41;
   r.argmax_high_rad = -0.37;
   r.argmax_torque_Nm = 4.77;
-  r.q_peak_rad = statistics::symmetric_estimate(q_peak_rad, half_width_rad, "least squares");
-  r.gravity_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043, "least squares");
-  r.coulomb_Nm = statistics::symmetric_estimate(0.8829, 0.0031, "least squares");
+  r.q_peak_rad = statistics::symmetric_estimate(q_peak_rad, half_width_rad,
+                                                Statement::verbatim("least squares"));
+  r.gravity_Nm =
+      statistics::symmetric_estimate(gravity_Nm, 0.0043, Statement::verbatim("least squares"));
+  r.coulomb_Nm =
+      statistics::symmetric_estimate(0.8829, 0.0031, Statement::verbatim("least squares"));
   r.offset_Nm = 0.0012;
   r.residual_Nm = 0.0204;
   r.lowest_rad = -1.39;
@@ -41,15 +44,16 @@ method::hysteresis::LoopPoint point(char name, double t_s, double torque_Nm, dou
 
 method::hysteresis::HysteresisResult loop() {
   method::hysteresis::HysteresisResult h;
-  h.stage = {"hysteresis", statistics::StageState::done, ""};
+  h.stage = {"hysteresis", statistics::StageState::done, {}};
   h.found = true;
-  h.bristle_source = "recorded";
+  h.bristle_source = {"loop.bristle_recorded"};
   h.oscillations = {{q_peak_rad, 1e-4, 1.0, 10.0, 9.0, 4.8e-7}};
   h.points = {point('A', 0.0, 3.924, 0.0),      point('B', 0.33, 3.866, 0.0),
               point('C', 0.25, 4.759, 0.0019),  point('D', 0.75, 2.993, -0.0019),
               point('E', 0.82, 3.703, -0.0005), point('F', 0.32, 4.061, 0.0005)};
   h.steady_points = h.points;
-  h.midline_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043, "scatter of the cycles");
+  h.midline_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0043,
+                                                Statement::verbatim("scatter of the cycles"));
   h.midline_q_rad = q_peak_rad;
   h.loop_height_Nm = 1.766;
   method::hysteresis::LuGreFit fit;
@@ -58,7 +62,7 @@ method::hysteresis::HysteresisResult loop() {
   const auto shown = [&](const char* name, double value, double half_width) {
     method::hysteresis::LuGreParameter p;
     p.name = name;
-    p.estimate = statistics::symmetric_estimate(value, half_width, "loop fit");
+    p.estimate = statistics::symmetric_estimate(value, half_width, Statement::verbatim("loop fit"));
     p.relative_error = half_width / value / 2;
     p.effect_Nm = 0.08;
     fit.parameters.push_back(p);
@@ -66,8 +70,8 @@ method::hysteresis::HysteresisResult loop() {
   const auto not_shown = [&](const char* name) {
     method::hysteresis::LuGreParameter p;
     p.name = name;
-    p.why_not = "the motor stays below 0.0628 rad/s in the loops";
-    p.experiment = "an oscillation of 0.016 rad at 1 Hz";
+    p.why_not = Statement::verbatim("the motor stays below 0.0628 rad/s in the loops");
+    p.experiment = Statement::verbatim("an oscillation of 0.016 rad at 1 Hz");
     fit.parameters.push_back(p);
   };
   shown("bristle_stiffness_Nm_rad", 465.4, 2.3);
@@ -78,22 +82,26 @@ method::hysteresis::HysteresisResult loop() {
   not_shown("stribeck_speed_rad_s");
   not_shown("speed_weakening_Nms2_rad2");
   not_shown("inertia_kgm2");
-  fit.gravity_Nm = statistics::symmetric_estimate(gravity_Nm, 0.0005, "loop fit");
-  fit.identifiability = {{"bristle stiffness", "static torque"},
-                         {0.9, 0.03},
-                         30.0,
-                         {0.6, -0.8},
-                         "static torque against bristle stiffness",
-                         {{1.0, 0.4}, {0.4, 1.0}}};
+  fit.gravity_Nm =
+      statistics::symmetric_estimate(gravity_Nm, 0.0005, Statement::verbatim("loop fit"));
+  fit.identifiability = {
+      {Statement::verbatim("bristle stiffness"), Statement::verbatim("static torque")},
+      {0.9, 0.03},
+      30.0,
+      {0.6, -0.8},
+      Statement::verbatim("static torque against bristle stiffness"),
+      {{1.0, 0.4}, {0.4, 1.0}}};
   method::hysteresis::LuGreLoop only;
   only.recording = "oscillation";
   only.gravity_Nm = fit.gravity_Nm;
   only.residual_Nm = 0.02;
   only.motion = "spline";
   only.motion_residual_rad = 1.5e-6;
-  const statistics::Estimate behind_turns{7e4, 6.9e4, 7.1e4, "scatter of the strokes"};
+  const statistics::Estimate behind_turns{7e4, 6.9e4, 7.1e4, {"interval.scatter_of_strokes"}};
   only.traced = method::hysteresis::TracedLoop{
-      1.6e-6, "a step of the encoder of 5e-06 rad", 11, 0.02, behind_turns, behind_turns};
+      1.6e-6,       Statement::verbatim("a step of the encoder of 5e-06 rad"),
+      11,           0.02,
+      behind_turns, behind_turns};
   fit.loops = {only};
   fit.residual_Nm = 0.02;
   fit.iterations = 7;
@@ -102,13 +110,14 @@ method::hysteresis::HysteresisResult loop() {
 }
 
 method::hysteresis::SurrogateMass mass(const std::string& estimator, double torque_Nm) {
-  const statistics::Estimate torque = statistics::symmetric_estimate(torque_Nm, 0.0043, "reading");
+  const statistics::Estimate torque =
+      statistics::symmetric_estimate(torque_Nm, 0.0043, Statement::verbatim("reading"));
   return {estimator, torque, q_peak_rad, statistics::scaled(torque, kg_per_Nm), torque};
 }
 
 method::hysteresis::SurrogateMassesResult masses() {
   method::hysteresis::SurrogateMassesResult r;
-  r.stage = {"surrogate_masses", statistics::StageState::done, ""};
+  r.stage = {"surrogate_masses", statistics::StageState::done, {}};
   r.distance_m = 0.5;
   r.gravity_m_s2 = 9.81;
   r.masses = {mass("A", 3.924),    mass("B", 3.866),
@@ -122,7 +131,7 @@ method::hysteresis::SurrogateMassesResult masses() {
 
 method::viscous::ViscousCurvesResult curves(const method::hysteresis::SurrogateMassesResult& of) {
   method::viscous::ViscousCurvesResult v;
-  v.stage = {"viscous_curves", statistics::StageState::done, ""};
+  v.stage = {"viscous_curves", statistics::StageState::done, {}};
   for (const double speed : {-300.0, -100.0, -10.0, 10.0, 100.0, 300.0}) {
     const double friction = std::copysign(0.45 + 0.0026 * std::abs(speed), speed);
     method::viscous::ConstantSpeedRun run;
@@ -150,7 +159,7 @@ method::viscous::ViscousCurvesResult curves(const method::hysteresis::SurrogateM
 
 method::selection::QualityErrorsResult errors(const method::viscous::ViscousCurvesResult& of) {
   method::selection::QualityErrorsResult q;
-  q.stage = {"quality_errors", statistics::StageState::done, ""};
+  q.stage = {"quality_errors", statistics::StageState::done, {}};
   q.reference = "direction_difference";
   for (const method::viscous::ConstantSpeedRun& run : of.runs) {
     q.reference_Nm.push_back(run.direction_difference_Nm);
@@ -165,59 +174,54 @@ method::selection::QualityErrorsResult errors(const method::viscous::ViscousCurv
 
 method::checks::DataChecksResult sample_checks() {
   method::checks::DataCheck fails{"speed_scale",
-                                  "Logged speed against the angle",
                                   "run_07.csv",
-                                  "logged speed / derivative of the angle",
+                                  Statement::verbatim("logged speed / derivative of the angle"),
                                   2.0,
                                   0.98,
                                   1.02,
                                   "1",
                                   method::checks::CheckState::fails,
-                                  "factor 2 ± 0.01",
-                                  "speeds are wrong",
-                                  "correct the unit"};
+                                  Statement::verbatim("factor 2 ± 0.01"),
+                                  Statement::verbatim("speeds are wrong"),
+                                  Statement::verbatim("correct the unit")};
   method::checks::DataCheck warns{"clock_gaps",
-                                  "No gaps in time",
                                   "sweep.csv",
-                                  "time lost in gaps",
+                                  Statement::verbatim("time lost in gaps"),
                                   1.25,
                                   std::nullopt,
                                   5.0,
                                   "%",
                                   method::checks::CheckState::warns,
-                                  "3 gaps",
-                                  "unknown in the gaps",
-                                  "log locally"};
+                                  Statement::verbatim("3 gaps"),
+                                  Statement::verbatim("unknown in the gaps"),
+                                  Statement::verbatim("log locally")};
   method::checks::DataCheck absent{"temperature",
-                                   "Temperature",
                                    "",
-                                   "",
+                                   {},
                                    std::nullopt,
                                    std::nullopt,
                                    std::nullopt,
                                    "",
                                    method::checks::CheckState::not_applicable,
-                                   "no temperature is logged",
-                                   "",
-                                   ""};
+                                   Statement::verbatim("no temperature is logged"),
+                                   {},
+                                   {}};
   return {{fails, warns, absent}};
 }
 
 std::vector<calibration::QuantityVerdict> sample_quantities(const statistics::Estimate& peak_rad) {
   calibration::QuantityVerdict angle;
   angle.key = "cog_angle";
-  angle.words = "Angle of the centre of gravity";
   angle.estimate = peak_rad;
   angle.unit = "rad";
   angle.limits = {{"q_peak_deg", "max", -20, "°", statistics::scaled(peak_rad, 57.29577951308232),
-                   calibration::LimitState::inside, "angle keeps the limit"}};
+                   calibration::LimitState::inside, Statement::verbatim("angle keeps the limit")}};
   calibration::QuantityVerdict inertia;
   inertia.key = "inertia";
-  inertia.words = "Inertia at the motor";
   inertia.verdict = calibration::Verdict::not_identifiable;
   inertia.decides = false;
-  inertia.reasons = {"the data do not show it"};
-  inertia.experiment = "a fast sine";
+  inertia.reasons = {Statement::verbatim("the data do not show it")};
+  inertia.experiment = Statement::verbatim("a fast sine");
   return {angle, inertia};
 }
 
@@ -268,30 +272,31 @@ calibration::Calibration complete_calibration() {
   c.masses = masses();
   c.viscous = curves(c.masses);
   c.quality = errors(c.viscous);
-  c.selection = {{"selection", statistics::StageState::done, ""},
+  c.selection = {{"selection", statistics::StageState::done, {}},
                  "B",
                  {"A"},
                  "midline",
-                 "the mid-line owes nothing to the start-up stroke",
+                 Statement::verbatim("the mid-line owes nothing to the start-up stroke"),
                  0.38794,
                  statistics::scaled(*c.q_peak_rad, -1.0)};
-  c.friction.stage = {"friction_parameters", statistics::StageState::done, ""};
+  c.friction.stage = {"friction_parameters", statistics::StageState::done, {}};
   c.friction.curve = "midline";
   c.friction.coulomb_viscous = method::selection::CoulombViscousFit{
-      statistics::symmetric_estimate(0.445, 0.023, "line"),
-      statistics::symmetric_estimate(0.00264, 0.00017, "line"), 0.011, 10.0, 300.0};
-  c.friction.waiboer =
-      method::viscous::WaiboerFit{true,
-                                  statistics::symmetric_estimate(0.8844, 0.01, "fit"),
-                                  statistics::symmetric_estimate(5.0, 0.2, "fit"),
-                                  statistics::symmetric_estimate(0.7, 0.03, "fit"),
-                                  statistics::symmetric_estimate(0.12, 0.004, "fit"),
-                                  statistics::symmetric_estimate(0.6, 0.01, "fit"),
-                                  0.004};
+      statistics::symmetric_estimate(0.445, 0.023, Statement::verbatim("line")),
+      statistics::symmetric_estimate(0.00264, 0.00017, Statement::verbatim("line")), 0.011, 10.0,
+      300.0};
+  c.friction.waiboer = method::viscous::WaiboerFit{
+      true,
+      statistics::symmetric_estimate(0.8844, 0.01, Statement::verbatim("fit")),
+      statistics::symmetric_estimate(5.0, 0.2, Statement::verbatim("fit")),
+      statistics::symmetric_estimate(0.7, 0.03, Statement::verbatim("fit")),
+      statistics::symmetric_estimate(0.12, 0.004, Statement::verbatim("fit")),
+      statistics::symmetric_estimate(0.6, 0.01, Statement::verbatim("fit")),
+      0.004};
   c.data_checks = sample_checks();
   c.judgement = {calibration::Verdict::usable,
-                 "all stages have their data",
-                 {"nothing was left out"},
+                 Statement::verbatim("all stages have their data"),
+                 {Statement::verbatim("nothing was left out")},
                  sample_quantities(*c.q_peak_rad)};
   return c;
 }
@@ -315,23 +320,25 @@ calibration::Calibration sweep_only() {
   c.q_peak_rad = c.rough.q_peak_rad;
   c.q_peak_source = "cog_rough";
   c.precise.stage = {"cog_precise", statistics::StageState::skipped,
-                     "no precise_sweep was recorded"};
+                     Statement::verbatim("no precise_sweep was recorded")};
   c.hysteresis.stage = {"hysteresis", statistics::StageState::not_identifiable,
-                        "the encoder step of 0.0001 rad hides the loop"};
+                        Statement::verbatim("the encoder step of 0.0001 rad hides the loop")};
   c.masses.stage = {"surrogate_masses", statistics::StageState::partial,
-                    "only the sweep gives a mass"};
+                    Statement::verbatim("only the sweep gives a mass")};
   c.masses.masses = {mass("sweep", 3.884)};
   c.viscous.stage = {"viscous_curves", statistics::StageState::skipped,
-                     "no constant_speed was recorded"};
+                     Statement::verbatim("no constant_speed was recorded")};
   c.quality.stage = {"quality_errors", statistics::StageState::skipped,
-                     "there is no curve to judge"};
+                     Statement::verbatim("there is no curve to judge")};
   c.selection.stage = {"selection", statistics::StageState::partial,
-                       "the points A to F were not found"};
+                       Statement::verbatim("the points A to F were not found")};
   c.selection.recommended = "sweep";
   c.friction.stage = {"friction_parameters", statistics::StageState::skipped,
-                      "there is no curve to fit"};
-  c.judgement = {
-      calibration::Verdict::doubtful, "angle and mass are known, friction is not", {}, {}};
+                      Statement::verbatim("there is no curve to fit")};
+  c.judgement = {calibration::Verdict::doubtful,
+                 Statement::verbatim("angle and mass are known, friction is not"),
+                 {},
+                 {}};
   return c;
 }
 

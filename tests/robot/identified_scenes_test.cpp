@@ -59,12 +59,12 @@ class IdentifiedScenes : public ::testing::Test {
  protected:
   void set_q_peak(double degrees, double half_degrees) {
     calibration_.q_peak_rad =
-        statistics::symmetric_estimate(degrees * degree, half_degrees * degree, "by hand");
+        statistics::symmetric_estimate(degrees * degree, half_degrees * degree);
   }
   void set_mass(double kg, double half_kg) {
     calibration_.masses.masses.resize(1);
     calibration_.masses.masses[0].estimator = std::string("midline");
-    calibration_.masses.masses[0].mass_kg = statistics::symmetric_estimate(kg, half_kg, "by hand");
+    calibration_.masses.masses[0].mass_kg = statistics::symmetric_estimate(kg, half_kg);
     calibration_.selection.recommended = std::string("midline");
   }
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wording/words.h"
+
 namespace tribolog::serial_arm_test {
 namespace {
 
@@ -124,7 +126,7 @@ std::string refusal(std::vector<robot::ArmJoint> joints,
   try {
     const robot::SerialArm arm("arm", std::move(joints), tool_m);
   } catch (const std::invalid_argument& error) {
-    return error.what();
+    return wording::words(error);
   }
   return {};
 }

@@ -13,6 +13,7 @@
 #include "truth/identified_joint.h"
 #include "truth/truth_check.h"
 #include "verdict/judge.h"
+#include "wording/words.h"
 
 namespace tribolog::known_truth_test {
 namespace {
@@ -51,7 +52,7 @@ TEST(KnownTruth, PapersJointComesBackInRealisticNoise) {
   EXPECT_NEAR(check.white_Nm, 0.02, 0.0005);
   EXPECT_NEAR(check.torque_step_Nm, 0.005, 1e-9);
   EXPECT_EQ(check.ripple_Nm, 0);
-  EXPECT_TRUE(check.findings.empty()) << check.findings.front().words;
+  EXPECT_TRUE(check.findings.empty()) << wording::words(check.findings.front().finding);
   std::size_t inside = 0;
   std::size_t found = 0;
   for (const calibration::ReturnedQuantity& q : check.quantities) {
@@ -108,8 +109,10 @@ TEST(KnownTruth, AWrongTruthIsCaught) {
   EXPECT_FALSE(check.find("bristle_stiffness")->comes_back);
   EXPECT_TRUE(check.find("sweep")->comes_back);
   ASSERT_EQ(check.findings.size(), 2U);
-  EXPECT_NE(check.findings[0].words.find("mid-line"), std::string::npos) << check.findings[0].words;
-  EXPECT_NE(check.findings[0].words.find("0 of 5"), std::string::npos) << check.findings[0].words;
+  EXPECT_NE(wording::words(check.findings[0].finding).find("mid-line"), std::string::npos)
+      << wording::words(check.findings[0].finding);
+  EXPECT_NE(wording::words(check.findings[0].finding).find("0 of 5"), std::string::npos)
+      << wording::words(check.findings[0].finding);
 }
 
 TEST(KnownTruth, AWrongStageIsCaught) {
@@ -141,7 +144,8 @@ TEST(KnownTruth, AChainThatFindsNothingIsCaught) {
       truth::check_known_truth(dataset, plain(dataset, 1), blind, {3, 1, 0});
   ASSERT_FALSE(check.quantities.empty());
   EXPECT_EQ(check.findings.size(), check.quantities.size());
-  EXPECT_NE(check.findings[0].words.find("not found in any of 3"), std::string::npos);
+  EXPECT_NE(wording::words(check.findings[0].finding).find("not found in any of 3"),
+            std::string::npos);
 }
 
 TEST(KnownTruth, ASweepAloneIsChecked) {
@@ -173,7 +177,7 @@ TEST(KnownTruth, WithoutGravityItSaysWhyNothingIsSimulated) {
   const calibration::TruthCheckResult check = checked(dataset, 4);
   EXPECT_TRUE(check.quantities.empty());
   ASSERT_EQ(check.left_out.size(), 1U);
-  EXPECT_NE(check.left_out[0].find("no gravity torque"), std::string::npos);
+  EXPECT_NE(wording::words(check.left_out[0]).find("no gravity torque"), std::string::npos);
 }
 
 TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
@@ -186,15 +190,15 @@ TEST(KnownTruth, WhatDoesNotComeBackMakesItsQuantityDoubtful) {
     return calibration::Verdict::not_identifiable;
   };
   ASSERT_EQ(c.selection.recommended, "midline");
-  c.truth_check.findings = {{"midline", "the mid-line does not come back"}};
+  c.truth_check.findings = {{"midline", Statement::verbatim("the mid-line does not come back")}};
   EXPECT_EQ(verdict_on("surrogate_mass"), calibration::Verdict::doubtful);
   EXPECT_EQ(verdict_on("cog_angle"), calibration::Verdict::usable);
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::doubtful);
   EXPECT_NE(std::find(verdict::judge(c).findings.begin(), verdict::judge(c).findings.end(),
-                      "the mid-line does not come back"),
+                      Statement::verbatim("the mid-line does not come back")),
             verdict::judge(c).findings.end());
   // An estimator that nothing rests on is told of and lowers nothing.
-  c.truth_check.findings = {{"B", "point B does not come back"}};
+  c.truth_check.findings = {{"B", Statement::verbatim("point B does not come back")}};
   EXPECT_EQ(verdict::judge(c).verdict, calibration::Verdict::usable);
 }
 

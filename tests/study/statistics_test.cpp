@@ -11,7 +11,7 @@ namespace tribolog::statistics_test {
 namespace {
 
 statistics::Estimate around(double value, double half_width) {
-  return statistics::symmetric_estimate(value, half_width, "");
+  return statistics::symmetric_estimate(value, half_width);
 }
 
 TEST(WilsonShare, AgreesWithPublishedValues) {

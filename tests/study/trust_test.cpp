@@ -16,7 +16,7 @@ study::StudiedReading reading(const std::string& name, double off, double half_w
   std::vector<statistics::Estimate> estimates;
   for (int i = 0; i < 100; ++i) {
     const double little = (i % 2 == 0 ? 1 : -1) * 1e-5;
-    estimates.push_back(statistics::symmetric_estimate(truth + off + little, half_width, ""));
+    estimates.push_back(statistics::symmetric_estimate(truth + off + little, half_width));
   }
   return {name, truth::ReadingKind::gravity, study::error_statistics(estimates, truth, 100)};
 }

@@ -59,7 +59,7 @@ method::hysteresis::LuGreFit fit_traced(const std::vector<joint::Recording>& loo
   std::vector<method::motion::TracedMotion> motions;
   for (const joint::Recording& r : loops) {
     method::motion::MotionTrace trace = method::motion::trace_motion(r);
-    if (!trace.motion) throw std::invalid_argument(trace.refusal);
+    if (!trace.motion) throw Refusal(trace.refusal);
     motions.push_back(std::move(*trace.motion));
   }
   std::vector<method::hysteresis::LuGreInput> inputs;

@@ -19,38 +19,37 @@ TEST(NumberText, SignificantDigits) {
 }
 
 TEST(NumberText, ValueEndsWhereItsIntervalBegins) {
-  EXPECT_EQ(
-      wording::with_interval(statistics::symmetric_estimate(3.883186, 0.00431, ""), newton_metre),
-      "3.8832 ± 0.0043 N·m");
-  EXPECT_EQ(wording::with_interval(statistics::symmetric_estimate(80.0, 12.0, ""),
+  EXPECT_EQ(wording::with_interval(statistics::symmetric_estimate(3.883186, 0.00431), newton_metre),
+            "3.8832 ± 0.0043 N·m");
+  EXPECT_EQ(wording::with_interval(statistics::symmetric_estimate(80.0, 12.0),
                                    wording::AxisScale{1.0, "kg"}),
             "80 ± 12 kg");
-  EXPECT_EQ(wording::rounded(statistics::symmetric_estimate(3.883186, 0.00431, ""), newton_metre),
+  EXPECT_EQ(wording::rounded(statistics::symmetric_estimate(3.883186, 0.00431), newton_metre),
             "3.883 N·m");
 }
 
 TEST(NumberText, DegreesTakeNoSpace) {
-  EXPECT_EQ(wording::with_interval(statistics::symmetric_estimate(-0.388019, 1e-4, ""),
-                                   wording::degrees()),
-            "−22.2319° ± 0.0057°");
+  EXPECT_EQ(
+      wording::with_interval(statistics::symmetric_estimate(-0.388019, 1e-4), wording::degrees()),
+      "−22.2319° ± 0.0057°");
   EXPECT_EQ(wording::with_unit(-0.388019, wording::degrees(), 4), "−22.23°");
 }
 
 TEST(NumberText, LopsidedIntervalIsShownByItsEnds) {
-  const statistics::Estimate estimate{1.0, 0.9, 1.4, ""};
+  const statistics::Estimate estimate{1.0, 0.9, 1.4, {}};
   EXPECT_EQ(wording::with_interval(estimate, newton_metre), "1.00 N·m (0.90 to 1.40)");
 }
 
 TEST(NumberText, WithoutAnInterval) {
   EXPECT_EQ(
-      wording::with_interval(statistics::Estimate{3.883186, 3.883186, 3.883186, ""}, newton_metre),
+      wording::with_interval(statistics::Estimate{3.883186, 3.883186, 3.883186, {}}, newton_metre),
       "3.8832 N·m");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(wording::with_interval(statistics::Estimate{nan, nan, nan, ""}, newton_metre),
+  EXPECT_EQ(wording::with_interval(statistics::Estimate{nan, nan, nan, {}}, newton_metre),
             "unknown");
   EXPECT_EQ(
-      wording::with_interval(statistics::Estimate{2.0, -infinity, infinity, ""}, newton_metre),
+      wording::with_interval(statistics::Estimate{2.0, -infinity, infinity, {}}, newton_metre),
       "2.0000 N·m");
   EXPECT_EQ(wording::significant(infinity, 3), "unknown");
 }

@@ -12,7 +12,7 @@ namespace {
 
 wording::RoundedEstimate rounded(double value, double half_width,
                                  const wording::Scale& scale = {}) {
-  return wording::round_by_interval({value, value - half_width, value + half_width, ""}, scale);
+  return wording::round_by_interval({value, value - half_width, value + half_width, {}}, scale);
 }
 
 TEST(Rounding, HalfWidthHasTwoDigitsAndTheEstimateFollows) {
@@ -38,14 +38,14 @@ TEST(Rounding, NegativeNumbersHaveAMinusSignAndZeroHasNone) {
 }
 
 TEST(Rounding, DegreesTurnTheIntervalAlong) {
-  const statistics::Estimate link = statistics::scaled({-0.388019, -0.389, -0.387, ""}, -1.0);
+  const statistics::Estimate link = statistics::scaled({-0.388019, -0.389, -0.387, {}}, -1.0);
   const wording::RoundedEstimate text = wording::round_by_interval(link, wording::degree_scale());
   EXPECT_EQ(text.plus_minus(), "22.232 ± 0.057");
   EXPECT_EQ(text.range(), "22.173 … 22.288");
 }
 
 TEST(Rounding, ALopsidedIntervalIsGivenByItsEndsOnly) {
-  const wording::RoundedEstimate text = wording::round_by_interval({1.0, 0.9, 1.4, ""}, {});
+  const wording::RoundedEstimate text = wording::round_by_interval({1.0, 0.9, 1.4, {}}, {});
   EXPECT_EQ(text.plus_minus(), "1.00");
   EXPECT_EQ(text.range(), "0.90 … 1.40");
 }
@@ -98,9 +98,9 @@ TEST(Units, PrefixesKeepNumbersReadable) {
 }
 
 TEST(Rounding, InWords) {
-  EXPECT_EQ(wording::in_words({3.88318571, 3.87888, 3.88749, ""}, wording::plain_scale("N·m")),
+  EXPECT_EQ(wording::in_words({3.88318571, 3.87888, 3.88749, {}}, wording::plain_scale("N·m")),
             "3.8832 ± 0.0043\u00a0N·m");
-  EXPECT_EQ(wording::in_words({-0.388, -0.389, -0.387, ""}, wording::degree_scale()),
+  EXPECT_EQ(wording::in_words({-0.388, -0.389, -0.387, {}}, wording::degree_scale()),
             "−22.231° ± 0.057°");
 }
 

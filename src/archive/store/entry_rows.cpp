@@ -112,8 +112,10 @@ calibration::Quantity quantity_of(const sql::Row& row, std::size_t first) {
   q.verdict = verdict_of(row[first + 3].text());
   const auto value = row[first + 4].number_if_any();
   if (value) {
-    q.estimate = statistics::Estimate{*value, row[first + 5].number_if_any().value_or(*value),
-                                      row[first + 6].number_if_any().value_or(*value), ""};
+    q.estimate = statistics::Estimate{*value,
+                                      row[first + 5].number_if_any().value_or(*value),
+                                      row[first + 6].number_if_any().value_or(*value),
+                                      {}};
   }
   return q;
 }

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/requirements.h"
-#include "calibration/json_values.h"
+#include "calibration/read_calibration.h"
 
 namespace tribolog::exports::results {
 namespace {
-
-using Recorded = nlohmann::json;
 
 /// Runs of the two directions at one commanded speed differ by less.
 constexpr double same_speed_share = 0.01;
@@ -24,21 +23,14 @@ struct MergedSpeed {
   [[nodiscard]] double speed() const { return speed_sum / runs; }
 };
 
-/// Friction against absolute speed, by the curve that was selected, sorted.
-std::vector<FrictionRow> measured_points(const Recorded& whole) {
+/// Friction against absolute speed, sorted.
+std::vector<FrictionRow> measured_points(const calibration::RecordedFriction& runs) {
   std::vector<FrictionRow> points;
-  const Recorded& viscous = calibration::member(whole, "viscous");
-  const Recorded& name = calibration::member(calibration::member(whole, "friction"), "curve");
-  if (!name.is_string() || calibration::member(viscous, "from_sweep") != false) return points;
-  const Recorded& runs = calibration::member(viscous, "runs");
-  const Recorded& friction =
-      calibration::member(calibration::member(viscous, "curves"), name.get<std::string>());
-  if (!runs.is_array() || !friction.is_array() || friction.size() != runs.size()) return points;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const Recorded& speed = calibration::member(runs[k], "speed_rad_s");
-    if (!speed.is_number() || !friction[k].is_number() || speed == 0) continue;
-    const double sign = speed.get<double>() < 0 ? -1 : 1;
-    points.push_back({sign * speed.get<double>(), sign * friction[k].get<double>()});
+  if (runs.from_sweep) return points;
+  for (std::size_t k = 0; k < runs.speed_rad_s.size(); ++k) {
+    const double sign = runs.speed_rad_s[k] < 0 ? -1 : 1;
+    if (runs.speed_rad_s[k] == 0) continue;
+    points.push_back({sign * runs.speed_rad_s[k], sign * runs.friction_Nm[k]});
   }
   std::sort(points.begin(), points.end(), [](const FrictionRow& a, const FrictionRow& b) {
     return a.speed_rad_s < b.speed_rad_s;
@@ -62,17 +54,15 @@ std::vector<FrictionRow> merged(const std::vector<FrictionRow>& points) {
   return rows;
 }
 
-FrictionTable straight_line(const ArchivedJoint& joint, const Recorded& whole) {
-  const Recorded& line =
-      calibration::member(calibration::member(whole, "friction"), "coulomb_viscous");
-  const Recorded& fastest = calibration::member(line, "fastest_rad_s");
+FrictionTable straight_line(const ArchivedJoint& joint,
+                            const std::optional<double>& fastest_rad_s) {
   const calibration::Quantity* const coulomb = joint.found("coulomb_torque");
   const calibration::Quantity* const viscous = joint.found("viscous_coefficient");
-  if (coulomb == nullptr || viscous == nullptr || !fastest.is_number()) {
+  if (coulomb == nullptr || viscous == nullptr || !fastest_rad_s) {
     return {{}, "the calibration holds no friction curve"};
   }
   const double c_Nm = present(coulomb->estimate).value;
-  const double w_rad_s = fastest.get<double>();
+  const double w_rad_s = *fastest_rad_s;
   return {{{0, c_Nm}, {w_rad_s, c_Nm + present(viscous->estimate).value * w_rad_s}},
           "straight line of Coulomb and viscous friction up to the fastest motion"};
 }
@@ -80,11 +70,11 @@ FrictionTable straight_line(const ArchivedJoint& joint, const Recorded& whole) {
 }  // namespace
 
 FrictionTable friction_table(const ArchivedJoint& joint) {
-  const Recorded whole = Recorded::parse(joint.calibration, nullptr, false);
-  const std::vector<FrictionRow> rows = merged(measured_points(whole));
+  const calibration::RecordedCurves curves = calibration::read_curves(joint.calibration);
+  const std::vector<FrictionRow> rows = merged(measured_points(curves.friction));
   FrictionTable table;
   if (rows.empty()) {
-    table = straight_line(joint, whole);
+    table = straight_line(joint, curves.fastest_rad_s);
   } else {
     table.source = fmt::format(
         "runs at {} constant speeds, mean of the directions where both were recorded; at rest the "

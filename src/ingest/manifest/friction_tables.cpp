@@ -12,6 +12,7 @@
 #include "friction/lugre.h"
 #include "ingest/manifest/key_ranges.h"
 #include "ingest/manifest/toml_table.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::manifest {
 
@@ -20,9 +21,10 @@ namespace tribolog::ingest::manifest {
 namespace {
 
 /// Values of a table, and of `otherwise` where it has no such key.
+/// @param model as files say it: what its keys mean is the hint, where none is given.
 /// @param needed keys must be there, unless they have a usual value. The hint says what else helps.
 /// @throw InputError for a key that is missing, of another type, or unknown.
-friction::NamedParameters read_parameters(const TomlTable& table,
+friction::NamedParameters read_parameters(const TomlTable& table, const std::string& model,
                                           const friction::NamedParameters& otherwise, bool needed,
                                           const std::string& hint = {});
 
@@ -41,7 +43,7 @@ std::shared_ptr<const Model> made_of(const TomlTable& table,
   try {
     return recipe.make(values);
   } catch (const std::invalid_argument& error) {
-    refuse_values(table, values, error.what(), recipe.make);
+    refuse_values(table, values, wording::words(error), recipe.make);
   }
 }
 
@@ -101,7 +103,7 @@ std::size_t common_start(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(apart.first - a.begin());
 }
 
-friction::NamedParameters read_parameters(const TomlTable& table,
+friction::NamedParameters read_parameters(const TomlTable& table, const std::string& model,
                                           const friction::NamedParameters& otherwise, bool needed,
                                           const std::string& hint) {
   friction::NamedParameters values = otherwise;
@@ -111,7 +113,8 @@ friction::NamedParameters read_parameters(const TomlTable& table,
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     friction::NamedParameter& one = values[i];
-    const std::string help = hint.empty() ? one.meaning : hint;
+    const std::string help =
+        hint.empty() ? wording::words_for("parameter." + model, one.key) : hint;
     if (is_read[i]) read_value(table, one.key, help, one.value);
   }
   table.refuse_unknown_keys();
@@ -129,7 +132,7 @@ void refuse_values(const TomlTable& table, const friction::NamedParameters& valu
     try {
       make(other);
     } catch (const std::invalid_argument& error) {
-      return common_start(words, error.what());
+      return common_start(words, wording::words(error));
     }
     return std::size_t{0};
   };
@@ -180,7 +183,7 @@ friction::ContactParameters read_contact(const TomlTable& table) {
                            "model = \"" + table.text("model") + "\" in [friction]", ""});
   }
   const friction::FrictionModelEntry& six = friction::dynamic_friction_model("lugre");
-  const auto lugre = made_of(table, read_parameters(table, six.parameters, true), six);
+  const auto lugre = made_of(table, read_parameters(table, six.name, six.parameters, true), six);
   const auto& p = dynamic_cast<const friction::LuGreFriction&>(*lugre).parameters();
   return {p.bristle_stiffness_Nm_rad,
           p.bristle_damping_Nms_rad,
@@ -202,8 +205,9 @@ std::shared_ptr<const friction::DynamicFriction> read_dynamic(const TomlTable& f
   const friction::NamedParameters matched =
       contact ? chosen.matched_parameters(*contact) : chosen.parameters;
   if (!own) return guarded(friction, "presliding", [&] { return chosen.make(matched); });
-  const friction::NamedParameters values = read_parameters(
-      *own, matched, !contact, contact ? "" : "[friction.presliding] would give a value to match");
+  const friction::NamedParameters values =
+      read_parameters(*own, chosen.name, matched, !contact,
+                      contact ? "" : "[friction.presliding] would give a value to match");
   return made_of(*own, values, chosen);
 }
 
@@ -216,7 +220,7 @@ std::shared_ptr<const friction::StaticFriction> read_sliding(const TomlTable& sl
     return nullptr;
   }
   const friction::StaticLawEntry& law = friction::static_friction_laws()[choice];
-  return made_of(sliding, read_parameters(sliding, law.parameters, true), law);
+  return made_of(sliding, read_parameters(sliding, law.name, law.parameters, true), law);
 }
 
 }  // namespace
@@ -237,7 +241,8 @@ std::shared_ptr<const friction::StaticFriction> read_known_curve(const TomlTable
   const auto read = [&](const auto& recipe) {
     const auto table = reference.find_table(recipe.name);
     if (table) only_one(recipe.name);
-    return table ? made_of(*table, read_parameters(*table, recipe.parameters, true), recipe)
+    return table ? made_of(*table, read_parameters(*table, recipe.name, recipe.parameters, true),
+                           recipe)
                  : nullptr;
   };
   for (const friction::StaticLawEntry& law : friction::static_friction_laws()) {

@@ -13,6 +13,7 @@
 #include "ingest/arrays/json_text.h"
 #include "ingest/manifest/experiment_tables.h"
 #include "ingest/manifest/key_ranges.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::manifest {
 
@@ -269,9 +270,8 @@ joint::JointFacts with_calibration(joint::JointFacts f, std::string_view calibra
   try {
     joint::check_joint_facts(f);
   } catch (const std::invalid_argument& error) {
-    throw InputError(
-        {file, 0, 0},
-        {std::string("does not go with the joint's file: ") + error.what(), "", "", ""});
+    throw InputError({file, 0, 0},
+                     {"does not go with the joint's file: " + wording::words(error), "", "", ""});
   }
   return f;
 }

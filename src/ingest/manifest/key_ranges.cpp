@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wording/words.h"
+
 namespace tribolog::ingest::manifest {
 
 namespace {
@@ -63,6 +65,11 @@ bool is_place(std::string_view key) {
 }
 
 }  // namespace
+
+void refuse_with_words(const TomlTable& table, const std::string& key,
+                       const std::invalid_argument& error) {
+  table.refuse(key, {wording::words(error), "", "", ""});
+}
 
 bool KeyRange::holds(double value) const {
   return value == 0 || (std::abs(value) >= smallest && std::abs(value) <= largest);

@@ -9,6 +9,10 @@
 
 namespace tribolog::ingest::manifest {
 
+/// @throw InputError at the key, with the error's words.
+[[noreturn]] void refuse_with_words(const TomlTable& table, const std::string& key,
+                                    const std::invalid_argument& error);
+
 /// Runs `build` and returns its result.
 /// @throw InputError at the key, with the constructor's words, if it throws std::invalid_argument.
 template <class Build>
@@ -16,7 +20,7 @@ auto guarded(const TomlTable& table, const std::string& key, const Build& build)
   try {
     return build();
   } catch (const std::invalid_argument& error) {
-    table.refuse(key, {error.what(), "", "", ""});
+    refuse_with_words(table, key, error);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "ingest/text/csv_lines.h"
 #include "ingest/text/number_field.h"
 #include "joint/dataset.h"
+#include "wording/words.h"
 
 namespace tribolog::ingest::manifest {
 namespace {
@@ -94,7 +95,7 @@ joint::IntervalSettings read_intervals(const TomlTable& table) {
   if (table.has("seed")) settings.seed = table.count_or("seed", 0);
   if (settings.resamples && !joint::resamples_are_allowed(*settings.resamples)) {
     table.refuse("resamples", {"not usable", fmt::format("{}", *settings.resamples),
-                               joint::allowed_resamples_in_words(), ""});
+                               wording::words(joint::allowed_resamples()), ""});
   }
   table.refuse_unknown_keys();
   return settings;

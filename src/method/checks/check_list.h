@@ -17,7 +17,7 @@ DataCheck check_angle_unit(const CheckedDataset& data);
 // log_checks.cpp
 DataCheck check_clock_jitter(const CheckedDataset& data);
 DataCheck check_clock_gaps(const CheckedDataset& data);
-// speed_checks.cpp, speed_checks.cpp
+// speed_checks.cpp
 DataCheck check_speed_scale(const CheckedDataset& data);
 DataCheck check_speed_noise(const CheckedDataset& data);
 // directions.cpp
@@ -32,14 +32,11 @@ DataCheck check_stick_slip(const CheckedDataset& data);
 // torque_checks.cpp
 DataCheck check_torque_alive(const CheckedDataset& data);
 DataCheck check_torque_noise(const CheckedDataset& data);
-// torque_checks.cpp
 DataCheck check_torque_saturation(const CheckedDataset& data);
-// torque_checks.cpp
 DataCheck check_torque_step(const CheckedDataset& data);
 // drive_checks.cpp
 DataCheck check_dissipation(const CheckedDataset& data);
 DataCheck check_power(const CheckedDataset& data);
-// gravity_checks.cpp
 // friction_drift.cpp, log_checks.cpp
 DataCheck check_friction_drift(const CheckedDataset& data);
 DataCheck check_temperature(const CheckedDataset& data);

@@ -3,16 +3,13 @@
 #include <cstddef>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 
 namespace tribolog::method::checks {
 
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why) {
+DataCheck not_applicable(const std::string& name, Statement why) {
   DataCheck check;
   check.name = name;
-  check.title = title;
   check.found = std::move(why);
   return check;
 }
@@ -24,7 +21,7 @@ bool take_if_worst(DataCheck& check, double measured, const std::string& recordi
   return true;
 }
 
-DataCheck passed_by_all(DataCheck check, std::string found) {
+DataCheck passed_by_all(DataCheck check, Statement found) {
   check.state = CheckState::passed;
   check.recording = "all";
   check.found = std::move(found);
@@ -50,10 +47,6 @@ void RecordingsAsWanted::add(bool is_as_wanted, const std::string& recording) {
 void RecordingsAsWanted::take_share(DataCheck& check) const {
   check.measured = 100.0 * static_cast<double>(all_ - others_) / static_cast<double>(all_);
   check.recording = others_ == 0 ? "all" : first_other_;
-}
-
-std::string recordings_in_words(std::size_t count) {
-  return fmt::format("{} recording{}", count, count == 1 ? "" : "s");
 }
 
 }  // namespace tribolog::method::checks

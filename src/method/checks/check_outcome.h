@@ -4,19 +4,20 @@
 #include <cstddef>
 #include <string>
 
+#include "base/statement.h"
 #include "method/checks/data_check.h"
 
 namespace tribolog::method::checks {
 
 /// A check that does not apply, with the reason.
-DataCheck not_applicable(const std::string& name, const std::string& title, std::string why);
+DataCheck not_applicable(const std::string& name, Statement why);
 
 /// Takes the number of one recording (or of a role) for the check's if it is the largest so far.
 /// @return whether it was taken.
 bool take_if_worst(DataCheck& check, double measured, const std::string& recording);
 
 /// The check, passed by all recordings.
-DataCheck passed_by_all(DataCheck check, std::string found);
+DataCheck passed_by_all(DataCheck check, Statement found);
 
 /// Passed up to at_most of the check, which must be set as its number must; fails beyond.
 CheckState passed_or_fails(const DataCheck& check);
@@ -38,8 +39,5 @@ class RecordingsAsWanted {
   std::size_t others_{};
   std::string first_other_;
 };
-
-/// "1 recording", "3 recordings".
-std::string recordings_in_words(std::size_t count);
 
 }  // namespace tribolog::method::checks

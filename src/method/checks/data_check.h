@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
+
 namespace tribolog::method::checks {
 
 enum class CheckState { passed, warns, fails, not_applicable };
@@ -17,17 +19,16 @@ std::string to_string(CheckState state);
 
 struct DataCheck {
   std::string name;                ///< Stable key: "speed_scale".
-  std::string title;               ///< In words: "Logged speed against the angle".
   std::string recording;           ///< The one the number is of, or "all"; empty: none.
-  std::string measure;             ///< What was measured, in words.
+  Statement measure;               ///< What was measured.
   std::optional<double> measured;  ///< In `unit`; absent where not applicable.
   std::optional<double> at_least;  ///< Limits of what passes, in `unit`.
   std::optional<double> at_most;
   std::string unit;  ///< "1" for a pure number.
   CheckState state{CheckState::not_applicable};
-  std::string found;        ///< One clause on what was found, or why the check does not apply.
-  std::string consequence;  ///< What that does to the results; empty if it passed.
-  std::string experiment;   ///< What to record instead; empty if it passed.
+  Statement found;        ///< One clause on what was found, or why the check does not apply.
+  Statement consequence;  ///< What that does to the results; empty if it passed.
+  Statement experiment;   ///< What to record instead; empty if it passed.
 };
 
 struct DataChecksResult {

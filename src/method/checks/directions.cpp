@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 
@@ -14,46 +12,43 @@ namespace {
 
 constexpr double least_share_percent = 10;
 
-const char* recordings_of(joint::Role role) {
-  return role == joint::Role::constant_speed ? "runs at constant speed" : "rough sweep";
+Code none_of(joint::Role role) {
+  return role == joint::Role::constant_speed ? Code{"not_applicable.no_run"}
+                                             : Code{"not_applicable.no_rough_sweep"};
 }
 
-std::string none_of(joint::Role role) {
-  return role == joint::Role::constant_speed ? "no run at constant speed was recorded"
-                                             : "no rough sweep was recorded";
+/// In which direction alone the joint went.
+Code only_direction(joint::Role role, bool rises) {
+  if (role == joint::Role::constant_speed) {
+    return rises ? Code{"directions.runs_only_rise"} : Code{"directions.runs_only_fall"};
+  }
+  return rises ? Code{"directions.sweep_only_rises"} : Code{"directions.sweep_only_falls"};
 }
 
-DataCheck check_directions(const CheckedDataset& data, joint::Role role, const std::string& name,
-                           const std::string& title) {
+DataCheck check_directions(const CheckedDataset& data, joint::Role role, const std::string& name) {
   const auto recordings = data.with_role(role);
   if (recordings.empty()) {
-    return not_applicable(name, title, none_of(role));
+    return not_applicable(name, none_of(role));
   }
   const DirectionDifference d = direction_difference(recordings, false);
   const double travel = d.rising_travel_rad + d.falling_travel_rad;
-  if (!(travel > 0)) return not_applicable(name, title, "the joint does not move");
+  if (!(travel > 0)) return not_applicable(name, {"not_applicable.joint_stands"});
   DataCheck check;
   check.name = name;
-  check.title = title;
   check.recording = recordings.size() == 1 ? recordings.front()->recording->name : "all";
-  check.measure = "share of the rarer direction in the travel";
+  check.measure = {"measure.rarer_direction"};
   check.unit = percent_sign;
   check.at_least = least_share_percent;
   check.measured = 100 * std::min(d.rising_travel_rad, d.falling_travel_rad) / travel;
   if (*check.measured >= least_share_percent) {
     check.state = CheckState::passed;
-    check.found = "both directions were recorded";
+    check.found = {"directions.both_recorded"};
     return check;
   }
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "the joint only ever {} in the {}: Coulomb friction and offset cannot be told "
-      "apart",
-      d.rising_travel_rad > d.falling_travel_rad ? "rises" : "falls", recordings_of(role));
-  check.consequence =
-      "both are a constant torque while the direction is one; and friction that changes with the "
-      "angle would be taken for gravity";
-  check.experiment = "record the same motion back, over the same angles at the same speed";
+  check.found = only_direction(role, d.rising_travel_rad > d.falling_travel_rad);
+  check.consequence = {"directions.constant_in_one_direction"};
+  check.experiment = {"directions.record_the_way_back"};
   return check;
 }
 
@@ -86,65 +81,60 @@ double share_with_a_partner(const std::vector<const CheckedRecording*>& recordin
   return all > 0 ? shared / all : 0.0;
 }
 
-DataCheck check_common_angles(const CheckedDataset& data, joint::Role role, const std::string& name,
-                              const std::string& title) {
+DataCheck check_common_angles(const CheckedDataset& data, joint::Role role,
+                              const std::string& name) {
   constexpr double least_common_percent = 20;
   constexpr double practically_none_percent = 5;
   const auto recordings = data.with_role(role);
   if (recordings.empty()) {
-    return not_applicable(name, title, none_of(role));
+    return not_applicable(name, none_of(role));
   }
   const DirectionDifference d = direction_difference(recordings, false);
   if (!(d.rising_travel_rad > 0) || !(d.falling_travel_rad > 0)) {
-    return not_applicable(name, title, "only one direction was recorded");
+    return not_applicable(name, {"not_applicable.one_direction"});
   }
   DataCheck check;
   check.name = name;
-  check.title = title;
   check.recording = recordings.size() == 1 ? recordings.front()->recording->name : "all";
   const bool by_speed = role == joint::Role::constant_speed;
-  check.measure = by_speed ? "share of the travel that both directions passed at the same speed"
-                           : "share of the angles that both directions passed";
+  check.measure = by_speed ? Statement{"measure.common_travel_at_same_speed"}
+                           : Statement{"measure.common_angles"};
   check.unit = percent_sign;
   check.at_least = least_common_percent;
   check.measured = 100 * (by_speed ? share_with_a_partner(recordings) : d.common_share);
   if (*check.measured >= least_common_percent) {
     check.state = CheckState::passed;
-    check.found = fmt::format("the directions share {:.0f} % of their angles", *check.measured);
+    check.found = {"directions.share_angles", {{"share_percent", *check.measured}}};
     return check;
   }
   check.state = CheckState::fails;
-  check.found =
-      *check.measured < practically_none_percent
-          ? "the directions share no angle" + std::string(by_speed ? " at the same speed" : "")
-          : fmt::format("the directions share only {:.1f} % of their angles", *check.measured);
-  check.consequence =
-      "half the difference of the directions at equal angle, which gravity cannot enter, is not to "
-      "be had: friction rests on the model of gravity, and nothing in these data checks it";
-  check.experiment = "record both directions over the same angles";
+  if (*check.measured < practically_none_percent) {
+    check.found = by_speed ? Code{"directions.share_no_angle_at_same_speed"}
+                           : Code{"directions.share_no_angle"};
+  } else {
+    check.found = {"directions.share_few_angles", {{"share_percent", *check.measured}}};
+  }
+  check.consequence = {"directions.no_difference_at_equal_angle"};
+  check.experiment = {"directions.record_same_angles"};
   return check;
 }
 
 }  // namespace
 
 DataCheck check_sweep_directions(const CheckedDataset& data) {
-  return check_directions(data, joint::Role::rough_sweep, "sweep_directions",
-                          "Both directions in the sweep");
+  return check_directions(data, joint::Role::rough_sweep, "sweep_directions");
 }
 
 DataCheck check_run_directions(const CheckedDataset& data) {
-  return check_directions(data, joint::Role::constant_speed, "run_directions",
-                          "Both directions in the runs");
+  return check_directions(data, joint::Role::constant_speed, "run_directions");
 }
 
 DataCheck check_sweep_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, joint::Role::rough_sweep, "sweep_common_angles",
-                             "Common angles of the sweep's directions");
+  return check_common_angles(data, joint::Role::rough_sweep, "sweep_common_angles");
 }
 
 DataCheck check_run_common_angles(const CheckedDataset& data) {
-  return check_common_angles(data, joint::Role::constant_speed, "run_common_angles",
-                             "Common angles of the runs' directions");
+  return check_common_angles(data, joint::Role::constant_speed, "run_common_angles");
 }
 
 }  // namespace tribolog::method::checks

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 
@@ -49,19 +47,16 @@ bool is_known_behind_gear(const CheckedDataset& data) {
 DataCheck check_link_side_torque(const CheckedDataset& data) {
   DataCheck check;
   check.name = "link_side_torque";
-  check.title = "Gear friction in a torque of the joint";
   const joint::Drive& drive = data.manifest->drive;
   const bool behind_gear = is_known_behind_gear(data);
   const bool is_at_joint =
       drive.kind() == joint::EffortKind::joint_torque && drive.side() == joint::Side::joint;
   const bool has_gear = drive.gear_ratio() != 1 || behind_gear;
   if (!is_at_joint || !has_gear) {
-    return not_applicable(check.name, check.title,
-                          is_at_joint
-                              ? "no gear lies between motor and joint"
-                              : "the effort is not stated as a torque measured at the joint");
+    return not_applicable(check.name, is_at_joint ? Code{"not_applicable.no_gear"}
+                                                  : Code{"not_applicable.no_joint_torque"});
   }
-  check.measure = "friction / largest torque, of the same recordings";
+  check.measure = {"measure.friction_of_largest_torque"};
   check.unit = percent_sign;
   check.at_least =
       least_gear_loss_percent(drive.gear_ratio() != 1 ? drive.gear_ratio() : usual_gear_ratio);
@@ -75,35 +70,23 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
     check.recording = joint::to_string(role);
     break;
   }
-  const std::string behind = "friction behind the sensor, seen from the joint, is not in it";
   const bool is_as_a_gear = check.measured && *check.measured >= *check.at_least;
   if (is_as_a_gear && !behind_gear) {
     check.state = CheckState::passed;
-    check.found = fmt::format(
-        "friction is {:.3g} % of the largest torque, as much as a gear's: the torque looks like "
-        "one computed from the motor's current; were it a sensor's, {}",
-        *check.measured, behind);
+    check.found = {"link_side.friction_of_a_gear", {{"friction_percent", *check.measured}}};
     return check;
   }
   check.state = CheckState::warns;
-  check.found =
-      !check.measured
-          ? "the torque is stated as that of the joint behind its gear; no recording has both "
-            "directions over the same angles to tell how much friction is in it"
-      : is_as_a_gear
-          ? fmt::format(
-                "the sensor sits behind the gear, and the torque still shows friction of "
-                "{:.3g} % of its largest value: bearings, seals, cables",
-                *check.measured)
-          : fmt::format(
-                "friction is only {:.3g} % of the largest torque; a gear loses {:.3g} % "
-                "and more: the torque is measured behind it and contains little gear "
-                "friction",
-                *check.measured, *check.at_least);
-  check.consequence =
-      "mass and angle stand; friction, break-away torque and bristles are what the sensor feels: " +
-      behind;
-  check.experiment = "record the motor current beside it: their difference is the gear's friction";
+  if (!check.measured) {
+    check.found = {"link_side.friction_unknown"};
+  } else if (is_as_a_gear) {
+    check.found = {"link_side.friction_in_sensor", {{"friction_percent", *check.measured}}};
+  } else {
+    check.found = {"link_side.little_friction",
+                   {{"friction_percent", *check.measured}, {"gear_loss_percent", *check.at_least}}};
+  }
+  check.consequence = {"link_side.friction_as_sensor_feels"};
+  check.experiment = {"link_side.record_current"};
   return check;
 }
 
@@ -112,11 +95,10 @@ DataCheck check_link_side_torque(const CheckedDataset& data) {
 DataCheck check_dissipation(const CheckedDataset& data) {
   DataCheck check;
   check.name = "friction_dissipates";
-  check.title = "Friction takes up power";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "half the difference of the directions' torque at equal angle, motor side";
+  check.measure = {"measure.half_difference"};
   check.unit = "N·m";
   check.at_least = 0;
   std::size_t wrong = 0;
@@ -132,26 +114,18 @@ DataCheck check_dissipation(const CheckedDataset& data) {
     check.recording = joint::to_string(role);
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title,
-                          "no recording has both directions over the same angles");
+    return not_applicable(check.name, {"not_applicable.no_common_angles"});
   }
   if (wrong == 0) {
     check.state = CheckState::passed;
-    check.found = "rising takes more torque than falling at the same angle";
+    check.found = {"dissipation.rising_takes_more"};
     return check;
   }
   check.state = CheckState::fails;
   if (wrong == all && all > 1) check.recording = "all";
-  check.found = fmt::format(
-      "friction is negative, {:.3g} N·m: the joint would gain power from it; the sign of the "
-      "torque or of the angle is wrong",
-      *check.measured);
-  check.consequence =
-      "gravity's peak is taken for its trough, half a turn away, and every "
-      "friction torque has the wrong sign";
-  check.experiment =
-      "state effort.sign = -1, or the angle with the sign in which the torque "
-      "drives it";
+  check.found = {"dissipation.friction_negative", {{"friction_Nm", *check.measured}}};
+  check.consequence = {"dissipation.signs_wrong"};
+  check.experiment = {"dissipation.state_sign"};
   return check;
 }
 
@@ -160,11 +134,10 @@ DataCheck check_power(const CheckedDataset& data) {
   constexpr double largest_likely_kW = 50;
   DataCheck check;
   check.name = "power";
-  check.title = "Power of a joint";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "largest torque times speed";
+  check.measure = {"measure.largest_power"};
   check.unit = "kW";
   check.at_most = largest_likely_kW;
   const double n = data.manifest->drive.gear_ratio();
@@ -176,17 +149,13 @@ DataCheck check_power(const CheckedDataset& data) {
     }
     take_if_worst(check, power, r.recording->name);
   }
-  if (!check.measured) return not_applicable(check.name, check.title, "no recording");
-  check.found = fmt::format("at most {:.3g} kW", *check.measured);
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
+  check.found = {"power.at_most", {{"power_kW", *check.measured}}};
   check.state = passed_or_fails(check);
   if (check.state == CheckState::passed) return check;
-  check.found = fmt::format(
-      "torque times speed reaches {:.3g} kW, which no robot's joint has: a torque in mN·m taken "
-      "for N·m, a torque of the joint taken for the motor's, or a wrong gear ratio or torque "
-      "constant?",
-      *check.measured);
-  check.consequence = "every torque and mass is wrong by the same factor";
-  check.experiment = "state the unit and the side of the effort as they are";
+  check.found = {"power.beyond_any_joint", {{"power_kW", *check.measured}}};
+  check.consequence = {"power.torques_wrong"};
+  check.experiment = {"power.state_unit_and_side"};
   return check;
 }
 

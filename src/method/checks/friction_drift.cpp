@@ -9,8 +9,6 @@
 #include <limits>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "method/checks/check_list.h"
 #include "statistics/distributions.h"
@@ -126,11 +124,10 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
   constexpr double most_percent = 20;
   DataCheck check;
   check.name = "friction_drift";
-  check.title = "Friction steady in time";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "change of friction from the first strokes to the last";
+  check.measure = {"measure.friction_change"};
   check.unit = percent_sign;
   check.at_most = warning_percent;
   std::optional<Drift> worst;
@@ -144,19 +141,17 @@ DataCheck check_friction_drift(const CheckedDataset& data) {
     check.recording = r.recording->name;
   }
   if (!worst) {
-    return not_applicable(check.name, check.title,
-                          "no recording repeats its strokes three times or more");
+    return not_applicable(check.name, {"not_applicable.strokes_not_repeated"});
   }
-  check.found = fmt::format("{:.3g} to {:.3g} N·m at the motor in {:.3g} s ({} pairs of strokes)",
-                            worst->first_Nm, worst->last_Nm, worst->duration_s, worst->pairs);
+  check.found = {"friction_drift.over_strokes",
+                 {{"first_Nm", worst->first_Nm},
+                  {"last_Nm", worst->last_Nm},
+                  {"duration_s", worst->duration_s},
+                  {"pairs", worst->pairs}}};
   check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "friction is that of no one temperature: what is measured first and what is "
-      "measured last do not belong to one curve";
-  check.experiment =
-      "warm the joint up until friction stays, log the temperature, and take the "
-      "speeds in mixed order";
+  check.consequence = {"friction_drift.no_one_temperature"};
+  check.experiment = {"friction_drift.warm_up"};
   return check;
 }
 

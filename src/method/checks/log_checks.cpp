@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 
 namespace tribolog::method::checks {
@@ -13,9 +11,6 @@ namespace tribolog::method::checks {
 namespace {
 
 constexpr double gap_intervals = 5;  ///< From so many sampling intervals on it is a gap.
-
-const char* const words_of_consequence =
-    "speed and acceleration are differences of the angle over the clock, and are wrong with it";
 
 struct Clock {
   double jitter_percent{};
@@ -56,8 +51,7 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
   constexpr double most_percent = 50;
   DataCheck check;
   check.name = "clock_jitter";
-  check.title = "Even clock";
-  check.measure = "scatter of the sampling interval";
+  check.measure = {"measure.interval_scatter"};
   check.unit = percent_sign;
   check.at_most = most_percent;
   double interval = 0;
@@ -66,15 +60,13 @@ DataCheck check_clock_jitter(const CheckedDataset& data) {
     if (!take_if_worst(check, jitter, r.recording->name)) continue;
     interval = r.interval_s;
   }
-  if (!check.measured) return not_applicable(check.name, check.title, "no recording");
-  check.found = fmt::format("the interval of {:.4g} ms scatters by {:.1f} % of itself",
-                            1e3 * interval, *check.measured);
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
+  check.found = {"clock.interval_scatters",
+                 {{"interval_ms", 1e3 * interval}, {"scatter_percent", *check.measured}}};
   check.state = passed_or_fails(check);
   if (check.state == CheckState::passed) return check;
-  check.consequence = words_of_consequence;
-  check.experiment =
-      "log the time at which the drive sampled, not the time at which the row was "
-      "written";
+  check.consequence = {"clock.speeds_wrong"};
+  check.experiment = {"clock.log_time_of_sampling"};
   return check;
 }
 
@@ -82,8 +74,7 @@ DataCheck check_clock_gaps(const CheckedDataset& data) {
   constexpr double most_percent = 5;
   DataCheck check;
   check.name = "clock_gaps";
-  check.title = "No gaps in time";
-  check.measure = "time lost in gaps";
+  check.measure = {"measure.time_in_gaps"};
   check.unit = percent_sign;
   check.at_most = most_percent;
   Clock worst;
@@ -92,19 +83,14 @@ DataCheck check_clock_gaps(const CheckedDataset& data) {
     if (!take_if_worst(check, clock.missing_percent, r.recording->name)) continue;
     worst = clock;
   }
-  if (!check.measured) return not_applicable(check.name, check.title, "no recording");
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
   if (worst.gaps == 0) {
-    return passed_by_all(
-        check, fmt::format("no interval is longer than {} sampling intervals", gap_intervals));
+    return passed_by_all(check, {"clock.no_gap", {{"intervals", gap_intervals}}});
   }
-  check.found = fmt::format("{} gap{}, the longest {:.3g} s", worst.gaps,
-                            worst.gaps == 1 ? "" : "s", worst.longest_gap_s);
+  check.found = {"clock.gaps", {{"gaps", worst.gaps}, {"longest_s", worst.longest_gap_s}}};
   check.state = *check.measured <= most_percent ? CheckState::warns : CheckState::fails;
-  check.consequence =
-      "what happened in the gaps is unknown: a reversal or a settling may be "
-      "missing, and slopes across a gap are no speeds";
-  check.experiment =
-      "log locally in the controller, or at a lower rate that the connection carries";
+  check.consequence = {"clock.gaps_hide_motion"};
+  check.experiment = {"clock.log_locally"};
   return check;
 }
 
@@ -117,33 +103,45 @@ bool is_torque(joint::EffortKind kind) {
 }
 
 /// What of the manifest contradicts what the logger writes; empty: nothing.
-std::string contradiction(const joint::Drive& drive, const joint::LoggedEffort& logged) {
+Statement contradiction(const joint::Drive& drive, const joint::LoggedEffort& logged) {
   const joint::EffortKind stated = drive.kind();
-  const std::string start =
-      fmt::format("{} writes into column '{}' ", logged.logger, logged.column);
+  const StatedValue logger{"logger", logged.logger};
+  const StatedValue column{"column", logged.column};
   if (logged.is_target && stated != joint::EffortKind::target_torque) {
-    return start + "a target of its controller; the manifest states a measured " +
-           joint::to_string(stated);
+    return {"effort_column.is_target", {logger, column, {"stated", joint::to_string(stated)}}};
   }
   if (!logged.is_target && stated == joint::EffortKind::target_torque) {
-    return start + "a measurement; the manifest states a target_torque";
+    return {"effort_column.is_measurement", {logger, column}};
   }
-  if (!logged.kind || logged.is_target) return "";
+  if (!logged.kind || logged.is_target) return {};
   if ((*logged.kind == joint::EffortKind::motor_current) !=
       (stated == joint::EffortKind::motor_current)) {
-    return start + "a " + joint::to_string(*logged.kind) + "; the manifest states a " +
-           joint::to_string(stated);
+    return {"effort_column.is_other_kind",
+            {logger,
+             column,
+             {"written", joint::to_string(*logged.kind)},
+             {"stated", joint::to_string(stated)}}};
   }
-  if (!is_torque(stated)) return "";  // the side of a current is that of its torque constant
+  if (!is_torque(stated)) return {};  // the side of a current is that of its torque constant
   const bool other_side = logged.side && *logged.side != drive.side() && drive.gear_ratio() != 1;
   if (other_side) {
-    return start + fmt::format("a torque on the {} side; the manifest states the {} side",
-                               joint::to_string(*logged.side), joint::to_string(drive.side()));
+    return {*logged.side == joint::Side::motor ? Code{"effort_column.is_on_motor_side"}
+                                               : Code{"effort_column.is_on_joint_side"},
+            {logger, column}};
   }
   if (logged.is_behind_gear && stated == joint::EffortKind::motor_torque) {
-    return start + "a torque measured behind the gear; the manifest states a motor_torque";
+    return {"effort_column.is_behind_gear", {logger, column}};
   }
-  return "";
+  return {};
+}
+
+/// The effort as the manifest states it, confirmed or proposed.
+Statement stated_effort(const joint::Drive& drive, bool is_confirmed) {
+  const bool at_motor = drive.side() == joint::Side::motor;
+  const Code confirmed = at_motor ? Code{"effort.stated_at_motor"} : Code{"effort.stated_at_joint"};
+  const Code proposed =
+      at_motor ? Code{"effort.proposed_at_motor"} : Code{"effort.proposed_at_joint"};
+  return {is_confirmed ? confirmed : proposed, {{"effort", joint::to_string(drive.kind())}}};
 }
 
 }  // namespace
@@ -151,72 +149,55 @@ std::string contradiction(const joint::Drive& drive, const joint::LoggedEffort& 
 DataCheck check_effort_provenance(const CheckedDataset& data) {
   DataCheck check;
   check.name = "effort_provenance";
-  check.title = "Provenance of the effort";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
   const joint::Drive& drive = data.manifest->drive;
   const bool is_confirmed = data.manifest->effort_is_confirmed;
   check.recording = "all";
-  check.state = CheckState::passed;
-  check.found = fmt::format("{}, {} side, as the manifest states", joint::to_string(drive.kind()),
-                            joint::to_string(drive.side()));
   if (drive.kind() == joint::EffortKind::target_torque) {
     check.state = CheckState::fails;
-    check.found =
-        "the effort is a target torque, of a controller or of its model, and no measurement";
-    check.consequence =
-        "friction found in it is the model's own friction, not the joint's, and so is gravity";
-    check.experiment = "record the motor current or a measured torque beside it";
+    check.found = is_confirmed ? Code{"effort.is_target"} : Code{"effort.is_target_proposed"};
+    check.consequence = {"effort.friction_of_model"};
+    check.experiment = {"effort.record_measurement"};
+    return check;
   }
+  check.state = is_confirmed ? CheckState::passed : CheckState::warns;
+  check.found = stated_effort(drive, is_confirmed);
   if (is_confirmed) return check;
-  if (check.state == CheckState::passed) {
-    check.state = CheckState::warns;
-    check.found = fmt::format("{} on the {} side is a proposal, and nobody confirmed it",
-                              joint::to_string(drive.kind()), joint::to_string(drive.side()));
-    check.consequence =
-        "if the column is anything else, every torque and mass is wrong by one factor";
-    check.experiment =
-        "look up what the driver writes, then state effort.kind and effort.side and delete "
-        "'confirmed = false'";
-  } else {
-    check.found += "; that it is one is a proposal, and nobody confirmed it";
-  }
+  check.consequence = {"effort.wrong_by_one_factor"};
+  check.experiment = {"effort.confirm"};
   return check;
 }
 
 DataCheck check_effort_column(const CheckedDataset& data) {
   DataCheck check;
   check.name = "effort_column";
-  check.title = "Effort against what its logger writes";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "logs whose effort column is what the manifest states";
+  check.measure = {"measure.effort_as_stated"};
   check.unit = percent_sign;
   check.at_least = 100;
-  std::string first;
+  Statement first;
   RecordingsAsWanted logs;
   for (const joint::InputFile& input : *data.inputs) {
     if (!input.logged_effort) continue;
-    const std::string words = contradiction(data.manifest->drive, *input.logged_effort);
-    if (first.empty()) first = words;
-    logs.add(words.empty(), input.name);
+    const Statement found = contradiction(data.manifest->drive, *input.logged_effort);
+    if (first.empty()) first = found;
+    logs.add(found.empty(), input.name);
   }
   if (logs.all() == 0) {
-    return not_applicable(check.name, check.title,
-                          "the names of the columns are those of no logger that is known");
+    return not_applicable(check.name, {"not_applicable.logger_unknown"});
   }
   logs.take_share(check);
   if (logs.others() == 0) {
-    return passed_by_all(check, "the column's name agrees with what the manifest states");
+    return passed_by_all(check, {"effort_column.as_stated"});
   }
   check.state = CheckState::fails;
   check.found = first;
-  check.consequence =
-      "if the logger is right, the torque is of another kind, unit or side than what was "
-      "identified, or no measurement at all";
-  check.experiment = "state effort.kind and effort.side of this column as its logger writes it";
+  check.consequence = {"effort_column.other_than_identified"};
+  check.experiment = {"effort_column.state_as_logged"};
   return check;
 }
 
@@ -228,7 +209,6 @@ DataCheck check_temperature(const CheckedDataset& data) {
   constexpr double most_K = 10;
   DataCheck check;
   check.name = "temperature";
-  check.title = "Temperature";
   double low = 0, high = 0;
   for (const CheckedRecording& r : data.recordings) {
     for (const double degrees : r.recording->temperature_C) {
@@ -238,19 +218,17 @@ DataCheck check_temperature(const CheckedDataset& data) {
     }
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title, "no temperature is logged");
+    return not_applicable(check.name, {"not_applicable.no_temperature"});
   }
   check.recording = "all";
-  check.measure = "range of the temperature over all recordings";
+  check.measure = {"measure.temperature_range"};
   check.unit = kelvin;
   check.at_most = warning_K;
-  check.found = fmt::format("{:.3g} to {:.3g} °C", low, high);
+  check.found = {"temperature.range", {{"low_C", low}, {"high_C", high}}};
   check.state = passed_or_warns_up_to(most_K, check);
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "friction changes by some per cent for each kelvin, so recordings of "
-      "different temperature do not belong to one curve";
-  check.experiment = "warm the joint up first, and record all roles at one temperature";
+  check.consequence = {"temperature.no_one_curve"};
+  check.experiment = {"temperature.record_at_one"};
   return check;
 }
 

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 
 namespace tribolog::method::checks {
@@ -15,8 +13,7 @@ namespace tribolog::method::checks {
 DataCheck check_joint_moves(const CheckedDataset& data) {
   DataCheck check;
   check.name = "joint_moves";
-  check.title = "The joint moves";
-  check.measure = "recordings in which the joint moves";
+  check.measure = {"measure.moving_recordings"};
   check.unit = percent_sign;
   check.at_least = 100;
   RecordingsAsWanted moving;
@@ -25,15 +22,15 @@ DataCheck check_joint_moves(const CheckedDataset& data) {
     moving.add(!r.strokes.empty(), r.recording->name);
   }
   if (moving.all() == 0) {
-    return not_applicable(check.name, check.title, "no recording in which it has to move");
+    return not_applicable(check.name, {"not_applicable.none_has_to_move"});
   }
   moving.take_share(check);
-  if (moving.others() == 0) return passed_by_all(check, "the joint moves in every recording");
+  if (moving.others() == 0) return passed_by_all(check, {"joint_moves.in_all"});
   check.state = CheckState::fails;
-  check.found =
-      fmt::format("the angle stands still in {} of {} recordings", moving.others(), moving.all());
-  check.consequence = "a joint that stands shows neither gravity's angle nor friction";
-  check.experiment = "see that the joint was driven and that the angle's column is alive";
+  check.found = {"joint_moves.angle_stands",
+                 {{"standing", moving.others()}, {"recordings", moving.all()}}};
+  check.consequence = {"joint_moves.shows_nothing"};
+  check.experiment = {"joint_moves.see_drive_and_column"};
   return check;
 }
 
@@ -42,8 +39,7 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   constexpr double largest_likely_rad = 7.0;
   DataCheck check;
   check.name = "angle_unit";
-  check.title = "The angle's unit";
-  check.measure = "largest joint angle";
+  check.measure = {"measure.largest_angle"};
   check.unit = "rad";
   check.at_most = largest_likely_rad;
   double largest = 0;
@@ -55,17 +51,13 @@ DataCheck check_angle_unit(const CheckedDataset& data) {
   }
   check.measured = largest;
   if (largest <= largest_likely_rad) {
-    return passed_by_all(check, "the angles are those of a joint");
+    return passed_by_all(check, {"angle_unit.of_a_joint"});
   }
   check.state = CheckState::fails;
-  check.found = fmt::format(
-      "the joint's angle reaches {:.4g} rad, {:.3g} turns: degrees taken for radians, or the "
-      "motor's angle for the joint's?",
-      largest, largest / (2 * std::numbers::pi));
-  check.consequence =
-      "gravity follows the cosine of the angle: in a wrong unit it is not found, "
-      "or found wrongly, and so is all that rests on it";
-  check.experiment = "state the unit and the side of the angle's column as they are";
+  check.found = {"angle_unit.too_large",
+                 {{"largest_rad", largest}, {"turns", largest / (2 * std::numbers::pi)}}};
+  check.consequence = {"angle_unit.gravity_not_found"};
+  check.experiment = {"angle_unit.state_unit_and_side"};
   return check;
 }
 
@@ -117,8 +109,7 @@ DataCheck check_oscillation_cycles(const CheckedDataset& data) {
   constexpr double enough = 5;
   DataCheck check;
   check.name = "oscillation_cycles";
-  check.title = "Cycles of the oscillation";
-  check.measure = "cycles";
+  check.measure = {"measure.cycles"};
   check.unit = pure_number;
   check.at_least = enough;
   for (const CheckedRecording* r : data.with_role(joint::Role::oscillation)) {
@@ -129,17 +120,15 @@ DataCheck check_oscillation_cycles(const CheckedDataset& data) {
     check.recording = r->recording->name;
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title, "no oscillation was recorded");
+    return not_applicable(check.name, {"not_applicable.no_oscillation"});
   }
-  check.found = fmt::format("{:.1f} cycles", *check.measured);
+  check.found = {"oscillation_cycles.recorded", {{"cycles", *check.measured}}};
   check.state = *check.measured >= enough   ? CheckState::passed
                 : *check.measured >= fewest ? CheckState::warns
                                             : CheckState::fails;
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "the start-up stroke is no steady loop, and too few cycles follow it: the "
-      "mid-line is biased by it, and nothing shows how cycles scatter";
-  check.experiment = "record ten cycles or more";
+  check.consequence = {"oscillation_cycles.too_few"};
+  check.experiment = {"oscillation_cycles.record_ten"};
   return check;
 }
 
@@ -148,11 +137,10 @@ DataCheck check_oscillation_slides(const CheckedDataset& data) {
   constexpr double most_percent = 30;
   DataCheck check;
   check.name = "oscillation_slides";
-  check.title = "Friction turns over in the loop";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "stiffness left at the end of a stroke, of that behind a turn";
+  check.measure = {"measure.stiffness_left"};
   check.unit = percent_sign;
   check.at_most = warning_percent;
   for (const CheckedRecording* r : data.with_role(joint::Role::oscillation)) {
@@ -163,16 +151,13 @@ DataCheck check_oscillation_slides(const CheckedDataset& data) {
     check.recording = r->recording->name;
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title, "no oscillation with whole strokes");
+    return not_applicable(check.name, {"not_applicable.no_whole_strokes"});
   }
-  check.found =
-      fmt::format("{:.2g} % of the stiffness is left at the end of a stroke", *check.measured);
+  check.found = {"oscillation_slides.stiffness_left", {{"stiffness_percent", *check.measured}}};
   check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "the stroke is too small: friction does not reach its level, so that the "
-      "break-away torque is not seen, only that it is larger";
-  check.experiment = "oscillate with a larger amplitude, until the loop's branches run flat";
+  check.consequence = {"oscillation_slides.stroke_too_small"};
+  check.experiment = {"record.larger_amplitude"};
   return check;
 }
 
@@ -218,8 +203,7 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
   constexpr double most_stops = 4;
   DataCheck check;
   check.name = "stick_slip";
-  check.title = "No stick-slip";
-  check.measure = "stops within one stroke, each followed by a burst";
+  check.measure = {"measure.stops"};
   check.unit = pure_number;
   check.at_most = most_stops;
   std::size_t affected = 0;
@@ -231,20 +215,14 @@ DataCheck check_stick_slip(const CheckedDataset& data) {
     if (count > most_stops) ++affected;
     take_if_worst(check, count, r.recording->name);
   }
-  if (!check.measured) return not_applicable(check.name, check.title, "no sweep or run");
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_sweep_or_run"});
   if (affected == 0) {
-    return passed_by_all(check, "the joint moves on without stopping");
+    return passed_by_all(check, {"stick_slip.moves_on"});
   }
   check.state = CheckState::fails;
-  check.found =
-      fmt::format("the joint stops and springs on {:.0f} times in one stroke; {} affected",
-                  *check.measured, recordings_in_words(affected));
-  check.consequence =
-      "the torque is that of sticking and of sliding in turn, at no one speed: "
-      "friction at this speed is not what the mean of it says";
-  check.experiment =
-      "move faster than the speed at which the joint sticks, or make the speed "
-      "control stiffer";
+  check.found = {"stick_slip.stops", {{"stops", *check.measured}, {"recordings", affected}}};
+  check.consequence = {"stick_slip.torque_of_no_one_speed"};
+  check.experiment = {"stick_slip.move_faster"};
   return check;
 }
 

@@ -6,8 +6,6 @@
 #include <map>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 #include "method/motion/encoder_resolution.h"
 #include "statistics/order_statistics.h"
@@ -128,36 +126,28 @@ std::optional<Resolution> of_reversals(const CheckedDataset& data) {
 DataCheck check_encoder_step(const CheckedDataset& data) {
   DataCheck check;
   check.name = "encoder_step";
-  check.title = "Encoder step against pre-sliding";
   check.unit = pure_number;
   check.at_least = motion::fewest_steps_in_presliding;
   const bool has_loop = data.has_role(joint::Role::oscillation);
   const auto worst = has_loop ? of_oscillations(data) : of_reversals(data);
   if (!worst) {
     if (has_loop) {
-      return passed_by_all(check, "the angle looks continuous");
+      return passed_by_all(check, {"encoder_step.continuous"});
     }
-    return not_applicable(check.name, check.title,
-                          "no oscillation, and no reversal of a sweep with a stepped angle");
+    return not_applicable(check.name, {"not_applicable.no_stepped_reversal"});
   }
   check.recording = worst->recording;
-  check.measure = has_loop ? "steps of the angle across the loop"
-                           : "steps of the angle within which friction turns over after a reversal";
+  check.measure =
+      has_loop ? Code{"measure.steps_across_loop"} : Code{"measure.steps_after_reversal"};
   check.measured = worst->steps;
-  check.found = fmt::format("{:.3g} steps of {:.3g} rad in {:.2g} rad", worst->steps,
-                            worst->step_rad, worst->travel_rad);
-  if (worst->step_is_of_print) {
-    check.found += ", the step of the decimals in the log; its encoder's may be larger";
-  }
+  check.found = {
+      worst->step_is_of_print ? Code{"encoder_step.steps_of_print"} : Code{"encoder_step.steps"},
+      {{"steps", worst->steps}, {"step_rad", worst->step_rad}, {"travel_rad", worst->travel_rad}}};
   check.state =
       worst->steps >= motion::fewest_steps_in_presliding ? CheckState::passed : CheckState::fails;
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "pre-sliding is not resolved: bristle stiffness, bristle damping and "
-      "break-away torque cannot be identified from these logs";
-  check.experiment =
-      "record the motor's encoder instead of the joint's angle, or use an encoder "
-      "fine enough for fifty steps across the loop";
+  check.consequence = {"encoder_step.presliding_not_resolved"};
+  check.experiment = {"encoder_step.record_finer"};
   return check;
 }
 

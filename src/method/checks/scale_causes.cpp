@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "base/requirements.h"
 #include "joint/degrees.h"
@@ -20,36 +19,30 @@ constexpr double least_tolerance = 0.01;   // relative
 constexpr double dead = 1e-3;              // of the true speed
 constexpr double torque_tolerance = 0.12;  // of a weight by design
 constexpr double standard_gravity = 9.80665;
-const std::string no_cause = "no usual cause has this factor";
 
 struct Cause {
   double factor;
-  std::string words;
+  Code code;
 };
 
 std::vector<Cause> usual_speed_causes(double n) {
   using std::numbers::pi;
-  std::vector<Cause> causes{
-      {2, "a difference over two samples divided by the time of one"},
-      {0.5, "a difference over one sample divided by the time of two"},
-      {5.0 / 3, "divided by a sampling time of 3/5 of the real one, such as 6 ms for 10 ms"},
-      {3.0 / 5, "divided by a sampling time of 5/3 of the real one, such as 10 ms for 6 ms"},
-      {joint::degrees_per_rad, "degrees per second taken for radians per second"},
-      {joint::rad_per_degree, "radians per second taken for degrees per second"},
-      {2 * pi / 60, "radians per second taken for revolutions per minute"},
-      {60 / (2 * pi), "revolutions per minute taken for radians per second"},
-      {2 * pi, "radians per second where the angle is in turns"},
-      {1 / (2 * pi), "turns per second taken for radians per second"},
-      {1000, "a clock in milliseconds taken for seconds, or milliradians for radians"},
-      {1e-3, "a clock in seconds taken for milliseconds, or radians for milliradians"}};
+  std::vector<Cause> causes{{2, "cause.two_samples_in_time_of_one"},
+                            {0.5, "cause.one_sample_in_time_of_two"},
+                            {5.0 / 3, "cause.sampling_time_too_short"},
+                            {3.0 / 5, "cause.sampling_time_too_long"},
+                            {joint::degrees_per_rad, "cause.deg_s_taken_for_rad_s"},
+                            {joint::rad_per_degree, "cause.rad_s_taken_for_deg_s"},
+                            {2 * pi / 60, "cause.rad_s_taken_for_rpm"},
+                            {60 / (2 * pi), "cause.rpm_taken_for_rad_s"},
+                            {2 * pi, "cause.rad_s_beside_turns"},
+                            {1 / (2 * pi), "cause.turns_s_taken_for_rad_s"},
+                            {1000, "cause.ms_taken_for_s"},
+                            {1e-3, "cause.s_taken_for_ms"}};
   if (n != 1) {
-    causes.push_back({n, "the motor's speed beside the joint's angle (the gear ratio)"});
-    causes.push_back({1 / n,
-                      "the joint's speed beside the motor's angle (one over the gear "
-                      "ratio)"});
-    causes.push_back({n * 60 / (2 * pi),
-                      "the motor's speed in revolutions per minute taken for "
-                      "the joint's in radians per second"});
+    causes.push_back({n, "cause.motor_speed_beside_joint_angle"});
+    causes.push_back({1 / n, "cause.joint_speed_beside_motor_angle"});
+    causes.push_back({n * 60 / (2 * pi), "cause.motor_rpm_taken_for_joint_rad_s"});
   }
   return causes;
 }
@@ -58,66 +51,67 @@ std::vector<Cause> usual_torque_causes(const joint::Drive& drive) {
   const double n = drive.gear_ratio();
   const bool is_current = drive.kind() == joint::EffortKind::motor_current;
   std::vector<Cause> causes{
-      {1000, is_current ? "mA taken for A" : "mN·m taken for N·m"},
-      {1e-3, is_current ? "A taken for mA" : "N·m taken for mN·m, or kN·m for N·m"},
-      {standard_gravity, "kg·m stated where N·m was meant (g is missing)"},
-      {1 / standard_gravity, "a torque in kgf·m taken for N·m"}};
+      {1000, is_current ? Code{"cause.milliampere_taken_for_ampere"}
+                        : Code{"cause.millinewton_metre_taken_for_newton_metre"}},
+      {1e-3, is_current ? Code{"cause.ampere_taken_for_milliampere"}
+                        : Code{"cause.newton_metre_taken_for_millinewton_metre"}},
+      {standard_gravity, "cause.kilogram_metre_stated_for_newton_metre"},
+      {1 / standard_gravity, "cause.kilogram_force_metre_taken_for_newton_metre"}};
   if (n != 1) {
-    causes.push_back({n, is_current ? "a torque constant of the joint's side stated for the motor's"
-                                    : "the joint's torque stated as the motor's (the gear ratio)"});
-    causes.push_back({1 / n, is_current
-                                 ? "a torque constant of the motor's side stated for the joint's"
-                                 : "the motor's torque stated as the joint's (one over the gear "
-                                   "ratio)"});
+    causes.push_back({n, is_current ? Code{"cause.joint_torque_constant_as_motor"}
+                                    : Code{"cause.joint_torque_as_motor"}});
+    causes.push_back({1 / n, is_current ? Code{"cause.motor_torque_constant_as_joint"}
+                                        : Code{"cause.motor_torque_as_joint"}});
   }
   if (const auto constant = drive.torque_constant_Nm_A()) {
-    causes.push_back({*constant, "a torque in N·m taken for a current (the torque constant)"});
-    causes.push_back(
-        {std::numbers::sqrt2, "amplitude and effective value of the current exchanged (√2)"});
-    causes.push_back(
-        {1 / std::numbers::sqrt2, "amplitude and effective value of the current exchanged (1/√2)"});
+    causes.push_back({*constant, "cause.torque_taken_for_current"});
+    causes.push_back({std::numbers::sqrt2, "cause.amplitude_taken_for_effective"});
+    causes.push_back({1 / std::numbers::sqrt2, "cause.effective_taken_for_amplitude"});
   }
   return causes;
 }
 
-std::string named_causes(const std::vector<Cause>& causes, double size, double tolerance) {
-  std::string named;
+/// Empty where none fits.
+Statement fitting_causes(const std::vector<Cause>& causes, double size, double tolerance) {
+  std::vector<Statement> fitting;
   for (const Cause& cause : causes) {
     if (std::abs(size / cause.factor - 1) > tolerance) continue;
-    named += (named.empty() ? "likely " : ", or ") + cause.words;
+    fitting.emplace_back(cause.code);
   }
-  return named;
+  if (fitting.empty()) return {};
+  return {"scale.likely", {{"causes", std::move(fitting)}}};
 }
 
 }  // namespace
 
-std::string likely_cause_of_scale(double factor, double half_width, double gear_ratio) {
+Statement likely_cause_of_scale(double factor, double half_width, double gear_ratio) {
   const double size = std::abs(factor);
-  if (size < dead) return "the column is dead: it does not change with the speed";
+  if (size < dead) return {"scale.speed_dead"};
   const double tolerance = std::max(least_tolerance, half_width / size);
-  const std::string named = named_causes(usual_speed_causes(gear_ratio), size, tolerance);
+  const Statement causes = fitting_causes(usual_speed_causes(gear_ratio), size, tolerance);
   if (factor < 0) {
-    const std::string sign = "the sign is that of the other direction";
-    if (std::abs(size - 1) <= tolerance) return sign;
-    return sign + (named.empty() ? "" : "; " + named);
+    Statement reversed{"scale.speed_reversed"};
+    if (std::abs(size - 1) <= tolerance) return reversed;
+    reversed.add(causes);
+    return reversed;
   }
-  return named.empty() ? no_cause : named;
+  return causes.empty() ? Statement{"scale.no_usual_cause"} : causes;
 }
 
-std::string likely_cause_of_torque_scale(double factor, double half_width,
-                                         const joint::Drive& drive) {
+Statement likely_cause_of_torque_scale(double factor, double half_width,
+                                       const joint::Drive& drive) {
   const double size = std::abs(factor);
   const double tolerance = std::max(torque_tolerance, half_width / size);
-  std::string named = named_causes(usual_torque_causes(drive), size, tolerance);
-  if (named.empty() && std::abs(size - 1) > tolerance) {
-    named = no_cause;
-    if (drive.kind() != joint::EffortKind::motor_current) {
-      named += "; a current in A taken for a torque has one over its torque constant";
-    }
+  Statement causes = fitting_causes(usual_torque_causes(drive), size, tolerance);
+  if (causes.empty() && std::abs(size - 1) > tolerance) {
+    causes = drive.kind() == joint::EffortKind::motor_current
+                 ? Code{"scale.no_usual_cause"}
+                 : Code{"scale.no_usual_cause_of_torque"};
   }
-  if (factor > 0) return named.empty() ? no_cause : named;
-  const std::string sign = "the sign of the effort is that of the other direction";
-  return named.empty() ? sign : sign + "; " + named;
+  if (factor > 0) return causes.empty() ? Statement{"scale.no_usual_cause"} : causes;
+  Statement reversed{"scale.effort_reversed"};
+  reversed.add(causes);
+  return reversed;
 }
 
 namespace {
@@ -143,14 +137,11 @@ void judge(DataCheck& check, double factor, double half_width, const joint::Driv
   const bool certain =
       is_reversed || high < certainly_less || (check.at_most && low > certainly_more);
   check.state = certain ? CheckState::fails : CheckState::warns;
-  check.found += "; " + likely_cause_of_torque_scale(factor, half_width, drive);
-  check.consequence =
-      is_reversed && !too_small && !too_large
-          ? "gravity's peak is taken for its trough, half a turn away"
-          : "if what is stated is right, every torque and mass is wrong by the same factor";
-  check.experiment =
-      "hold the joint still with a known mass at a known distance, and compare the effort with "
-      "m g r";
+  check.found.add(likely_cause_of_torque_scale(factor, half_width, drive));
+  check.consequence = is_reversed && !too_small && !too_large
+                          ? Code{"static_torque.peak_taken_for_trough"}
+                          : Code{"static_torque.torques_wrong"};
+  check.experiment = {"static_torque.hold_known_mass"};
 }
 
 }  // namespace
@@ -158,15 +149,12 @@ void judge(DataCheck& check, double factor, double half_width, const joint::Driv
 DataCheck check_static_torque(const joint::Manifest& m, const std::optional<FoundGravity>& found) {
   DataCheck check;
   check.name = "static_torque";
-  check.title = "Static torque against the weight";
   const bool has_payload = m.payload_kg && *m.payload_kg > 0 && m.payload_distance_m;
   if (!m.known_gravity && !has_payload) {
-    return not_applicable(check.name, check.title,
-                          "the manifest states neither [known_gravity] nor a [payload] with "
-                          "mass_kg and distance_m");
+    return not_applicable(check.name, {"not_applicable.no_stated_gravity"});
   }
   if (!found) {
-    return not_applicable(check.name, check.title, "no gravity was found to compare with");
+    return not_applicable(check.name, {"not_applicable.no_gravity_to_compare"});
   }
   const double n = m.drive.gear_ratio();
   const double found_Nm = n * found->amplitude_Nm.value;
@@ -176,10 +164,10 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
   if (!m.known_gravity) {
     const double payload_Nm = *m.payload_kg * m.gravity_m_s2 * *m.payload_distance_m;
     const double half_width = n * found->amplitude_Nm.half_width() / payload_Nm;
-    check.measure = "gravity torque found / m g r of the payload alone, at the joint";
+    check.measure = {"measure.found_of_payload"};
     check.measured = found_Nm / payload_Nm;
-    check.found =
-        fmt::format("{:.4g} N·m found, {:.4g} N·m by the payload alone", found_Nm, payload_Nm);
+    check.found = {"static_torque.found_by_payload",
+                   {{"found_Nm", found_Nm}, {"payload_Nm", payload_Nm}}};
     judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, m.drive);
     return check;
   }
@@ -187,21 +175,23 @@ DataCheck check_static_torque(const joint::Manifest& m, const std::optional<Foun
   const double turn =
       std::remainder(found->q_peak_rad - m.known_gravity->q_peak_rad(), 2 * std::numbers::pi);
   const double half_width = n * found->amplitude_Nm.half_width() / stated_Nm;
-  check.measure = "gravity torque found / stated, at the joint";
+  check.measure = {"measure.found_of_stated"};
   check.at_most = most;
   const double sign = std::cos(turn) < 0 ? -1.0 : 1.0;
   check.measured = sign * found_Nm / stated_Nm;
-  check.found = fmt::format("{:.4g} N·m found, largest at {:.4g}°; {:.4g} N·m stated, at {:.4g}°",
-                            found_Nm, found->q_peak_rad * joint::degrees_per_rad, stated_Nm,
-                            m.known_gravity->q_peak_rad() * joint::degrees_per_rad);
+  check.found = {"static_torque.found_and_stated",
+                 {{"found_Nm", found_Nm},
+                  {"found_deg", found->q_peak_rad * joint::degrees_per_rad},
+                  {"stated_Nm", stated_Nm},
+                  {"stated_deg", m.known_gravity->q_peak_rad() * joint::degrees_per_rad}}};
   judge(check, *check.measured, std::isfinite(half_width) ? half_width : 0, m.drive);
   const double off_deg = std::abs(std::remainder(turn, std::numbers::pi)) * joint::degrees_per_rad;
   if (off_deg > noticeable_turn_deg) {
     if (check.state == CheckState::passed) check.state = CheckState::warns;
-    check.found += fmt::format("; the angles of the peak are {:.3g}° apart", off_deg);
-    if (check.consequence.empty()) check.consequence = "one of the two angles counts otherwise";
+    check.found.add({"static_torque.angles_apart", {{"apart_deg", off_deg}}});
+    if (check.consequence.empty()) check.consequence = {"static_torque.angle_counts_otherwise"};
     if (check.experiment.empty()) {
-      check.experiment = "see from where the log and the stated gravity count the angle";
+      check.experiment = {"static_torque.see_zero_of_angle"};
     }
   }
   return check;

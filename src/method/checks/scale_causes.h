@@ -3,8 +3,8 @@
 // weight.
 
 #include <optional>
-#include <string>
 
+#include "base/statement.h"
 #include "joint/dataset.h"
 #include "joint/drive.h"
 #include "method/checks/data_check.h"
@@ -12,15 +12,14 @@
 
 namespace tribolog::method::checks {
 
-/// The usual causes of a factor logged / true of a speed, in words; "no usual cause has this
-/// factor" where none fits. Several that fit are all named.
+/// The usual causes of a factor logged / true of a speed; where none fits, that none does. Several
+/// that fit are all stated.
 /// @param half_width of the factor, 95 %.
-std::string likely_cause_of_scale(double factor, double half_width, double gear_ratio);
+Statement likely_cause_of_scale(double factor, double half_width, double gear_ratio);
 
 /// The same of a torque, found / true: unit, side of the gear, torque constant. What is true is
 /// known to some per cent only.
-std::string likely_cause_of_torque_scale(double factor, double half_width,
-                                         const joint::Drive& drive);
+Statement likely_cause_of_torque_scale(double factor, double half_width, const joint::Drive& drive);
 
 // Internal to the checks: the torque that holds the load against what the load weighs.
 

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 #include "method/checks/scale_causes.h"
 #include "statistics/distributions.h"
@@ -66,8 +64,7 @@ double excess(const SpeedScale& s) { return std::max(0.0, std::abs(s.factor - 1)
 DataCheck check_speed_scale(const CheckedDataset& data) {
   DataCheck check;
   check.name = "speed_scale";
-  check.title = "Logged speed against the angle";
-  check.measure = "logged speed / derivative of the angle";
+  check.measure = {"measure.speed_of_derivative"};
   check.unit = pure_number;
   check.at_least = 1 - tolerated;
   check.at_most = 1 + tolerated;
@@ -84,33 +81,28 @@ DataCheck check_speed_scale(const CheckedDataset& data) {
     check.recording = r.recording->name;
   }
   if (!worst) {
-    return not_applicable(check.name, check.title,
-                          "no speed is logged beside a moving angle; it is taken from the angle");
+    return not_applicable(check.name, {"not_applicable.no_speed_beside_angle"});
   }
   check.measured = worst->factor;
-  check.found = fmt::format("factor {:.4g} ± {:.2g}", worst->factor, worst->half_width);
+  const StatedValue factor{"factor", worst->factor};
+  const StatedValue half_width{"half_width", worst->half_width};
   if (wrong == 0) {
     check.state = CheckState::passed;
+    check.found = {"speed_scale.factor", {factor, half_width}};
     return check;
   }
   check.state = excess(*worst) > certainly_wrong ? CheckState::fails : CheckState::warns;
   if (wrong == all && all > 1) check.recording = "all";
   constexpr double follows = 0.7;
-  check.found += fmt::format(
-      " in {} of {} recordings; {}", wrong, all,
+  check.found = {"speed_scale.factor_in_recordings",
+                 {factor, half_width, {"wrong", wrong}, {"recordings", all}}};
+  check.found.add(
       worst->correlation < follows && std::abs(worst->factor) > 1e-3
-          ? fmt::format("the speed does not follow the angle at all (correlation {:.2f}): columns "
-                        "exchanged?",
-                        worst->correlation)
+          ? Statement{"speed_scale.does_not_follow_angle", {{"correlation", worst->correlation}}}
           : likely_cause_of_scale(worst->factor, worst->half_width,
                                   data.manifest->drive.gear_ratio()));
-  check.consequence =
-      "the program takes its speeds from the angle; but one of angle, speed and clock is not what "
-      "the manifest says, and then every speed, and what is measured per speed, is wrong by this "
-      "factor";
-  check.experiment =
-      "correct the unit, the side or the scale of the speed in the manifest, or of "
-      "the angle if that is the wrong one";
+  check.consequence = {"speed_scale.every_speed_wrong"};
+  check.experiment = {"speed_scale.correct_manifest"};
   return check;
 }
 
@@ -143,8 +135,7 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
   constexpr double most_percent = 50;
   DataCheck check;
   check.name = "speed_noise";
-  check.title = "Noise of the logged speed";
-  check.measure = "scatter of the logged speed about the angle's slope, of the speed";
+  check.measure = {"measure.speed_scatter"};
   check.unit = percent_sign;
   check.at_most = most_percent;
   for (const CheckedRecording& r : data.recordings) {
@@ -153,14 +144,14 @@ DataCheck check_speed_noise(const CheckedDataset& data) {
     if (noise >= 0) take_if_worst(check, noise, r.recording->name);
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title, "no speed is logged in a sweep or a run");
+    return not_applicable(check.name, {"not_applicable.no_speed_logged"});
   }
-  check.found = fmt::format("the logged speed scatters by {:.3g} % of the speed", *check.measured);
+  check.found = {"speed_noise.scatters", {{"scatter_percent", *check.measured}}};
   check.state = *check.measured <= most_percent ? CheckState::passed : CheckState::warns;
   if (check.state == CheckState::passed) return check;
-  check.found += "; at this speed it is hardly more than the steps of the angle";
-  check.consequence = "none for the results: speeds are taken from the angle";
-  check.experiment = "do not use this column at low speed; differentiate the angle";
+  check.found = {"speed_noise.hardly_more_than_steps", {{"scatter_percent", *check.measured}}};
+  check.consequence = {"speed_noise.none_for_results"};
+  check.experiment = {"speed_noise.differentiate_angle"};
   return check;
 }
 
@@ -172,9 +163,8 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
   constexpr std::size_t fewest_for_a_line = 3;
   DataCheck check;
   check.name = "run_speeds";
-  check.title = "Number of speeds";
   const auto runs = data.with_role(joint::Role::constant_speed);
-  if (runs.empty()) return not_applicable(check.name, check.title, "no runs at constant speed");
+  if (runs.empty()) return not_applicable(check.name, {"not_applicable.no_runs"});
   std::vector<double> speeds;
   for (const CheckedRecording* r : runs) {
     for (const motion::Plateau& plateau : r->motion.plateaus) {
@@ -190,23 +180,18 @@ DataCheck check_run_speeds(const CheckedDataset& data) {
     last = speed;
   }
   check.recording = "all";
-  check.measure = "different speeds among the plateaus";
+  check.measure = {"measure.different_speeds"};
   check.unit = pure_number;
   check.at_least = static_cast<double>(fewest);
   check.measured = static_cast<double>(different);
-  check.found = fmt::format("{} plateaus at {} different speed{}", speeds.size(), different,
-                            different == 1 ? "" : "s");
+  check.found = {"run_speeds.plateaus", {{"plateaus", speeds.size()}, {"speeds", different}}};
   if (different >= fewest) {
     check.state = CheckState::passed;
     return check;
   }
   check.state = different >= fewest_for_a_line ? CheckState::warns : CheckState::fails;
-  check.consequence =
-      "how friction changes with speed cannot be told from so few: neither the "
-      "viscous coefficient nor the Stribeck velocity";
-  check.experiment =
-      "run the joint at ten to twenty speeds, from the slowest smooth one to the "
-      "fastest allowed, in both directions";
+  check.consequence = {"run_speeds.too_few"};
+  check.experiment = {"run_speeds.record_ten_to_twenty"};
   return check;
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "method/checks/check_list.h"
 #include "method/checks/direction_difference.h"
 #include "method/motion/encoder_resolution.h"
@@ -41,11 +39,10 @@ struct TorqueScatter {
 DataCheck check_torque_alive(const CheckedDataset& data) {
   DataCheck check;
   check.name = "torque_alive";
-  check.title = "The torque changes";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "recordings in which the torque changes";
+  check.measure = {"measure.live_recordings"};
   check.unit = percent_sign;
   check.at_least = 100;
   RecordingsAsWanted alive;
@@ -54,15 +51,14 @@ DataCheck check_torque_alive(const CheckedDataset& data) {
     const auto [low, high] = std::minmax_element(t.begin(), t.end());
     alive.add(!t.empty() && *high > *low, r.recording->name);
   }
-  if (alive.all() == 0) return not_applicable(check.name, check.title, "no recording");
+  if (alive.all() == 0) return not_applicable(check.name, {"not_applicable.no_recording"});
   alive.take_share(check);
-  if (alive.others() == 0) return passed_by_all(check, "the torque changes in every recording");
+  if (alive.others() == 0) return passed_by_all(check, {"torque_alive.in_all"});
   check.state = CheckState::fails;
-  check.found =
-      fmt::format("the torque is one constant number in {} of {} recordings: a dead sensor?",
-                  alive.others(), alive.all());
-  check.consequence = "a torque that does not change shows neither gravity nor friction";
-  check.experiment = "see that the torque's column is alive before the next measurement";
+  check.found = {"torque_alive.constant",
+                 {{"constant", alive.others()}, {"recordings", alive.all()}}};
+  check.consequence = {"torque_alive.shows_nothing"};
+  check.experiment = {"torque_alive.see_column"};
   return check;
 }
 
@@ -71,11 +67,10 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
   constexpr double most_percent = 80;
   DataCheck check;
   check.name = "torque_noise";
-  check.title = "Signal in the torque";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "share of white noise in the variance of the torque";
+  check.measure = {"measure.white_noise"};
   check.unit = percent_sign;
   check.at_most = warning_percent;
   for (const joint::Role role :
@@ -90,17 +85,13 @@ DataCheck check_torque_noise(const CheckedDataset& data) {
                                          : joint::to_string(role) + ", all");
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title, "no sweep, oscillation or run");
+    return not_applicable(check.name, {"not_applicable.no_sweep_oscillation_or_run"});
   }
-  check.found = fmt::format("{:.2g} % of the torque's variance is white noise", *check.measured);
+  check.found = {"torque_noise.white", {{"white_percent", *check.measured}}};
   check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "what is left of gravity and friction drowns in it; the intervals are as "
-      "wide as that";
-  check.experiment =
-      "record for longer, or filter the current in the drive; see that the column "
-      "is the torque";
+  check.consequence = {"torque_noise.signal_drowns"};
+  check.experiment = {"torque_noise.record_longer"};
   return check;
 }
 
@@ -111,11 +102,10 @@ DataCheck check_torque_step(const CheckedDataset& data) {
   constexpr double most_percent = 25;
   DataCheck check;
   check.name = "torque_step";
-  check.title = "Torque step against friction";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "step of the torque / half the difference of the directions";
+  check.measure = {"measure.torque_step_of_friction"};
   check.unit = percent_sign;
   check.at_most = warning_percent;
   double worst_step = 0;
@@ -134,20 +124,17 @@ DataCheck check_torque_step(const CheckedDataset& data) {
     }
   }
   if (!check.measured) {
-    return not_applicable(check.name, check.title,
-                          "no recording has both directions over the same angles");
+    return not_applicable(check.name, {"not_applicable.no_common_angles"});
   }
   if (worst_step == 0) {
-    return passed_by_all(check, "the torque looks continuous");
+    return passed_by_all(check, {"torque_step.continuous"});
   }
-  check.found =
-      fmt::format("steps of {:.3g} N·m against {:.3g} N·m, at the motor", worst_step, its_friction);
+  check.found = {"torque_step.against_friction",
+                 {{"step_Nm", worst_step}, {"friction_Nm", its_friction}}};
   check.state = passed_or_warns_up_to(most_percent, check);
   if (check.state == CheckState::passed) return check;
-  check.consequence =
-      "friction is read in few steps, and where noise does not spread the samples "
-      "over several of them no mean makes up for it";
-  check.experiment = "record the current with more digits, or in a smaller measuring range";
+  check.consequence = {"torque_step.friction_in_few_steps"};
+  check.experiment = {"torque_step.record_finer"};
   return check;
 }
 
@@ -252,11 +239,10 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
   constexpr double most_percent = 0.5;
   DataCheck check;
   check.name = "torque_saturation";
-  check.title = "Torque not clipped";
   if (!data.has_torque) {
-    return not_applicable(check.name, check.title, "no torque was recorded");
+    return not_applicable(check.name, {"not_applicable.no_torque"});
   }
-  check.measure = "samples that lie flat on the extreme torque";
+  check.measure = {"measure.clipped_samples"};
   check.unit = percent_sign;
   check.at_most = most_percent;
   double value_Nm = 0;
@@ -268,20 +254,16 @@ DataCheck check_torque_saturation(const CheckedDataset& data) {
     if (!take_if_worst(check, s.percent, r.recording->name)) continue;
     value_Nm = s.value_Nm;
   }
-  if (!check.measured) return not_applicable(check.name, check.title, "no recording");
+  if (!check.measured) return not_applicable(check.name, {"not_applicable.no_recording"});
   if (clipped == 0) {
-    return passed_by_all(check, "the torque does not lie flat on its extremes");
+    return passed_by_all(check, {"torque_saturation.none"});
   }
   check.state = CheckState::fails;
-  check.found =
-      fmt::format("{:.1f} % of the samples lie flat at {:.4g} N·m at the motor; {} clipped",
-                  *check.measured, value_Nm, recordings_in_words(clipped));
-  check.consequence =
-      "the largest torques are cut off: gravity and friction come out too small, "
-      "and the peak's angle is that of the cut";
-  check.experiment =
-      "widen the range of the measurement or of the drive's limit, or take load off "
-      "the joint";
+  check.found = {
+      "torque_saturation.clipped",
+      {{"flat_percent", *check.measured}, {"extreme_Nm", value_Nm}, {"recordings", clipped}}};
+  check.consequence = {"torque_saturation.peaks_cut_off"};
+  check.experiment = {"torque_saturation.widen_range"};
   return check;
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "method/gravity/sweep_curves.h"
 #include "method/gravity/sweep_regression.h"
@@ -44,7 +42,7 @@ void read_friction(const SweepDesign& d, const motion::SweepSamples& samples,
                    const SweepGravityFit& fit, double gear_ratio, CogSweepResult& out) {
   const Eigen::VectorXd& c = fit.regression.coefficients;
   const auto half_width = [&](Eigen::Index k) { return fit.regression.half_width(k); };
-  const char* method = "least squares, blocks of neighbouring samples";
+  constexpr Code method{"interval.least_squares_blocks"};
   if (!samples.constant_speed) {
     out.offset_Nm = c(d.offsets);
     if (d.direction >= 0) {
@@ -129,7 +127,7 @@ void widen_by_ripple(const std::vector<const joint::Recording*>& recordings,
   out.q_peak_rad = statistics::symmetric_estimate(
       out.q_peak_rad.value,
       std::hypot(out.q_peak_rad.half_width(), random_phase_half_width(amplitudes, 0)),
-      out.q_peak_rad.method + ", widened by the ripple that the rough sweep shows");
+      {"interval.widened_by_rough_sweep_ripple", {{"interval", out.q_peak_rad.method}}});
 }
 
 void keep_for_resampling(const SweepDesign& design, const motion::SweepSamples& samples,
@@ -161,10 +159,16 @@ SweepGravityFit with_the_wider_blocks(const std::vector<const joint::Recording*>
   return other.gravity_Nm.half_width() > fit.gravity_Nm.half_width() ? other : fit;
 }
 
-CogSweepResult skipped(const std::string& name, std::string reason, statistics::StageState state) {
-  CogSweepResult out;
-  out.stage = {name, state, std::move(reason)};
-  return out;
+/// The equation whose coefficients were fitted.
+Code equation_of(const SweepDesign& design, bool constant_speed, bool amplitude_known) {
+  if (constant_speed) {
+    return amplitude_known ? Code{"sweep_fit.constant_speed_known_gravity"}
+                           : Code{"sweep_fit.constant_speed"};
+  }
+  if (amplitude_known) return {"sweep_fit.varying_speed_known_gravity"};
+  // Only a fit of the amplitude can have a column for the load.
+  return design.load >= 0 ? Code{"sweep_fit.varying_speed_with_load"}
+                          : Code{"sweep_fit.varying_speed"};
 }
 
 }  // namespace
@@ -175,16 +179,12 @@ CogSweepResult identify_cog_sweep(const std::string& name,
                                   const std::optional<statistics::Estimate>& gravity_Nm,
                                   const Ripple& known_ripple) {
   const bool precise = name == "cog_precise";
-  if (recordings.empty()) {
-    return skipped(name,
-                   precise ? "no precise_sweep was recorded; a slow sweep of about 1° to each side "
-                             "of the gravity peak would be one"
-                           : "no rough_sweep was recorded; a slow sweep over the joint's range in "
-                             "both directions would give the angle of the centre of gravity and "
-                             "the gravity torque",
-                   statistics::StageState::skipped);
-  }
   CogSweepResult out;
+  if (recordings.empty()) {
+    out.stage = {name, statistics::StageState::skipped,
+                 precise ? Code{"gravity.no_precise_sweep"} : Code{"gravity.no_rough_sweep"}};
+    return out;
+  }
   out.recordings = recordings;
   const motion::SweepSamples samples = motion::select_sweep_samples(recordings);
   out.samples_used = samples.size();
@@ -196,11 +196,10 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   for (std::size_t i = 0; i < samples.size(); ++i) {
     out.used[samples.recording[i]][samples.index[i]] = true;
   }
-  out.stage = {name, statistics::StageState::not_identifiable, ""};
+  out.stage = {name, statistics::StageState::not_identifiable, {}};
   if (samples.size() < fewest_samples) {
-    out.stage.reason =
-        fmt::format("only {} samples of the sweep move steadily; at least {} are needed",
-                    samples.size(), fewest_samples);
+    out.stage.reason = {"gravity.too_few_samples",
+                        {{"samples", samples.size()}, {"needed", fewest_samples}}};
     return out;
   }
   out.lowest_rad = out.highest_rad = angle_of(recordings, samples, 0);
@@ -211,7 +210,7 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   }
   const double range = out.highest_rad - out.lowest_rad;
   if (!(range > 1e-6)) {
-    out.stage.reason = fmt::format("the joint moves by {:.2g} rad only", range);
+    out.stage.reason = {"gravity.hardly_moves", {{"travel_rad", range}}};
     return out;
   }
 
@@ -244,22 +243,18 @@ CogSweepResult identify_cog_sweep(const std::string& name,
     out.resampling.amplitude_lever = -(out.q_peak_rad.value - middle) / gravity_Nm->value;
     widen_by_ripple(recordings, samples, design, gear_ratio, known_ripple, out);
   }
-  out.method = samples.constant_speed
-                   ? "T = offset of each direction + G cos(q - q_peak)"
-                   : "T = offset + Coulomb sgn(q') + viscous q' + inertia q'' + G cos(q - q_peak)";
-  if (design.load >= 0) out.method += " + Coulomb of the load sgn(q') |cos(q - q_peak)|";
-  if (amplitude_known) out.method += ", G from the rough sweep";
+  out.method = equation_of(design, samples.constant_speed, amplitude_known);
   read_friction(design, samples, fit, gear_ratio, out);
 
   // 13.8 would be a chance of 0.1 % without gravity if the covariance were known; it is estimated
   // from few blocks, hence twice that. Not-a-number (a perfect fit) passes.
   constexpr double least_evidence = 27;
   if (!(out.gravity_Nm.low > 0) || fit.evidence < least_evidence) {
-    out.stage.reason = fmt::format(
-        "gravity does not show: amplitude {:.3g} N·m with a 95 % interval from {:.3g} to {:.3g} "
-        "N·m over {:.1f}° of travel; sweep further, or load the joint",
-        out.gravity_Nm.value, out.gravity_Nm.low, out.gravity_Nm.high,
-        range * joint::degrees_per_rad);
+    out.stage.reason = {"gravity.not_shown",
+                        {{"gravity_Nm", out.gravity_Nm.value},
+                         {"low_Nm", out.gravity_Nm.low},
+                         {"high_Nm", out.gravity_Nm.high},
+                         {"travel_deg", range * joint::degrees_per_rad}}};
     return out;
   }
   find_torque_maximum(recordings, samples, out);
@@ -267,17 +262,14 @@ CogSweepResult identify_cog_sweep(const std::string& name,
   out.stage.state = statistics::StageState::done;
   if (!out.both_directions) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason =
-        "only one direction was recorded: friction does not cancel, and a friction that changes "
-        "with the angle would be taken for gravity";
+    out.stage.reason = {"gravity.one_direction"};
   } else if (!precise &&
              (out.q_peak_rad.value < out.lowest_rad || out.q_peak_rad.value > out.highest_rad)) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = fmt::format(
-        "the sweep from {:.1f}° to {:.1f}° does not cross the gravity peak, which is "
-        "extrapolated to {:.1f}°; the arg-max of the paper is not valid there",
-        out.lowest_rad * joint::degrees_per_rad, out.highest_rad * joint::degrees_per_rad,
-        out.q_peak_rad.value * joint::degrees_per_rad);
+    out.stage.reason = {"gravity.peak_not_crossed",
+                        {{"lowest_deg", out.lowest_rad * joint::degrees_per_rad},
+                         {"highest_deg", out.highest_rad * joint::degrees_per_rad},
+                         {"peak_deg", out.q_peak_rad.value * joint::degrees_per_rad}}};
   }
   add_fit_curves(recordings, samples, fit.regression.residuals, out);
   return out;

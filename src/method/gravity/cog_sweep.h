@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
@@ -25,8 +26,8 @@ namespace tribolog::method::gravity {
 
 struct CogSweepResult {
   statistics::StageReport stage;
-  bool found{false};   ///< The values below are valid.
-  std::string method;  ///< What was fitted, for the report.
+  bool found{false};  ///< The values below are valid.
+  Statement method;   ///< The equation that was fitted.
 
   double argmax_rad{};      ///< Paper's way.
   double argmax_low_rad{};  ///< Angles that the noise cannot tell from the arg-max.

@@ -169,7 +169,7 @@ statistics::Estimate with_ripple(const statistics::Estimate& torque_Nm, const Ri
   if (!(half_width > 0)) return torque_Nm;
   return statistics::symmetric_estimate(
       torque_Nm.value, std::hypot(torque_Nm.half_width(), half_width),
-      torque_Nm.method + ", widened by the ripple that the sweep shows");
+      {"interval.widened_by_sweep_ripple", {{"interval", torque_Nm.method}}});
 }
 
 double random_phase_half_width(const std::vector<double>& amplitudes, double normal_sd) {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 #include "joint/degrees.h"
 #include "method/gravity/run_gravity_rows.h"
@@ -97,7 +96,7 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
                                       double gear_ratio) {
   RunGravityResult out;
   if (recordings.empty()) {
-    out.reason = "no run at constant speed was recorded";
+    out.reason = {"gravity.no_runs"};
     return out;
   }
   std::vector<GravityRun> runs = gravity_runs_of(recordings);
@@ -112,10 +111,9 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
   out.runs_used = runs.size();
   out.runs_left_out = all_runs - runs.size();
   if (runs.empty()) {
-    out.reason = fmt::format(
-        "no run at constant speed travels far enough for gravity: the widest {:.2g}°, at least "
-        "{:.2g}° are needed",
-        widest * joint::degrees_per_rad, least_travel_rad * joint::degrees_per_rad);
+    out.reason = {"gravity.runs_too_short",
+                  {{"widest_deg", widest * joint::degrees_per_rad},
+                   {"needed_deg", least_travel_rad * joint::degrees_per_rad}}};
     return out;
   }
   out.lowest_rad = runs.front().low_rad;
@@ -136,7 +134,7 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
   const double g = std::hypot(b, c);
   out.ripple = ripple;
   out.residual_Nm = fitted.by_angle().residual_sd;
-  const char* method = "runs at constant speed, blocks of the angle and of the runs";
+  constexpr Code method{"interval.runs_blocks"};
   out.gravity_Nm = statistics::symmetric_estimate(
       g, fitted.half_width(Eigen::Vector2d(b, c) / std::max(g, 1e-300)), method);
   const Eigen::Vector2d angle_gradient = Eigen::Vector2d(-c, b) / std::max(g * g, 1e-300);
@@ -151,10 +149,9 @@ RunGravityResult identify_run_gravity(const std::vector<const joint::Recording*>
   const double least_shown = std::min(evidence(fitted.by_angle()), evidence(fitted.by_run()));
   if (least_shown < least_evidence || !(out.gravity_Nm.low > 0) ||
       !(out.gravity_Nm.half_width() <= widest_share * g)) {
-    out.reason = fmt::format(
-        "the runs at constant speed do not show gravity well enough: amplitude {:.3g} N·m with a "
-        "95 % interval from {:.3g} to {:.3g} N·m; longer ways, or a slow sweep, would",
-        g, out.gravity_Nm.low, out.gravity_Nm.high);
+    out.reason = {
+        "gravity.not_shown_by_runs",
+        {{"gravity_Nm", g}, {"low_Nm", out.gravity_Nm.low}, {"high_Nm", out.gravity_Nm.high}}};
     return out;
   }
   out.always_lifts = lifts_always(runs, q_peak);

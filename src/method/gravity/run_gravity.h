@@ -16,9 +16,9 @@
 // looks like gravity. `always_lifts` says so.
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
@@ -26,8 +26,8 @@
 namespace tribolog::method::gravity {
 
 struct RunGravityResult {
-  bool found{false};   ///< The values below are valid.
-  std::string reason;  ///< Why not found; empty if it is.
+  bool found{false};  ///< The values below are valid.
+  Statement reason;   ///< Why not found; empty if it is.
   statistics::Estimate q_peak_rad;
   statistics::Estimate gravity_Nm;  ///< Amplitude G/n at the motor.
   Ripple ripple;                    ///< What of it repeats with the motor's angle.

@@ -100,7 +100,7 @@ SweepGravityFit fit_amplitude_and_angle(const std::vector<const joint::Recording
   fit.evidence = bc.dot(v2.ldlt().solve(bc));
   const double var_q = (c * c * v(0, 0) - 2 * b * c * v(0, 1) + b * b * v(1, 1)) / std::pow(g, 4);
   const double var_g = (b * b * v(0, 0) + 2 * b * c * v(0, 1) + c * c * v(1, 1)) / (g * g);
-  const char* method = "least squares, blocks of neighbouring samples";
+  constexpr Code method{"interval.least_squares_blocks"};
   fit.q_peak_rad = statistics::symmetric_estimate(middle + std::atan2(c, b),
                                                   t * std::sqrt(std::max(0.0, var_q)), method);
   fit.gravity_Nm = statistics::symmetric_estimate(g, t * std::sqrt(std::max(0.0, var_g)), method);
@@ -137,9 +137,8 @@ SweepGravityFit fit_angle(const std::vector<const joint::Recording*>& recordings
   const double from_noise = fit.regression.half_width(0);
   // An amplitude off by a share shifts the angle by that share of its distance from the middle.
   const double from_amplitude = (q_peak - middle) * gravity.half_width() / gravity.value;
-  fit.q_peak_rad =
-      statistics::symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
-                                     "least squares with the amplitude of the rough sweep");
+  fit.q_peak_rad = statistics::symmetric_estimate(q_peak, std::hypot(from_noise, from_amplitude),
+                                                  {"interval.least_squares_known_amplitude"});
   fit.gravity_Nm = gravity;
   fit.freedom = fit.regression.freedom(0);
   fit.block_shifts = Eigen::MatrixXd::Zero(2, fit.regression.block_shifts.cols());

@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "statistics/distributions.h"
 #include "statistics/order_statistics.h"
 #include "statistics/summits.h"
@@ -132,25 +130,30 @@ std::optional<statistics::Estimate> mean_of(const std::vector<BreakAwayRamp>& ra
   }
   const double scatter = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
   return statistics::symmetric_estimate(mean, std::hypot(scatter, by_gravity),
-                                        "scatter of the ramps");
+                                        {"interval.scatter_of_ramps"});
 }
 
-/// What the ramps that did not break away say.
-std::string censored_words(const BreakAwayResult& result) {
-  std::string words;
+void add_reason(statistics::StageReport& stage, const Statement& reason) {
+  stage.state = statistics::StageState::partial;
+  stage.reason.add(reason);
+}
+
+/// The bounds of the ramps that did not break away.
+void add_censored(BreakAwayResult& result) {
   for (const BreakAwayRamp& ramp : result.ramps) {
     if (ramp.broke_away) continue;
-    words += fmt::format(
-        "{}{}: the torque reached {:.4g} N·m and the joint did not break away, so its break-away "
-        "torque is larger than {:.4g} N·m (censored: a bound, not a value)",
-        words.empty() ? "" : "; ", ramp.recording, ramp.torque_Nm, ramp.friction_Nm);
+    add_reason(result.stage, {"break_away.censored",
+                              {{"recording", ramp.recording},
+                               {"torque_Nm", ramp.torque_Nm},
+                               {"friction_Nm", ramp.friction_Nm}}});
   }
-  return words;
 }
 
-void add_reason(statistics::StageReport& stage, const std::string& words) {
-  stage.state = statistics::StageState::partial;
-  stage.reason += (stage.reason.empty() ? "" : "; ") + words;
+/// In which direction fewer than two ramps broke away.
+Code too_few_ramps(const BreakAwayResult& result) {
+  if (result.rising_Nm) return {"break_away.too_few_towards_negative"};
+  if (result.falling_Nm) return {"break_away.too_few_towards_positive"};
+  return {"break_away.too_few_in_either_direction"};
 }
 
 }  // namespace
@@ -162,9 +165,7 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
   out.gravity_taken_off = gravity.has_value();
   if (ramps.empty()) {
     out.stage.state = statistics::StageState::skipped;
-    out.stage.reason =
-        "no break-away ramp was recorded; five slow torque ramps from rest in each direction would "
-        "give the break-away torque without a model";
+    out.stage.reason = {"break_away.no_ramps"};
     return out;
   }
   for (const joint::Recording* r : ramps) {
@@ -178,24 +179,12 @@ BreakAwayResult identify_break_away(const std::vector<const joint::Recording*>& 
     out.mean_Nm = statistics::symmetric_estimate(
         (out.rising_Nm->value + out.falling_Nm->value) / 2,
         std::hypot(out.rising_Nm->half_width(), out.falling_Nm->half_width()) / 2,
-        "scatter of the ramps, both directions");
+        {"interval.scatter_of_ramps_both_directions"});
   }
   out.stage.state = statistics::StageState::done;
-  if (out.censored > 0) add_reason(out.stage, censored_words(out));
-  if (!out.rising_Nm || !out.falling_Nm) {
-    add_reason(
-        out.stage,
-        fmt::format("fewer than two ramps broke away {}; more ramps there, up to a larger "
-                    "torque, would give the break-away torque with its scatter",
-                    out.rising_Nm || out.falling_Nm
-                        ? (out.rising_Nm ? "towards negative torque" : "towards positive torque")
-                        : "in either direction"));
-  }
-  if (!gravity) {
-    add_reason(out.stage,
-               "gravity at these angles is not known and was not taken off: only the mean of both "
-               "directions is friction alone");
-  }
+  add_censored(out);
+  if (!out.rising_Nm || !out.falling_Nm) add_reason(out.stage, too_few_ramps(out));
+  if (!gravity) add_reason(out.stage, {"break_away.gravity_not_taken_off"});
   if (!out.rising_Nm && !out.falling_Nm) out.stage.state = statistics::StageState::not_identifiable;
   return out;
 }
@@ -220,7 +209,7 @@ bool rests_on_level(const std::string& name) {
          name == "speed_weakening_Nms2_rad2";
 }
 
-void withdraw(LuGreParameter& parameter, std::string why_not, std::string experiment) {
+void withdraw(LuGreParameter& parameter, Statement why_not, Statement experiment) {
   parameter.estimate.reset();
   parameter.why_not = std::move(why_not);
   parameter.experiment = std::move(experiment);
@@ -237,19 +226,16 @@ LuGreFit against_ramps(LuGreFit fit, const BreakAwayResult& ramps) {
   const double falling = surely_held(ramps, false);
   const double held = rising > 0 && falling > 0 ? std::min(rising, falling) : 0;
   if (!(level->high < held)) return fit;
-  const std::string contradiction = fmt::format(
-      "the loops flatten at {:.3g} N·m, but ramps of the torque show that the joint holds "
-      "{:.3g} N·m without sliding: the loops creep, and their level is no break-away torque",
-      level->value, held);
+  const Statement contradiction{"lugre.contradicted_by_ramps",
+                                {{"level_Nm", level->value}, {"held_Nm", held}}};
   for (LuGreParameter& p : fit.parameters) {
     if (p.name == "static_Nm") {
-      withdraw(p, contradiction, "the ramps themselves show it, where they end in sliding");
+      withdraw(p, contradiction, {"lugre_experiment.ramps_that_slide"});
     } else if (p.estimate && rests_on_level(p.name)) {
-      withdraw(p, "it was read from the way friction falls from a level that ramps contradict",
-               "runs at constant speed");
+      withdraw(p, {"lugre.rests_on_contradicted_level"}, {"lugre_experiment.runs"});
     }
   }
-  fit.reason += (fit.reason.empty() ? "" : "; ") + contradiction;
+  fit.reason.add(contradiction);
   return fit;
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/requirements.h"
 #include "method/hysteresis/loop_points.h"
 #include "method/hysteresis/position_mean.h"
@@ -21,9 +19,7 @@ namespace {
 void explain_without_oscillation(const gravity::CogSweepResult& rough, double gear_ratio,
                                  HysteresisResult& out) {
   out.stage.state = statistics::StageState::skipped;
-  out.stage.reason =
-      "no oscillation was recorded; a sine of about ten cycles at the gravity peak, with an "
-      "amplitude of a few times the pre-sliding range, would give hysteresis and surrogate mass";
+  out.stage.reason = {"loop.no_oscillation"};
   if (!rough.found || rough.recordings.empty()) return;
   const auto [step, is_of_print] = motion::angle_step(rough.recordings.front()->q_rad, gear_ratio);
   const std::optional<double> travel = presliding_travel_rad(rough, gear_ratio);
@@ -34,12 +30,11 @@ void explain_without_oscillation(const gravity::CogSweepResult& rough, double ge
   const double steps = *travel / step;
   if (steps < motion::fewest_steps_in_presliding) {
     out.stage.state = statistics::StageState::not_identifiable;
-    out.stage.reason = fmt::format(
-        "hysteresis cannot be resolved: no oscillation was recorded, and the angle's step of "
-        "{:.3g} "
-        "rad leaves {:.1f} steps in the {:.2g} rad within which friction turns over after a "
-        "reversal of the sweep; at least {:.0f} are needed",
-        step, steps, *travel, motion::fewest_steps_in_presliding);
+    out.stage.reason = {"loop.presliding_not_resolved",
+                        {{"step_rad", step},
+                         {"steps", steps},
+                         {"travel_rad", *travel},
+                         {"needed", motion::fewest_steps_in_presliding}}};
   }
 }
 
@@ -100,8 +95,8 @@ struct LoopResult {
   joint::Recording recording;
   std::optional<motion::OscillationMotion> motion;  ///< Where the angle swings with a period.
   std::optional<motion::TracedMotion>
-      traced;                    ///< Where harmonics do not follow it, or there are none.
-  std::string why_not_followed;  ///< Where no model can be driven by the angle.
+      traced;                  ///< Where harmonics do not follow it, or there are none.
+  Statement why_not_followed;  ///< Where no model can be driven by the angle.
   Oscillation oscillation;
   LoopTrace trace;
   std::optional<LoopMidline> midline;  ///< Of a loop with a period.
@@ -121,25 +116,27 @@ void combine_midlines(const std::vector<LoopResult>& loops, const gravity::Rippl
     const std::optional<LoopMidline>& midline = loops.front().midline;
     if (midline) out.midline_Nm = midline->torque_Nm;
   } else if (!at_peak.empty()) {
-    out.positions = mean_over_positions(at_peak, angle, ripple, "cycles");
+    out.positions =
+        mean_over_positions(at_peak, angle, ripple, {"interval.scatter_of_cycles_and_recordings"});
     out.midline_Nm = out.positions->gravity_Nm;
   }
 }
 
 /// The motion of a recording, by harmonics or else by a spline; why not, if neither.
-std::string follow_the_angle(double encoder_step, LoopResult& loop) {
+Statement follow_the_angle(double encoder_step, LoopResult& loop) {
   loop.motion = motion::fit_oscillation_motion(loop.recording);
-  if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return "";
+  if (loop.motion && loop.motion->follows_the_angle(encoder_step)) return {};
   motion::MotionTrace trace = motion::trace_motion(loop.recording);
   loop.traced = std::move(trace.motion);
-  if (loop.traced) return "";
-  const std::string no_period =
-      loop.motion ? fmt::format(
-                        "the angle is no periodic motion: a harmonic series leaves {:.2g} "
-                        "rad of an amplitude of {:.2g} rad",
-                        loop.motion->residual_rad, loop.motion->amplitude_rad)
-                  : "the angle does not swing through one whole cycle";
-  return fmt::format("{}: {}; and {}", loop.recording.name, no_period, trace.refusal);
+  if (loop.traced) return {};
+  if (!loop.motion) {
+    return {"loop.no_whole_cycle", {{"recording", loop.recording.name}, {"why", trace.refusal}}};
+  }
+  return {"loop.angle_not_periodic",
+          {{"recording", loop.recording.name},
+           {"residual_rad", loop.motion->residual_rad},
+           {"amplitude_rad", loop.motion->amplitude_rad},
+           {"why", trace.refusal}}};
 }
 
 /// Without cycles and noise of the torque.
@@ -166,7 +163,7 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
                      const gravity::Ripple& ripple, HysteresisResult& out) {
   std::vector<LuGreInput> inputs;
   std::vector<LoopTrace*> traces;
-  std::string not_followed;
+  Statement not_followed;
   for (LoopResult& loop : loops) {
     if (!loop.why_not_followed.empty()) {
       if (not_followed.empty()) not_followed = loop.why_not_followed;
@@ -178,11 +175,11 @@ void observe_bristle(std::vector<LoopResult>& loops, double gear_ratio, double q
   }
   LuGreFit fit;
   if (!inputs.empty()) fit = fit_lugre(inputs, gear_ratio, q_peak, ripple);
-  if (!not_followed.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + not_followed;
+  fit.reason.add(not_followed);
   if (!loops.front().trace.z_rad.empty()) {
-    out.bristle_source = "recorded";
+    out.bristle_source = {"loop.bristle_recorded"};
   } else if (fit.gravity_Nm && traces.front() == &loops.front().trace) {
-    out.bristle_source = "LuGre model fitted to the loop";
+    out.bristle_source = {"loop.bristle_fitted"};
   }
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
     if (!traces[r]->z_rad.empty()) continue;
@@ -204,7 +201,6 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
     return out;
   }
   std::vector<LoopResult> loops;
-  std::vector<std::string> reasons;
   for (const joint::Recording* whole : oscillations) {
     LoopResult loop;
     loop.recording = motion::moving_part(*whole);
@@ -214,7 +210,7 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
     // Rounding by the print lies on top of a step that is not known.
     loop.why_not_followed = follow_the_angle(is_of_print ? 0.0 : step, loop);
     if (!loop.motion && !loop.traced) {
-      reasons.push_back(loop.why_not_followed);
+      out.stage.reason.add(loop.why_not_followed);
       continue;
     }
     loop.trace = make_trace(recording);
@@ -222,11 +218,12 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
     loop.oscillation.step_is_of_print = is_of_print;
     const double width = 2 * loop.oscillation.amplitude_rad;
     if (step > 0 && width < motion::fewest_steps_in_presliding * step) {
-      reasons.push_back(fmt::format(
-          "{}: the angle's step of {:.3g} rad leaves {:.1f} steps in the loop's width "
-          "of {:.3g} rad; "
-          "at least {:.0f} are needed",
-          recording.name, step, width / step, width, motion::fewest_steps_in_presliding));
+      out.stage.reason.add({"loop.width_not_resolved",
+                            {{"recording", recording.name},
+                             {"step_rad", step},
+                             {"steps", width / step},
+                             {"width_rad", width},
+                             {"needed", motion::fewest_steps_in_presliding}}});
       out.encoder_step_rad = step;
       out.step_is_of_print = is_of_print;
       continue;
@@ -241,15 +238,10 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
       loop.trace.midline_q_rad = loop.midline->q_rad;
       loop.trace.midline_Nm = loop.midline->midline_Nm;
       if (loop.midline->start_up_included) {
-        reasons.push_back(fmt::format(
-            "{}: only one cycle was recorded; its mid-line still holds the start-up stroke",
-            recording.name));
+        out.stage.reason.add({"loop.start_up_in_midline", {{"recording", recording.name}}});
       }
     }
     loops.push_back(std::move(loop));
-  }
-  for (const std::string& reason : reasons) {
-    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") + reason;
   }
   if (loops.empty()) {
     out.stage.state = statistics::StageState::not_identifiable;
@@ -261,7 +253,7 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
 
   out.found = true;
   out.stage.state =
-      reasons.empty() ? statistics::StageState::done : statistics::StageState::partial;
+      out.stage.reason.empty() ? statistics::StageState::done : statistics::StageState::partial;
   const LoopResult& first = loops.front();
   combine_midlines(loops, rough.ripple, gear_ratio, out);
   out.midline_q_rad = first.oscillation.centre_rad;
@@ -291,9 +283,8 @@ HysteresisResult identify_hysteresis(const std::vector<const joint::Recording*>&
     }
   } else {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason += (out.stage.reason.empty() ? "" : "; ") +
-                        std::string("no bristle deflection is to be had: ") +
-                        (out.lugre ? out.lugre->reason : "");
+    out.stage.reason.add(
+        {"loop.no_bristle_deflection", {{"why", out.lugre ? out.lugre->reason : Statement{}}}});
   }
   for (LoopResult& loop : loops) {
     out.oscillations.push_back(loop.oscillation);

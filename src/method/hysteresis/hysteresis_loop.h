@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/lugre_fit.h"
@@ -60,7 +61,8 @@ struct Oscillation {
 struct HysteresisResult {
   statistics::StageReport stage;
   bool found{false};
-  std::string bristle_source;             ///< "recorded" or "LuGre model fitted to the loop" or "".
+  /// "loop.bristle_recorded", "loop.bristle_fitted", or empty where there is no deflection.
+  Statement bristle_source;
   std::vector<Oscillation> oscillations;  ///< One per recording used.
   std::vector<LoopTrace> traces;
   /// The paper's reading: from the first strokes of the first recording, in the order A..F.

@@ -98,12 +98,12 @@ std::optional<LoopMidline> find_loop_midline(const joint::Recording& recording,
     for (double m : out.cycle_means_Nm) squares += (m - mean) * (m - mean);
     const double error = std::sqrt(squares / (n - 1) / n);
     out.torque_Nm = statistics::symmetric_estimate(mean, statistics::student_t_975(n - 1) * error,
-                                                   "scatter of the cycles");
+                                                   {"interval.scatter_of_cycles"});
   } else {
     const double samples = (last - first) / sample;
     out.torque_Nm = statistics::symmetric_estimate(
         mean, statistics::normal_975 * white_noise_Nm / std::sqrt(samples),
-        "white noise only: fewer than three steady cycles");
+        {"interval.white_noise_only"});
   }
   add_branches(recording, motion, first, last, out);
   return out;

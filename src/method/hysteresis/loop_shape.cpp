@@ -35,7 +35,10 @@ statistics::Estimate stiffness_of(const std::vector<double>& values) {
   for (const double v : values) squares += std::pow(v - mean, 2);
   const double half = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
   const double share = std::min(half / mean, 0.99);
-  return {1 / mean, 1 / (mean * (1 + share)), 1 / (mean * (1 - share)), "scatter of the strokes"};
+  return {1 / mean,
+          1 / (mean * (1 + share)),
+          1 / (mean * (1 - share)),
+          {"interval.scatter_of_strokes"}};
 }
 
 std::optional<statistics::Estimate> stiffness_behind_turns(

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "method/hysteresis/lugre_ladder.h"
 
 namespace tribolog::method::hysteresis {
@@ -26,27 +24,25 @@ double growth_needed(const LuGreParameter& p, const LuGreFit& fit) {
   return std::min(growth, most);
 }
 
-std::string past_stribeck(const LuGreFit& fit, double n, const std::optional<double>& stribeck) {
-  const std::string here =
-      fmt::format("these loops reach {:.2g} rad/s at the motor", fit.peak_speed_rad_s);
+Statement past_stribeck(const LuGreFit& fit, double n, const std::optional<double>& stribeck) {
   if (!stribeck) {
-    return fmt::format(
-        "an oscillation whose peak motor speed 2π f n a passes the Stribeck velocity, beside this "
-        "one ({}); runs at constant speed would tell that velocity",
-        here);
+    return {"lugre_experiment.past_unknown_stribeck_speed",
+            {{"peak_speed_rad_s", fit.peak_speed_rad_s}}};
   }
   const double peak = 2 * *stribeck;
   const double fast_Hz = 5 * fit.frequency_Hz;
   const auto amplitude = [&](double f) { return peak / (2 * std::numbers::pi * f * n); };
-  return fmt::format(
-      "an oscillation beside this one whose peak motor speed passes the Stribeck velocity of the "
-      "runs at constant speed, {:.2g} rad/s, twofold ({}): {:.2g} Hz with {:.2g} rad at the joint, "
-      "or {:.2g} Hz with {:.2g} rad",
-      *stribeck, here, fit.frequency_Hz, amplitude(fit.frequency_Hz), fast_Hz, amplitude(fast_Hz));
+  return {"lugre_experiment.past_stribeck_speed",
+          {{"stribeck_speed_rad_s", *stribeck},
+           {"peak_speed_rad_s", fit.peak_speed_rad_s},
+           {"frequency_Hz", fit.frequency_Hz},
+           {"amplitude_rad", amplitude(fit.frequency_Hz)},
+           {"fast_frequency_Hz", fast_Hz},
+           {"fast_amplitude_rad", amplitude(fast_Hz)}}};
 }
 
-std::string experiment_for(const LuGreParameter& p, const LuGreFit& fit, double n,
-                           const std::optional<double>& stribeck) {
+Statement experiment_for(const LuGreParameter& p, const LuGreFit& fit, double n,
+                         const std::optional<double>& stribeck) {
   const double amplitude = fit.motor_amplitude_rad / n;
   const double growth = growth_needed(p, fit);
   if (p.name == "coulomb_Nm" || p.name == "stribeck_speed_rad_s" ||
@@ -54,22 +50,20 @@ std::string experiment_for(const LuGreParameter& p, const LuGreFit& fit, double 
     return past_stribeck(fit, n, stribeck);
   }
   if (p.name == "static_Nm" || p.name == "bristle_stiffness_Nm_rad") {
-    return fmt::format(
-        "an oscillation of larger amplitude, {:.2g} rad at the joint and more, until the ends of "
-        "the loop flatten "
-        "(it was {:.2g} rad)",
-        3 * amplitude, amplitude);
+    return {"lugre_experiment.larger_amplitude",
+            {{"larger_rad", 3 * amplitude}, {"amplitude_rad", amplitude}}};
   }
   if (p.name == "inertia_kgm2") {
-    return fmt::format("another oscillation of the same amplitude at {:.2g} Hz",
-                       fit.frequency_Hz * std::max(2.0, std::sqrt(growth)));
+    return {"lugre_experiment.other_frequency",
+            {{"frequency_Hz", fit.frequency_Hz * std::max(2.0, std::sqrt(growth))}}};
   }
-  const std::string second = fmt::format("another oscillation of the same amplitude at {:.2g} Hz",
-                                         fit.frequency_Hz * growth);
-  if (p.name != "viscous_Nms_rad") return second;
+  const double higher_Hz = fit.frequency_Hz * growth;
+  if (p.name != "viscous_Nms_rad") {
+    return {"lugre_experiment.other_frequency", {{"frequency_Hz", higher_Hz}}};
+  }
   constexpr double most_by_frequency = 10;
-  const std::string runs = "runs at constant speed";
-  return growth > most_by_frequency ? runs : runs + ", or " + second;
+  if (growth > most_by_frequency) return {"lugre_experiment.runs"};
+  return {"lugre_experiment.runs_or_other_frequency", {{"frequency_Hz", higher_Hz}}};
 }
 
 }  // namespace
@@ -77,7 +71,8 @@ std::string experiment_for(const LuGreParameter& p, const LuGreFit& fit, double 
 LuGreFit with_experiments(LuGreFit fit, double gear_ratio,
                           const std::optional<double>& stribeck_speed_rad_s) {
   for (LuGreParameter& p : fit.parameters) {
-    p.experiment = p.estimate ? "" : experiment_for(p, fit, gear_ratio, stribeck_speed_rad_s);
+    p.experiment =
+        p.estimate ? Statement{} : experiment_for(p, fit, gear_ratio, stribeck_speed_rad_s);
   }
   return fit;
 }

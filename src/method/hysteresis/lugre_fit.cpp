@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 #include "base/requirements.h"
 #include "method/hysteresis/lugre_experiments.h"
@@ -165,9 +164,8 @@ void describe_loops(const std::vector<LuGreInput>& inputs, const LuGreProblem& p
     loop.height_Nm = problem.models()[r].height_Nm();
     loop.misfit = loop_misfit(recording, loop.torque_Nm, problem.models()[r].speed_rad_s());
     if (climb.free.starts) {
-      loop.gravity_Nm =
-          statistics::symmetric_estimate(climb.point.locals[r].gravity_Nm, half_width(column),
-                                         "LuGre fit, blocks of half a cycle");
+      loop.gravity_Nm = statistics::symmetric_estimate(
+          climb.point.locals[r].gravity_Nm, half_width(column), {"interval.lugre_fit_blocks"});
       // The loop shows the deflection at its start within an interval; where that holds zero, the
       // arm started from rest and z = 0 is the simpler truth.
       loop.start_deflection_rad = climb.point.locals[r].start_rad;
@@ -195,7 +193,8 @@ PositionMean gravity_over_positions(const std::vector<LuGreInput>& inputs, const
     each.push_back(present(fit.loops[r].gravity_Nm));
     angle.push_back(gear_ratio * inputs[r].centre_rad());
   }
-  return mean_over_positions(each, angle, ripple, "half cycles");
+  return mean_over_positions(each, angle, ripple,
+                             {"interval.scatter_of_half_cycles_and_recordings"});
 }
 
 /// All that resampling needs.
@@ -225,28 +224,18 @@ const char* rung_name(LuGreRung rung) {
   return "";
 }
 
-std::string what_is_not_shown(const LuGreFit& fit) {
-  switch (fit.rung.front()) {
-    case 'e':
-      return fmt::format(
-          "the loops do not bend: friction stays elastic up to {:.2g} N·m about the middle, so "
-          "that neither static torque nor gravity torque nor the bristle deflection shows; a "
-          "larger amplitude would show them",
-          fit.height_Nm / 2);
-    case 'l':
-      return fmt::format(
-          "the motor stays below {:.3g} rad/s in the loops: Coulomb torque and Stribeck velocity "
-          "do "
-          "not show in them and are taken from the constant-speed runs",
-          fit.peak_speed_rad_s);
-    case 'c':
-      return fmt::format(
-          "the motor stays below {:.3g} rad/s in the loops, where friction has only begun to fall "
-          "with speed: Coulomb torque and Stribeck velocity do not show apart",
-          fit.peak_speed_rad_s);
-    default:
-      return "";
+Statement what_is_not_shown(LuGreRung rung, const LuGreFit& fit) {
+  switch (rung) {
+    case LuGreRung::elastic:
+      return {"lugre.loops_do_not_bend", {{"elastic_up_to_Nm", fit.height_Nm / 2}}};
+    case LuGreRung::level:
+      return {"lugre.loops_too_slow", {{"peak_speed_rad_s", fit.peak_speed_rad_s}}};
+    case LuGreRung::curvature:
+      return {"lugre.stribeck_not_apart", {{"peak_speed_rad_s", fit.peak_speed_rad_s}}};
+    case LuGreRung::whole:
+      return {};
   }
+  return {};
 }
 
 /// Of each recording.
@@ -260,14 +249,13 @@ std::vector<std::size_t> samples_in_rows(const LuGreProblem& problem) {
 void add_grain(const std::vector<std::size_t>& samples_in_row, LuGreFit& fit) {
   for (std::size_t r = 0; r < fit.loops.size(); ++r) {
     if (samples_in_row[r] == 1) continue;
-    fit.reason +=
-        fmt::format("{}{}: the mean of each {} neighbouring samples is fitted",
-                    fit.reason.empty() ? "" : "; ", fit.loops[r].recording, samples_in_row[r]);
+    fit.reason.add({"lugre.neighbours_averaged",
+                    {{"recording", fit.loops[r].recording}, {"samples", samples_in_row[r]}}});
   }
 }
 
-/// Of the loop that noise explains worst, in words; empty where it explains all of them.
-std::string worst_misfit(const LuGreFit& fit) {
+/// Of the loop that noise explains worst; empty where it explains all of them.
+Statement worst_misfit(const LuGreFit& fit) {
   const LuGreLoop* worst = nullptr;
   const auto share = [](const LuGreLoop& loop) {
     return loop.residual_Nm / loop.traced->explained_Nm;
@@ -276,8 +264,8 @@ std::string worst_misfit(const LuGreFit& fit) {
     if (loop.traced && (worst == nullptr || share(loop) > share(*worst))) worst = &loop;
   }
   return worst == nullptr
-             ? ""
-             : misfit_in_words(worst->recording, present(worst->traced), worst->residual_Nm);
+             ? Statement{}
+             : described_misfit(worst->recording, present(worst->traced), worst->residual_Nm);
 }
 
 }  // namespace
@@ -299,19 +287,19 @@ std::optional<statistics::Estimate> LuGreFit::shown(const std::string& name) con
 
 LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, double q_peak_rad,
                    const gravity::Ripple& ripple) {
-  if (loops.empty()) throw std::invalid_argument("the LuGre fit needs at least one loop");
+  if (loops.empty()) throw std::invalid_argument("no loops");
   LuGreFit fit;
   LuGreProblem problem = problem_of(loops, gear_ratio, q_peak_rad, all_samples);
   describe_excitation(loops, problem, fit);
   if (!(fit.height_Nm > 0)) {
-    fit.reason = "the torque is the same all over the loop: there is no friction in it to fit";
+    fit.reason = {"lugre.no_friction_to_fit"};
     return fit;
   }
   LuGreClimb climb = climb_from_coarse(loops, gear_ratio, q_peak_rad, problem);
   fit.iterations = climb.evaluations;
   fit.rung = rung_name(climb.rung);
   if (!climb.converged) {
-    fit.reason = "the LuGre model could not be fitted to the loops from any of the first guesses";
+    fit.reason = {"lugre.not_converged"};
     return fit;
   }
   fit.converged = true;
@@ -338,18 +326,16 @@ LuGreFit fit_lugre(const std::vector<LuGreInput>& loops, double gear_ratio, doub
                          ? fit.positions->gravity_Nm
                          : gravity::with_ripple(fit.positions->gravity_Nm, ripple);
   }
-  fit.reason = what_is_not_shown(fit);
+  fit.reason = what_is_not_shown(climb.rung, fit);
   const auto stiffness = fit.shown("bristle_stiffness_Nm_rad");
   const auto level = fit.shown("static_Nm");
   if (stiffness && level && fit.motor_amplitude_rad * stiffness->value < level->value) {
-    fit.reason += fmt::format(
-        "; the loops reach only {:.0f} % of the way to sliding, so the static torque is "
-        "extrapolated: a larger amplitude would show it",
-        100 * fit.motor_amplitude_rad * stiffness->value / level->value);
+    fit.reason.add({"lugre.static_torque_extrapolated",
+                    {{"way_to_sliding_percent",
+                      100 * fit.motor_amplitude_rad * stiffness->value / level->value}}});
   }
   add_grain(samples_in_row, fit);
-  const std::string misfit = worst_misfit(fit);
-  if (!misfit.empty()) fit.reason += (fit.reason.empty() ? "" : "; ") + misfit;
+  fit.reason.add(worst_misfit(fit));
   fit.linearised = std::make_shared<statistics::LinearisedFit>(
       linearised(climb, std::move(readings.shown), loops.size(), samples_in_row.front()));
   return with_experiments(std::move(fit), gear_ratio, std::nullopt);

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "method/hysteresis/loop_misfit.h"
 #include "method/hysteresis/lugre_problem.h"
@@ -42,8 +43,8 @@ struct LuGreParameter {
   /// Torque (rms over the samples) that the parameter makes and no other can imitate; absent where
   /// it was held.
   std::optional<double> effect_Nm;
-  std::string why_not;     ///< Why it is not shown; empty if it is.
-  std::string experiment;  ///< What would show it; empty if it is shown.
+  Statement why_not;     ///< Why it is not shown; empty if it is.
+  Statement experiment;  ///< What would show it; empty if it is shown.
 };
 
 /// Names, in the order of LuGreFit::parameters.
@@ -62,11 +63,11 @@ inline constexpr const char* lugre_parameter_names[] = {
 /// recordings other than the first are projected out, and rows are averaged: a unit change along a
 /// direction changes the torque by its singular value [N·m, rms].
 struct LuGreIdentifiability {
-  std::vector<std::string> names;          ///< Of the columns, in words.
-  std::vector<double> singular_values_Nm;  ///< Descending.
-  double condition{};                      ///< First over last.
-  std::vector<double> weakest;             ///< Direction of the last, by names.
-  std::string weakest_in_words;
+  std::vector<Statement> names;                  ///< Of the columns.
+  std::vector<double> singular_values_Nm;        ///< Descending.
+  double condition{};                            ///< First over last.
+  std::vector<double> weakest;                   ///< Direction of the last, by names.
+  Statement weakest_statement;                   ///< Columns that make it up, the largest first.
   std::vector<std::vector<double>> correlation;  ///< Of the estimates, by names.
 };
 
@@ -104,7 +105,7 @@ struct LuGreFit {
   double motor_amplitude_rad{};  ///< Largest.
   double frequency_Hz{};         ///< Of the loop with the largest motor amplitude.
   int iterations{};
-  std::string reason;  ///< Why nothing was fitted, or what the loops cannot show, in words.
+  Statement reason;  ///< Why nothing was fitted, or what the loops cannot show.
   // For resampling, not stored.
   /// Gravity before ripple is laid on it; present with gravity_Nm.
   std::optional<PositionMean> positions;

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 namespace tribolog::method::hysteresis {
 namespace {
 
 using Shared = LuGreShared;
 
-constexpr const char* interval_from = "loop fit, blocks of half a cycle";
+constexpr Code interval_from{"interval.loop_fit_blocks"};
 
 using Reading = statistics::LinearisedReading;
 
@@ -68,23 +67,23 @@ LuGreParameter judged(const char* unit, const Reading& r, const Reader& reader,
   const bool is_bounded = std::isfinite(half) && std::isfinite(*out.effect_Nm);
   const bool has_effect = *out.effect_Nm > smallest;
   if (!is_bounded) {
-    out.why_not = "these loops would look the same with any value of it";
+    out.why_not = {"lugre.any_value_fits"};
   } else if (!has_effect) {
-    out.why_not = fmt::format(
-        "what it alone can explain is {:.2g} N·m (rms), below {:.2g} N·m, {:g} of the loop's "
-        "height",
-        *out.effect_Nm, smallest, smallest_effect);
+    out.why_not = {"lugre.effect_too_small",
+                   {{"effect_Nm", *out.effect_Nm},
+                    {"smallest_Nm", smallest},
+                    {"smallest_share", smallest_effect}}};
   } else if (relative < widest_shown) {
     out.estimate = estimate_of(r, half);
   } else {
     const statistics::Estimate wide = estimate_of(r, half);
-    out.why_not = fmt::format("its 95 % interval is {:.2g} to {:.2g} {}, wider than half its value",
-                              wide.low, wide.high, unit);
+    out.why_not = {"lugre.interval_too_wide",
+                   {{"low", wide.low}, {"high", wide.high}, {"unit", unit}}};
   }
   return out;
 }
 
-LuGreParameter held(const char* name, std::optional<double> at, std::string why) {
+LuGreParameter held(const char* name, std::optional<double> at, Statement why) {
   LuGreParameter out;
   out.name = name;
   out.held_at = at;
@@ -93,7 +92,7 @@ LuGreParameter held(const char* name, std::optional<double> at, std::string why)
 }
 
 struct Size {
-  const char* words;
+  Code name;
   double value;
 };
 
@@ -103,40 +102,42 @@ Size size_of(Shared::Index parameter, const LuGreClimb& climb, double peak_speed
   const double friction = climb.height_Nm / 2;
   switch (parameter) {
     case Shared::log_stiffness:
-      return {"bristle stiffness", 1};
+      return {"lugre_column.bristle_stiffness", 1};
     case Shared::log_static:
-      return {"static torque", 1};
+      return {"lugre_column.static_torque", 1};
     case Shared::log_share:
-      return {"Coulomb torque", 1};
+      return {"lugre_column.coulomb_torque", 1};
     case Shared::fall:
-      return {"Stribeck velocity", climb.rung == LuGreRung::whole
-                                       ? 2 * climb.point.shared(Shared::fall)
-                                       : climb.point.shared(Shared::fall)};
+      return {"lugre_column.stribeck_speed", climb.rung == LuGreRung::whole
+                                                 ? 2 * climb.point.shared(Shared::fall)
+                                                 : climb.point.shared(Shared::fall)};
     case Shared::damping:
-      return {"bristle damping", friction / peak_speed};
+      return {"lugre_column.bristle_damping", friction / peak_speed};
     case Shared::viscous:
-      return {"viscous coefficient", friction / peak_speed};
+      return {"lugre_column.viscous_coefficient", friction / peak_speed};
     case Shared::inertia:
-      return {"inertia", friction / peak_acceleration};
+      return {"lugre_column.inertia", friction / peak_acceleration};
   }
-  return {"", 1};
+  return {{}, 1};
 }
 
-std::string direction_in_words(const std::vector<std::string>& names,
-                               const std::vector<double>& direction) {
+/// The columns that make up a direction, the largest first, each with the sense in which it goes.
+Statement described_direction(const std::vector<Statement>& names,
+                              const std::vector<double>& direction) {
   constexpr double worth_naming = 0.3;
   std::vector<std::size_t> order(names.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(direction[a]) > std::abs(direction[b]);
   });
-  std::string words = names[order.front()];
+  Statement found = names[order.front()];
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (std::abs(direction[order[i]]) < worth_naming) break;
     const bool same_side = direction[order[i]] * direction[order.front()] > 0;
-    words += (same_side ? " together with " : " against ") + names[order[i]];
+    found = {same_side ? Code{"lugre_column.together_with"} : Code{"lugre_column.against"},
+             {{"columns", found}, {"column", names[order[i]]}}};
   }
-  return words;
+  return found;
 }
 
 }  // namespace
@@ -150,15 +151,13 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
   const double fall = p(Shared::fall);
   LuGreReadings out;
   /// Why a parameter that could have been fitted was not: `otherwise`, or what came of it.
-  const auto why_held = [&](Shared::Index parameter, const char* unit, const char* otherwise) {
+  const auto why_held = [&](Shared::Index parameter, const char* unit,
+                            const Statement& otherwise) -> Statement {
     for (const NegativeOutcome& n : climb.negative) {
       if (n.parameter != parameter) continue;
-      return fmt::format(
-          "fitted freely it comes out at {:.3g} {}, which no joint has: the loops depart from the "
-          "model where it would act",
-          n.value, unit);
+      return {"lugre.negative", {{"value", n.value}, {"unit", unit}}};
     }
-    return std::string(otherwise);
+    return otherwise;
   };
   const auto judge = [&](const char* name, const char* unit, Reading r) {
     r.name = name;
@@ -170,23 +169,19 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
     judge("bristle_damping_Nms_rad", "N·m·s/rad", reader.plain(Shared::damping));
   } else {
     out.parameters.push_back(
-        held("bristle_damping_Nms_rad", 0.0, why_held(Shared::damping, "N·m·s/rad", "")));
+        held("bristle_damping_Nms_rad", 0.0, why_held(Shared::damping, "N·m·s/rad", {})));
   }
   if (climb.column(Shared::viscous) >= 0) {
     judge("viscous_Nms_rad", "N·m·s/rad", reader.plain(Shared::viscous));
   } else {
     out.parameters.push_back(
         held("viscous_Nms_rad", 0.0,
-             why_held(Shared::viscous, "N·m·s/rad",
-                      "bristle damping has the same effect on these loops: the two show as a "
-                      "sum")));
+             why_held(Shared::viscous, "N·m·s/rad", {"lugre.viscous_looks_like_damping"})));
   }
   if (climb.column(Shared::log_static) >= 0) {
     judge("static_Nm", "N·m", reader.product(ts, {{Shared::log_static, 1}}));
   } else {
-    out.parameters.push_back(
-        held("static_Nm", std::nullopt,
-             "the loop does not bend: friction stays elastic over the whole stroke"));
+    out.parameters.push_back(held("static_Nm", std::nullopt, {"lugre.loop_does_not_bend"}));
   }
   const bool whole = climb.rung == LuGreRung::whole;
   if (whole) {
@@ -195,12 +190,9 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
     judge("stribeck_speed_rad_s", "rad/s",
           reader.product(1 / std::sqrt(fall), {{Shared::fall, -0.5 / fall}}));
   } else {
-    const std::string why = fmt::format(
-        "the motor stays below {:.3g} rad/s in the loops{}", peak_speed_rad_s,
-        climb.rung == LuGreRung::curvature ? ", where friction has only begun to fall: of Ts, Tc "
-                                             "and the Stribeck velocity no more "
-                                             "than (Ts - Tc)/ws² shows"
-                                           : ", where friction does not yet fall with speed");
+    const Statement why{climb.rung == LuGreRung::curvature ? Code{"lugre.friction_begins_to_fall"}
+                                                           : Code{"lugre.friction_not_yet_falling"},
+                        {{"peak_speed_rad_s", peak_speed_rad_s}}};
     out.parameters.push_back(held("coulomb_Nm", std::nullopt, why));
     out.parameters.push_back(held("stribeck_speed_rad_s", std::nullopt, why));
   }
@@ -211,15 +203,13 @@ LuGreReadings read_lugre_parameters(const LuGreClimb& climb, double peak_speed_r
                                                    {Shared::fall, 1 / fall}}));
   } else {
     out.parameters.push_back(
-        held("speed_weakening_Nms2_rad2", 0.0, "friction is the same at all speeds of the loops"));
+        held("speed_weakening_Nms2_rad2", 0.0, {"lugre.same_friction_at_all_speeds"}));
   }
   if (climb.column(Shared::inertia) >= 0) {
     judge("inertia_kgm2", "kg·m²", reader.plain(Shared::inertia));
   } else {
-    out.parameters.push_back(
-        held("inertia_kgm2", 0.0,
-             why_held(Shared::inertia, "kg·m²",
-                      "at one frequency its torque has the shape of the bristles' elastic one")));
+    out.parameters.push_back(held(
+        "inertia_kgm2", 0.0, why_held(Shared::inertia, "kg·m²", {"lugre.inertia_looks_elastic"})));
   }
   return out;
 }
@@ -232,7 +222,7 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   std::vector<double> sizes;
   const auto use = [&](Eigen::Index column, const Size& size) {
     columns.push_back(column);
-    out.names.emplace_back(size.words);
+    out.names.emplace_back(size.name);
     sizes.push_back(size.value);
   };
   for (const Shared::Index parameter : climb.free.shared) {
@@ -241,9 +231,9 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   }
   const double friction = climb.height_Nm / 2;
   const Eigen::Index gravity = LuGreProblem::gravity_column(climb.free, 0);
-  use(gravity, {"gravity torque", friction});
+  use(gravity, {"lugre_column.gravity_torque", friction});
   if (climb.free.starts) {
-    use(gravity + 1, {"deflection at the start",
+    use(gravity + 1, {"lugre_column.deflection_at_start",
                       friction / std::exp(climb.point.shared(Shared::log_stiffness))});
   }
   const auto n = static_cast<Eigen::Index>(columns.size());
@@ -265,7 +255,7 @@ LuGreIdentifiability lugre_identifiability(const LuGreClimb& climb, double peak_
   }
   out.condition = svd.singularValues()(0) / svd.singularValues()(n - 1);
   for (Eigen::Index k = 0; k < n; ++k) out.weakest.push_back(svd.matrixU()(k, 0));
-  out.weakest_in_words = direction_in_words(out.names, out.weakest);
+  out.weakest_statement = described_direction(out.names, out.weakest);
   for (Eigen::Index a = 0; a < n; ++a) {
     std::vector<double> row;
     for (Eigen::Index b = 0; b < n; ++b) {

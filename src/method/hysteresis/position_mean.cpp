@@ -35,7 +35,7 @@ double quarter_period_rad(const gravity::Ripple& ripple) {
 
 /// The plain mean, with the wider of the own intervals and of the scatter.
 statistics::Estimate plain_mean(const std::vector<statistics::Estimate>& all,
-                                const std::string& from_one_source) {
+                                const Statement& scatter) {
   if (all.size() == 1) return all.front();
   const auto n = static_cast<double>(all.size());
   double mean = 0;
@@ -47,15 +47,13 @@ statistics::Estimate plain_mean(const std::vector<statistics::Estimate>& all,
   double squares = 0;
   for (const statistics::Estimate& e : all) squares += std::pow(e.value - mean, 2);
   const double between = statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return statistics::symmetric_estimate(
-      mean, std::max(std::sqrt(own), between),
-      "scatter of the " + from_one_source + " and of the recordings");
+  return statistics::symmetric_estimate(mean, std::max(std::sqrt(own), between), scatter);
 }
 
 /// Sorted by angle, repeats of one position averaged.
 Positions without_repeats(const std::vector<statistics::Estimate>& gravity_Nm,
                           const std::vector<double>& motor_angle_rad, double together_rad,
-                          const std::string& from_one_source) {
+                          const Statement& scatter) {
   std::vector<std::size_t> order(gravity_Nm.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -72,7 +70,7 @@ Positions without_repeats(const std::vector<statistics::Estimate>& gravity_Nm,
       here.push_back(gravity_Nm[order[k]]);
       angle += motor_angle_rad[order[k]];
     }
-    out.gravity_Nm.push_back(plain_mean(here, from_one_source));
+    out.gravity_Nm.push_back(plain_mean(here, scatter));
     out.angle_rad.push_back(angle / static_cast<double>(here.size()));
     first = k;
   }
@@ -140,18 +138,17 @@ std::size_t distinct_positions(std::vector<double> motor_angle_rad, const gravit
 
 PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravity_Nm,
                                  const std::vector<double>& motor_angle_rad,
-                                 const gravity::Ripple& ripple,
-                                 const std::string& from_one_source) {
+                                 const gravity::Ripple& ripple, const Statement& scatter) {
   if (gravity_Nm.empty() || gravity_Nm.size() != motor_angle_rad.size()) {
-    throw std::invalid_argument("no recordings to combine, or not one angle of each");
+    throw std::invalid_argument("angles missing");
   }
   // Repeats return to an angle within a fraction of what changes the ripple.
   constexpr double together = 0.1;
-  const Positions at = without_repeats(gravity_Nm, motor_angle_rad,
-                                       together * quarter_period_rad(ripple), from_one_source);
+  const Positions at =
+      without_repeats(gravity_Nm, motor_angle_rad, together * quarter_period_rad(ripple), scatter);
   PositionMean out;
   if (distinct_positions(at.angle_rad, ripple) < fewest_positions) {
-    out.gravity_Nm = plain_mean(at.gravity_Nm, from_one_source);
+    out.gravity_Nm = plain_mean(at.gravity_Nm, scatter);
     return out;
   }
   const Eigen::MatrixXd x = position_design(at.angle_rad, ripple);
@@ -167,7 +164,8 @@ PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravit
   const double variance = residuals.squaredNorm() / out.freedom * inverse(0, 0);
   out.gravity_Nm = statistics::symmetric_estimate(
       c(0), statistics::student_t_975(out.freedom) * std::sqrt(variance),
-      x.cols() > 1 ? "scatter of the positions about the ripple" : "scatter of the positions");
+      x.cols() > 1 ? Statement{"interval.scatter_of_positions_about_ripple"}
+                   : Statement{"interval.scatter_of_positions"});
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/gravity/ripple_spectrum.h"
 #include "statistics/estimate.h"
 
@@ -39,11 +40,11 @@ struct PositionMean {
 /// distinct positions: the wider of the recordings' own intervals and of their scatter.
 /// @param gravity_Nm of each recording, at the gravity peak, motor side.
 /// @param motor_angle_rad centres of the oscillations, one of each.
-/// @param from_one_source what scatters within a recording: "cycles".
+/// @param scatter what the interval of fewer than three positions comes from.
 /// @throw std::invalid_argument if there is none, or the sizes differ.
 PositionMean mean_over_positions(const std::vector<statistics::Estimate>& gravity_Nm,
                                  const std::vector<double>& motor_angle_rad,
-                                 const gravity::Ripple& ripple, const std::string& from_one_source);
+                                 const gravity::Ripple& ripple, const Statement& scatter);
 
 /// Share of a line's amplitude left in the mean over these motor angles, 0 to 1.
 double share_left_in_mean(const gravity::RippleLine& line,

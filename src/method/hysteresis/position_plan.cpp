@@ -4,9 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "method/hysteresis/position_mean.h"
 #include "statistics/distributions.h"
 
@@ -77,23 +74,21 @@ std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
   return plan;
 }
 
-std::string ripple_in_words(const PositionPlan& plan, const gravity::Ripple& ripple) {
-  std::vector<std::string> periods;
-  for (const gravity::RippleLine& line : ripple.lines) {
-    periods.push_back(
-        fmt::format("{:.3g} N·m at {:.4g}", line.amplitude_Nm, line.periods_per_turn));
+Statement why_more_positions(const PositionPlan& plan, const gravity::Ripple& ripple) {
+  const StatedValue now{"half_width_now_Nm", plan.half_width_now_Nm};
+  const StatedValue further{"further", plan.further_rad.size()};
+  const StatedValue expected{"expected_half_width_Nm", plan.expected_half_width_Nm};
+  if (ripple.lines.empty()) {
+    return {"positions.ripple_without_period",
+            {{"standard_deviation_Nm", ripple.rest_Nm}, now, further, expected}};
   }
-  const std::string lines =
-      periods.empty()
-          ? fmt::format("a standard deviation of {:.3g} N·m without a clear period", ripple.rest_Nm)
-          : fmt::format("{} periods a motor turn", fmt::join(periods, " and "));
-  return fmt::format(
-      "the oscillation was recorded at one position only, where torque ripple is a constant that "
-      "no "
-      "repetition averages out: the sweep shows {}, so the gravity torque read from the loop is "
-      "known to ±{:.3g} N·m at the motor; oscillating at the {} further angles listed with the "
-      "cross-checks would bring ±{:.2g} N·m",
-      lines, plan.half_width_now_Nm, plan.further_rad.size(), plan.expected_half_width_Nm);
+  std::vector<Statement> lines;
+  for (const gravity::RippleLine& line : ripple.lines) {
+    lines.push_back(
+        {"positions.ripple_line",
+         {{"amplitude_Nm", line.amplitude_Nm}, {"periods_per_turn", line.periods_per_turn}}});
+  }
+  return {"positions.ripple_with_periods", {{"lines", lines}, now, further, expected}};
 }
 
 }  // namespace tribolog::method::hysteresis

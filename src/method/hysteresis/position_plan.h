@@ -2,9 +2,9 @@
 // Where to oscillate next: positions over which the ripple that the sweep shows averages out.
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/gravity/cog_sweep.h"
 #include "method/hysteresis/hysteresis_loop.h"
 
@@ -26,7 +26,7 @@ inline constexpr std::size_t planned_positions = 8;
 std::optional<PositionPlan> plan_positions(const gravity::CogSweepResult& rough,
                                            const HysteresisResult& hysteresis, double gear_ratio);
 
-/// Why the interval is as wide as it is, and what would narrow it: one sentence.
-std::string ripple_in_words(const PositionPlan& plan, const gravity::Ripple& ripple);
+/// Why the interval is as wide as it is, and what would narrow it.
+Statement why_more_positions(const PositionPlan& plan, const gravity::Ripple& ripple);
 
 }  // namespace tribolog::method::hysteresis

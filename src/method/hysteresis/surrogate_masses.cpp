@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "joint/gravity_load.h"
 
@@ -48,6 +46,13 @@ double cosine_at(const Context& c, double q_rad) {
   return c.q_peak_rad ? std::cos(q_rad - *c.q_peak_rad) : 1.0;
 }
 
+/// Whose gravity amplitude the mass stands for where there is no loop.
+Code mass_without_loop(const gravity::CogSweepResult& rough, const SurrogateMassesResult& out) {
+  if (rough.found) return {"masses.of_sweep_only"};
+  if (out.find("runs") != nullptr) return {"masses.of_runs_only"};
+  return {"masses.of_stated_gravity_only"};
+}
+
 /// The paper's six, the pair means, the mid-line and the loop fit.
 void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResult& hysteresis,
                      const Context& context, SurrogateMassesResult& out) {
@@ -55,8 +60,8 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
   for (const char name : loop_point_names) {
     const LoopPoint* p = find_point(hysteresis.points, name);
     if (p == nullptr) continue;
-    const statistics::Estimate torque{p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm,
-                                      "one reading"};
+    const statistics::Estimate torque{
+        p->torque_Nm, p->torque_low_Nm, p->torque_high_Nm, {"interval.one_reading"}};
     out.masses.push_back(make_mass(std::string(1, name), gravity::with_ripple(torque, ripple),
                                    p->q_rad, cosine_at(context, p->q_rad), context));
   }
@@ -69,7 +74,7 @@ void add_loop_masses(const gravity::CogSweepResult& rough, const HysteresisResul
     const double angle = (p->q_rad + q->q_rad) / 2;
     const double cosine = (cosine_at(context, p->q_rad) + cosine_at(context, q->q_rad)) / 2;
     const statistics::Estimate torque = statistics::symmetric_estimate(
-        (p->torque_Nm + q->torque_Nm) / 2, half_width, "scatter of the cycles");
+        (p->torque_Nm + q->torque_Nm) / 2, half_width, {"interval.scatter_of_cycles"});
     out.masses.push_back(
         make_mass({first, second}, gravity::with_ripple(torque, ripple), angle, cosine, context));
   }
@@ -130,36 +135,25 @@ SurrogateMassesResult identify_surrogate_masses(
     at_peak.q_peak_half_width = 0;
     const double torque = other.stated->amplitude_Nm() / gear_ratio;
     out.masses.push_back(make_mass(stated_estimator,
-                                   {torque, torque, torque, "stated in the manifest"},
+                                   {torque, torque, torque, {"interval.stated_in_manifest"}},
                                    other.stated->q_peak_rad(), 1.0, at_peak));
   }
 
   out.stage.name = "surrogate_masses";
   if (out.masses.empty()) {
     out.stage.state = statistics::StageState::skipped;
-    out.stage.reason =
-        "neither an oscillation, a sweep nor the runs give a gravity torque, so there is no "
-        "surrogate mass";
+    out.stage.reason = {"masses.no_gravity_torque"};
   } else if (!is_near_peak) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = fmt::format(
-        "the oscillation lies {:.0f}° from the gravity peak, where {:.0f} % of the gravity torque "
-        "show: the paper's six masses and the mid-line are not to be had there; oscillate at the "
-        "peak",
-        joint::degrees_per_rad * std::acos(loop_cosine), 100 * std::abs(loop_cosine));
+    out.stage.reason = {"masses.loop_far_from_peak",
+                        {{"distance_deg", joint::degrees_per_rad * std::acos(loop_cosine)},
+                         {"share_percent", 100 * std::abs(loop_cosine)}}};
   } else if (!hysteresis.found) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = fmt::format(
-        "without a hysteresis loop the paper's six masses and the mid-line are not to be had; the "
-        "mass is that of the {}",
-        rough.found                   ? "sweep's gravity amplitude"
-        : out.find("runs") != nullptr ? "gravity amplitude of the runs at constant speed"
-                                      : "gravity that the manifest states");
+    out.stage.reason = mass_without_loop(rough, out);
   } else if (hysteresis.points.empty()) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason =
-        "the points A to F were not found: no whole turn of the loop with its "
-        "bristle deflection";
+    out.stage.reason = {"masses.no_loop_points"};
   } else {
     out.stage.state = statistics::StageState::done;
   }

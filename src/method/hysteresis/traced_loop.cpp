@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 #include "base/parallel_for.h"
 #include "method/hysteresis/loop_shape.h"
@@ -158,7 +157,7 @@ TracedLoop describe_traced_loop(const joint::Recording& recording,
                                 const std::vector<double>& slope_Nm_rad, double gear_ratio) {
   TracedLoop out;
   out.noise_rad = motion.noise_rad;
-  out.noise_in_words = motion.noise_in_words();
+  out.noise_source = motion.noise_source();
   out.strokes = motion.strokes();
   double squares = 0;
   for (const double slope : slope_Nm_rad) squares += slope * slope;
@@ -176,21 +175,19 @@ TracedLoop describe_traced_loop(const joint::Recording& recording,
   return out;
 }
 
-std::string misfit_in_words(const std::string& recording, const TracedLoop& loop,
-                            double residual_Nm) {
-  if (residual_Nm <= misfit_factor * loop.explained_Nm) return "";
-  std::string words = fmt::format(
-      "{}: the model leaves {:.2g} N·m (standard deviation) where the noise of angle and torque "
-      "explains {:.2g} N·m: friction of this joint is not LuGre's, and its numbers are those of "
-      "the LuGre model that comes closest",
-      recording, residual_Nm, loop.explained_Nm);
+Statement described_misfit(const std::string& recording, const TracedLoop& loop,
+                           double residual_Nm) {
+  if (residual_Nm <= misfit_factor * loop.explained_Nm) return {};
+  Statement misfit{"lugre.misfit",
+                   {{"recording", recording},
+                    {"residual_Nm", residual_Nm},
+                    {"explained_Nm", loop.explained_Nm}}};
   if (loop.turn_stiffness_Nm_rad && loop.model_turn_stiffness_Nm_rad) {
-    words += fmt::format(
-        "; behind a reversal the model is {:.3g} N·m/rad stiff at the joint angle, the joint was "
-        "measured to be {:.3g} N·m/rad stiff",
-        loop.model_turn_stiffness_Nm_rad->value, loop.turn_stiffness_Nm_rad->value);
+    misfit.add({"lugre.misfit_behind_reversals",
+                {{"model_Nm_rad", loop.model_turn_stiffness_Nm_rad->value},
+                 {"measured_Nm_rad", loop.turn_stiffness_Nm_rad->value}}});
   }
-  return words;
+  return misfit;
 }
 
 }  // namespace tribolog::method::hysteresis

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "method/hysteresis/lugre_ladder.h"
 #include "method/hysteresis/lugre_problem.h"
@@ -35,9 +36,9 @@ Eigen::MatrixXd shifts_by_motion_noise(const std::vector<LuGreInput>& loops,
 // reversal as the joint was measured to be.
 
 struct TracedLoop {
-  double noise_rad{};          ///< Of the angle, standard deviation, joint side.
-  std::string noise_in_words;  ///< What tells it.
-  std::size_t strokes{};       ///< Between reversals.
+  double noise_rad{};      ///< Of the angle, standard deviation, joint side.
+  Statement noise_source;  ///< What tells it.
+  std::size_t strokes{};   ///< Between reversals.
   /// Scatter of the torque that the noise of angle and torque can explain: the angle's noise times
   /// the model's slope, and the torque's white noise.
   double explained_Nm{};
@@ -54,8 +55,8 @@ TracedLoop describe_traced_loop(const joint::Recording& recording,
                                 const std::vector<double>& model_Nm,
                                 const std::vector<double>& slope_Nm_rad, double gear_ratio);
 
-/// What the fit left where noise does not explain it, in words; empty where it does.
-std::string misfit_in_words(const std::string& recording, const TracedLoop& loop,
-                            double residual_Nm);
+/// What the fit left where noise does not explain it; empty where it does.
+Statement described_misfit(const std::string& recording, const TracedLoop& loop,
+                           double residual_Nm);
 
 }  // namespace tribolog::method::hysteresis

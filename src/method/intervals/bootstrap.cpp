@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "base/parallel_for.h"
+#include "base/statement.h"
 #include "method/intervals/chain_draw.h"
 #include "method/intervals/chain_quantities.h"
 #include "statistics/order_statistics.h"
@@ -132,9 +130,8 @@ const CurveBand* IntervalsResult::band(const std::string& estimator) const {
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t)>& progress) {
   if (!joint::resamples_are_allowed(options.resamples)) {
-    throw std::invalid_argument(fmt::format("{} resamples are not allowed; it must be {}",
-                                            options.resamples,
-                                            joint::allowed_resamples_in_words()));
+    throw Refusal({"resamples.not_allowed",
+                   {{"resamples", options.resamples}, {"allowed", joint::allowed_resamples()}}});
   }
   IntervalsResult out;
   out.resamples = options.resamples;
@@ -169,7 +166,7 @@ void state_intervals(const IntervalsResult& intervals,
     if (both == nullptr || !both->bootstrap || !both->bootstrap_is_stated) return;
     estimate.low = both->bootstrap->low;
     estimate.high = both->bootstrap->high;
-    estimate.method = "curve fit, bootstrap of the runs with gravity's error";
+    estimate.method = {"interval.curve_fit_bootstrap"};
   };
   if (friction.waiboer) {
     state("waiboer.asperity_torque_Nm", friction.waiboer->asperity_torque_Nm);

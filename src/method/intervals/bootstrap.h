@@ -102,14 +102,13 @@ struct ResamplingOptions {
 };
 
 /// @param progress is told how many resamples are done; may be empty.
-/// @throw std::invalid_argument if the resamples are not allowed (joint/dataset.h).
+/// @throw Refusal if the resamples are not allowed (joint/dataset.h).
 IntervalsResult resample_chain(const ChainResults& results, const ResamplingOptions& options,
                                const std::function<void(std::size_t done)>& progress = {});
 
 // Puts the stated interval into the results where that is the resampled one.
 
-/// Values stay; intervals and the words of how they were made change. Without resamples nothing
-/// does.
+/// Values stay; intervals and how they were made change. Without resamples nothing does.
 void state_intervals(const IntervalsResult& intervals,
                      selection::FrictionParametersResult& friction);
 

@@ -1,48 +1,35 @@
 #include "method/intervals/cross_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "joint/gravity_load.h"
 
 namespace tribolog::method::intervals {
 namespace {
 
+/// A gravity torque that is compared, and what would make it differ.
 struct Method {
-  std::string name, words, cause;
+  const char* name;
+  Code cause;
 };
 
-const std::vector<Method>& methods() {
-  static const std::vector<Method> all{
-      {"midline", "mid-line", "ripple at the position of the oscillation would do that"},
-      {"AB", "mean of A and B", "a loop that is not yet steady would do that"},
-      {"CD", "mean of C and D", "a loop that is not yet steady would do that"},
-      {"EF", "mean of E and F", "a loop that is not yet steady would do that"},
-      {"fit", "LuGre model fitted to the loops",
-       "friction that LuGre does not describe would do that"},
-      {"sweep", "rough sweep",
-       "torque ripple, friction that depends on the load, or a torque that is not zero without "
-       "load would do that"},
-      {"runs", "gravity from the runs", "friction that depends on load or direction would do that"},
-      {"sweep_directions", "mean of the sweep's directions at equal angle",
-       "a constant offset of the torque, or friction that differs with the direction would do "
-       "that"},
-      {"run_directions", "mean of both directions of the runs",
-       "a constant offset of the torque, or friction that differs with the direction would do "
-       "that"},
-      {"classical", "linear least squares over everything that moves",
-       "the linear model has no Stribeck effect and no bend of the viscous friction, which it "
-       "takes for "
-       "gravity where angles and speeds are not balanced"}};
-  return all;
-}
+constexpr std::array<Method, 10> methods{{{"midline", "cross_check.ripple_at_position"},
+                                          {"AB", "cross_check.loop_not_steady"},
+                                          {"CD", "cross_check.loop_not_steady"},
+                                          {"EF", "cross_check.loop_not_steady"},
+                                          {"fit", "cross_check.friction_beyond_lugre"},
+                                          {"sweep", "cross_check.ripple_load_or_zero"},
+                                          {"runs", "cross_check.friction_by_load_or_direction"},
+                                          {"sweep_directions", "cross_check.offset_or_direction"},
+                                          {"run_directions", "cross_check.offset_or_direction"},
+                                          {"classical", "cross_check.linear_model"}}};
 
 /// The methods at hand, in the order of the table above.
 std::vector<CrossCheck> collect(const ChainResults& r) {
   std::vector<CrossCheck> checks;
-  for (const Method& method : methods()) {
+  for (const Method& method : methods) {
     CrossCheck check;
     check.method = method.name;
     if (const hysteresis::SurrogateMass* mass = r.masses.find(method.name)) {
@@ -63,30 +50,27 @@ const GravityDifference* find(const std::vector<GravityDifference>& all, const s
   return it == all.end() ? nullptr : &*it;
 }
 
-std::string cause_of(const std::string& method) {
-  for (const Method& m : methods()) {
+Statement cause_of(const std::string& method) {
+  for (const Method& m : methods) {
     if (m.name == method) return m.cause;
   }
-  return "";
+  return {};
 }
 
-std::string finding(const CrossCheck& check, const CrossCheck& recommended) {
-  return fmt::format(
-      "{} and {} disagree: {:.3f} kg against {:.3f} kg, a difference of {:+.2f} % where {:.2g} % "
-      "would be within its interval; {}",
-      method_in_words(recommended.method), method_in_words(check.method), recommended.mass_kg.value,
-      check.mass_kg.value, check.difference_percent, check.difference_half_width_percent,
-      cause_of(check.method));
+Statement name_of(const std::string& method) { return Code::of("estimator." + method); }
+
+Statement finding(const CrossCheck& check, const CrossCheck& recommended) {
+  return {"cross_check.disagree",
+          {{"recommended", name_of(recommended.method)},
+           {"other", name_of(check.method)},
+           {"recommended_kg", recommended.mass_kg.value},
+           {"other_kg", check.mass_kg.value},
+           {"difference_percent", check.difference_percent},
+           {"interval_percent", check.difference_half_width_percent},
+           {"cause", cause_of(check.method)}}};
 }
 
 }  // namespace
-
-std::string method_in_words(const std::string& method) {
-  for (const Method& m : methods()) {
-    if (m.name == method) return m.words;
-  }
-  return method;
-}
 
 CrossChecksResult cross_check(const ChainResults& r, const IntervalsResult& intervals) {
   CrossChecksResult out;

@@ -8,12 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/intervals/bootstrap.h"
 
 namespace tribolog::method::intervals {
 
 struct CrossCheck {
-  std::string method;  ///< "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...
+  /// "midline", "AB", "fit", "sweep", "sweep_directions", "classical", ...; "estimator.midline" is
+  /// the message that names it.
+  std::string method;
   statistics::Estimate gravity_Nm;                   ///< Motor side; closed form.
   statistics::Estimate mass_kg;                      ///< The same, as a surrogate mass.
   std::optional<statistics::Estimate> resampled_kg;  ///< With the interval of the bootstrap.
@@ -29,14 +32,11 @@ struct CrossChecksResult {
   /// The recommended one among them; empty without one, or where it cannot be told from zero.
   std::vector<CrossCheck> checks;
   std::optional<selection::ClassicalRegression> classical;
-  std::vector<std::string> findings;  ///< In words, with likely causes.
+  std::vector<Statement> findings;  ///< Those that disagree, with likely causes.
   /// Whether one of those disagrees that should agree: not the classical regression, whose model
   /// the method knows to be wrong.
   bool doubtful{};
 };
-
-/// "mean of the sweep's directions at equal angle"; an unknown method as it is.
-std::string method_in_words(const std::string& method);
 
 /// A difference of less than this share is of no consequence, however narrow the intervals.
 inline constexpr double least_difference = 1e-3;

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "method/motion/encoder_resolution.h"
 #include "method/motion/moving_part.h"
 #include "statistics/smoothing_spline.h"
@@ -122,13 +120,13 @@ double way_of(const std::vector<double>& q) {
   return way;
 }
 
-MotionTrace refused(std::string why) { return {std::nullopt, std::move(why)}; }
+MotionTrace refused(Statement why) { return {std::nullopt, std::move(why)}; }
 
 }  // namespace
 
-std::string TracedMotion::noise_in_words() const {
-  return is_stepped() ? fmt::format("a step of the encoder of {:.2g} rad", encoder_step_rad)
-                      : fmt::format("a scatter of the samples of {:.2g} rad", noise_rad);
+Statement TracedMotion::noise_source() const {
+  if (is_stepped()) return {"motion.encoder_step", {{"step_rad", encoder_step_rad}}};
+  return {"motion.sample_scatter", {{"noise_rad", noise_rad}}};
 }
 
 std::unique_ptr<simulate::Motion> TracedMotion::motor_motion(double gear_ratio) const {
@@ -137,11 +135,10 @@ std::unique_ptr<simulate::Motion> TracedMotion::motor_motion(double gear_ratio) 
 
 MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
   if (r.size() < fewest_samples) {
-    return refused(fmt::format("{} samples of motion; at least {} are needed to follow the angle",
-                               r.size(), fewest_samples));
+    return refused({"motion.too_few_samples", {{"samples", r.size()}, {"needed", fewest_samples}}});
   }
   const auto [low, high] = std::minmax_element(r.q_rad.begin(), r.q_rad.end());
-  if (!(*high > *low)) return refused("the angle does not change");
+  if (!(*high > *low)) return refused({"motion.angle_constant"});
   TracedMotion out;
   out.centre_rad = (*low + *high) / 2;
   out.amplitude_rad = (*high - *low) / 2;
@@ -149,11 +146,12 @@ MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
   out.noise_rad = noise_of_angle(r.q_rad, out.encoder_step_rad);
   out.origin_rad = r.q_rad.front();
   if (out.noise_rad > largest_noise_share * out.amplitude_rad) {
-    return refused(fmt::format(
-        "the angle is too rough to give a speed: {} leaves noise of {:.2g} rad, {:.1f} % of the "
-        "amplitude of {:.2g} rad; at most {:.0f} % are allowed",
-        out.noise_in_words(), out.noise_rad, 100 * out.noise_rad / out.amplitude_rad,
-        out.amplitude_rad, 100 * largest_noise_share));
+    return refused({"motion.too_noisy",
+                    {{"source", out.noise_source()},
+                     {"noise_rad", out.noise_rad},
+                     {"noise_percent", 100 * out.noise_rad / out.amplitude_rad},
+                     {"amplitude_rad", out.amplitude_rad},
+                     {"most_percent", 100 * largest_noise_share}}});
   }
   std::vector<double> t;
   std::vector<double> q;
@@ -176,33 +174,29 @@ MotionTrace trace_motion(const joint::Recording& r, const TracedMotion* found) {
   const std::vector<Stroke> strokes = find_strokes(
       smooth, std::max(turn_noises * out.noise_rad, 2 * turn_share * out.amplitude_rad));
   if (strokes.size() < fewest_strokes) {
-    return refused(fmt::format(
-        "the angle makes {} stroke{}, with {} reversal{} between them; a loop needs at least {} "
-        "strokes",
-        strokes.size(), strokes.size() == 1 ? "" : "s",
-        std::max<std::size_t>(1, strokes.size()) - 1, strokes.size() == 2 ? "" : "s",
-        fewest_strokes));
+    return refused(
+        {strokes.size() == 1 ? Code{"motion.one_stroke"} : Code{"motion.too_few_strokes"},
+         {{"strokes", strokes.size()},
+          {"reversals", std::max<std::size_t>(1, strokes.size()) - 1},
+          {"needed", fewest_strokes}}});
   }
   const double in_stroke = static_cast<double>(r.size()) / static_cast<double>(strokes.size());
   if (in_stroke < fewest_samples_in_stroke) {
-    return refused(
-        fmt::format("only {:.1f} samples to a stroke; at least {:.0f} are needed to follow the "
-                    "angle through its turns",
-                    in_stroke, fewest_samples_in_stroke));
+    return refused({"motion.too_few_samples_in_stroke",
+                    {{"samples", in_stroke}, {"needed", fewest_samples_in_stroke}}});
   }
   double travel = 0;
   for (const Stroke& stroke : strokes) travel += stroke.travel_rad;
   const double excess = way_of(smooth) / travel - 1;
   if (excess > largest_excess_way) {
-    return refused(
-        fmt::format("the angle is too rough to give a speed: smoothed, with noise of {:.2g} rad, "
-                    "it still goes to "
-                    "and fro by {:.0f} % of the way of its strokes; at most {:.0f} % are allowed",
-                    out.noise_rad, 100 * excess, 100 * largest_excess_way));
+    return refused({"motion.to_and_fro",
+                    {{"noise_rad", out.noise_rad},
+                     {"excess_percent", 100 * excess},
+                     {"most_percent", 100 * largest_excess_way}}});
   }
   for (std::size_t k = 1; k < strokes.size(); ++k) out.turns_s.push_back(t[strokes[k].first]);
   out.frequency_Hz = static_cast<double>(strokes.size()) / 2 / t.back();
-  return {std::move(out), ""};
+  return {std::move(out), {}};
 }
 
 }  // namespace tribolog::method::motion

@@ -8,9 +8,9 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/recording.h"
 #include "simulate/motion.h"
 #include "statistics/smoothing_spline.h"
@@ -29,8 +29,8 @@ struct TracedMotion {
   [[nodiscard]] std::size_t strokes() const { return turns_s.size() + 1; }
   /// Whether the steps of the encoder are the noise.
   [[nodiscard]] bool is_stepped() const { return noise_rad < encoder_step_rad; }
-  /// "a step of the encoder of 5.2e-06 rad", or what else tells the noise.
-  [[nodiscard]] std::string noise_in_words() const;
+  /// What the noise is taken from: the step of the encoder, or the scatter of the samples.
+  [[nodiscard]] Statement noise_source() const;
   /// Motor-side motion as a function of the time since the first sample.
   [[nodiscard]] std::unique_ptr<simulate::Motion> motor_motion(double gear_ratio) const;
 
@@ -41,7 +41,7 @@ struct TracedMotion {
 
 struct MotionTrace {
   std::optional<TracedMotion> motion;
-  std::string refusal;  ///< Why there is none, with the number; empty if there is one.
+  Statement refusal;  ///< Why there is none, with the number; empty if there is one.
 };
 
 /// Refuses an angle that is too short, does not turn round twice, is sampled too coarsely for its

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "method/viscous/waiboer_fit.h"
 #include "statistics/block_regression.h"
 
@@ -42,11 +40,10 @@ CoulombViscousFit fit_line(const std::vector<viscous::CurvePoint>& points, std::
   }
   const statistics::BlockRegression fit = statistics::block_regression(x, y, blocks);
   const auto half_width = [&](int k) { return fit.half_width(k); };
-  return {statistics::symmetric_estimate(fit.coefficients(0), half_width(0),
-                                         "straight line, scatter of the runs"),
-          statistics::symmetric_estimate(fit.coefficients(1), half_width(1),
-                                         "straight line, scatter of the runs"),
-          fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
+  return {
+      statistics::symmetric_estimate(fit.coefficients(0), half_width(0), {"interval.line_runs"}),
+      statistics::symmetric_estimate(fit.coefficients(1), half_width(1), {"interval.line_runs"}),
+      fit.residual_sd, points[first].speed_rad_s, points.back().speed_rad_s};
 }
 
 }  // namespace
@@ -54,10 +51,10 @@ CoulombViscousFit fit_line(const std::vector<viscous::CurvePoint>& points, std::
 FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesResult& curves,
                                                  const SelectionResult& selection) {
   FrictionParametersResult out;
-  out.stage = {"friction_parameters", statistics::StageState::skipped, ""};
+  out.stage = {"friction_parameters", statistics::StageState::skipped, {}};
   const viscous::ViscousCurve* curve = curves.find(selection.recommended);
   if (curve == nullptr || curves.runs.empty()) {
-    out.stage.reason = "there is no viscous curve to fit";
+    out.stage.reason = {"friction_parameters.no_curve"};
     return out;
   }
   out.curve = curve->estimator;
@@ -71,23 +68,22 @@ FrictionParametersResult fit_friction_parameters(const viscous::ViscousCurvesRes
   if (first > points.size() / 2) first = 0;  // friction that falls all along has no dip
   if (points.size() - first < fewest_speeds_for_a_line) {
     out.stage.state = statistics::StageState::not_identifiable;
-    out.stage.reason = fmt::format(
-        "{} runs beyond the Stribeck dip are too few for a line; at least {} are needed",
-        points.size() - first, fewest_speeds_for_a_line);
+    out.stage.reason = {"friction_parameters.too_few_runs",
+                        {{"runs", points.size() - first}, {"needed", fewest_speeds_for_a_line}}};
     return out;
   }
   out.coulomb_viscous = fit_line(points, curves.from_sweep ? 0 : first);
-  std::string why_not;
+  Statement why_not;
   // In a paired sweep angle and speed change together: five parameters would fit the angle.
   if (curves.from_sweep) {
-    why_not =
-        "speed and angle change together in a sweep; runs of constant speed would show the "
-        "Stribeck effect";
+    why_not = {"friction_parameters.speed_changes_with_angle"};
   } else {
     out.waiboer = viscous::fit_waiboer(points, why_not);
   }
   out.stage.state = out.waiboer ? statistics::StageState::done : statistics::StageState::partial;
-  if (!out.waiboer) out.stage.reason = "eq. (6) was not fitted: " + why_not;
+  if (!out.waiboer) {
+    out.stage.reason = {"friction_parameters.waiboer_not_fitted", {{"why", why_not}}};
+  }
 
   constexpr int curve_points = 200;
   const double fastest = points.back().speed_rad_s;

@@ -109,7 +109,7 @@ std::optional<ClassicalFit> classical_regression(
   const double freedom = std::min(fit.freedom(cosine), fit.freedom(sine));
   const Eigen::VectorXd shifts = fit.block_shifts.topRows(2).transpose() * along;
   const Eigen::VectorXd angle_shifts = fit.block_shifts.topRows(2).transpose() * across;
-  const char* method = "linear least squares over everything that moves, blocks";
+  constexpr Code method{"interval.classical"};
   const auto estimate = [&](Column k) {
     return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k), method);
   };
@@ -127,7 +127,7 @@ std::optional<ClassicalFit> classical_regression(
   const Eigen::Matrix2d inverse = (x.transpose() * x).inverse().topLeftCorner<2, 2>();
   c.textbook_gravity_Nm = statistics::symmetric_estimate(
       g, 1.959963984540054 * fit.residual_sd * std::sqrt(along.dot(inverse * along)),
-      "linear least squares, errors taken as independent");
+      {"interval.classical_textbook"});
   c.coulomb_Nm = estimate(coulomb);
   c.viscous_Nms_rad = estimate(viscous);
   c.inertia_kgm2 = estimate(inertia);
@@ -205,9 +205,8 @@ std::optional<GravityByOtherWay> gravity_of_sweep_directions(const gravity::CogS
   out.freedom = fit.freedom.minCoeff();
   const Eigen::VectorXd shifts = fit.block_shifts.transpose() * along;
   out.block_shifts.assign(shifts.begin(), shifts.end());
-  out.gravity_Nm =
-      statistics::symmetric_estimate(g, statistics::student_t_975(out.freedom) * shifts.norm(),
-                                     "mean of the sweep's directions, blocks of angles");
+  out.gravity_Nm = statistics::symmetric_estimate(
+      g, statistics::student_t_975(out.freedom) * shifts.norm(), {"interval.sweep_directions"});
   return out;
 }
 
@@ -235,8 +234,8 @@ std::optional<GravityByOtherWay> gravity_of_run_directions(
   out.method = "run_directions";
   out.freedom = fit.freedom(0);
   out.block_shifts.assign(fit.block_shifts.row(0).begin(), fit.block_shifts.row(0).end());
-  out.gravity_Nm = statistics::symmetric_estimate(
-      fit.coefficients(0), fit.half_width(0), "mean of each pair of runs, scatter of the pairs");
+  out.gravity_Nm = statistics::symmetric_estimate(fit.coefficients(0), fit.half_width(0),
+                                                  {"interval.run_pairs"});
   return out;
 }
 

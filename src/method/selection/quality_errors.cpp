@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <fmt/format.h>
+#include <vector>
 
 namespace tribolog::method::selection {
 namespace {
@@ -15,27 +14,30 @@ constexpr double smallest_torque_share = 0.05;
 // With a reference for less than this share of the runs, an error would speak of a few stray ones.
 constexpr double least_share_with_reference = 0.2;
 
-std::string no_reference(const viscous::ViscousCurvesResult& curves, std::size_t with_reference) {
-  return fmt::format(
-      "no reference: {} of {} runs have a partner of opposite direction at the same speed over "
-      "common angles ({}), and no true curve is known; half the difference of the directions "
-      "cannot serve; recording every speed in both directions over the same angles would give it",
-      with_reference == 0 ? std::string("none") : std::to_string(with_reference),
-      curves.runs.size(), curves.angles.in_words());
+Statement no_reference(const viscous::ViscousCurvesResult& curves, std::size_t with_reference) {
+  if (with_reference == 0) {
+    return {"quality_errors.no_pairs",
+            {{"runs", curves.runs.size()}, {"angles", curves.angles.described()}}};
+  }
+  return {"quality_errors.too_few_pairs",
+          {{"paired", with_reference},
+           {"runs", curves.runs.size()},
+           {"angles", curves.angles.described()}}};
 }
 
-std::string evidence_in_words(const QualityErrorsResult& q) {
-  if (q.reference == "analytic") return "the reference is known exactly";
-  std::string within;
+Statement evidence_of(const QualityErrorsResult& q) {
+  if (q.reference == "analytic") return {"quality_errors.reference_exact"};
+  std::vector<Statement> within;
   for (const QualityError& e : q.errors) {
     if (e.rms_percent > q.reference_rms_percent) continue;
-    within += (within.empty() ? "" : ", ") + e.estimator;
+    within.push_back({"quality_errors.estimator", {{"estimator", e.estimator}}});
   }
-  return fmt::format(
-      "the reference itself is known to {:.2g} % of the driving torque (rms, 95 %): {}",
-      q.reference_rms_percent,
-      within.empty() ? "all errors are larger and count as evidence"
-                     : "an error below that is no evidence, as those of " + within + " are");
+  if (within.empty()) {
+    return {"quality_errors.all_beyond_reference",
+            {{"reference_percent", q.reference_rms_percent}}};
+  }
+  return {"quality_errors.some_within_reference",
+          {{"reference_percent", q.reference_rms_percent}, {"estimators", within}}};
 }
 
 }  // namespace
@@ -49,9 +51,9 @@ const QualityError* QualityErrorsResult::find(const std::string& estimator) cons
 QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& curves,
                                             const friction::StaticFriction* analytic) {
   QualityErrorsResult out;
-  out.stage = {"quality_errors", statistics::StageState::skipped, ""};
+  out.stage = {"quality_errors", statistics::StageState::skipped, {}};
   if (curves.runs.empty() || curves.curves.empty()) {
-    out.stage.reason = "there is no viscous curve to judge";
+    out.stage.reason = {"quality_errors.no_curve"};
     return out;
   }
   std::size_t with_reference = 0;
@@ -99,14 +101,14 @@ QualityErrorsResult identify_quality_errors(const viscous::ViscousCurvesResult& 
     error.rms_percent = used > 0 ? std::sqrt(squares / static_cast<double>(used)) : nan;
     out.errors.push_back(std::move(error));
   }
-  out.evidence = evidence_in_words(out);
+  out.evidence = evidence_of(out);
   out.stage.state = statistics::StageState::done;
   if (out.runs_left_out > 0) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = fmt::format(
-        "{} of {} runs take no part: without a partner of opposite direction, or with a driving "
-        "torque below {:.0f} % of the largest",
-        out.runs_left_out, curves.runs.size(), 100 * smallest_torque_share);
+    out.stage.reason = {"quality_errors.runs_left_out",
+                        {{"left_out", out.runs_left_out},
+                         {"runs", curves.runs.size()},
+                         {"least_percent", 100 * smallest_torque_share}}};
   }
   return out;
 }

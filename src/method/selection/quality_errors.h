@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "friction/static_friction.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
@@ -31,7 +32,7 @@ struct QualityErrorsResult {
   /// Root mean square over the runs of the reference's own 95 % half width in % of the driving
   /// torque: an rms error below it is no evidence against a mass.
   double reference_rms_percent{};
-  std::string evidence;         ///< What the reference can tell, in words; empty without errors.
+  Statement evidence;           ///< What the reference can tell; empty without errors.
   std::size_t runs_left_out{};  ///< Without a reference or with a driving torque near zero.
 
   [[nodiscard]] const QualityError* find(const std::string& estimator) const;

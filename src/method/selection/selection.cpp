@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <string>
+#include <vector>
 
 namespace tribolog::method::selection {
 namespace {
@@ -28,6 +27,32 @@ std::vector<std::string> rivals_of(const std::string& chosen, const std::string&
   return rivals;
 }
 
+struct Recommendation {
+  std::string estimator;  ///< Empty: there is no candidate.
+  Statement why;
+};
+
+Recommendation recommend(const hysteresis::SurrogateMassesResult& masses) {
+  if (masses.find("midline") != nullptr) return {"midline", {"selection.midline"}};
+  if (masses.find("sweep") != nullptr) return {"sweep", {"selection.sweep_alone"}};
+  if (masses.find("runs") != nullptr) return {"runs", {"selection.runs_alone"}};
+  if (masses.find(hysteresis::stated_estimator) != nullptr) {
+    return {hysteresis::stated_estimator, {"selection.stated_alone"}};
+  }
+  return {};
+}
+
+Statement in_sentences(const std::vector<Statement>& sentences) {
+  return {"selection.why", {{"sentences", sentences}}};
+}
+
+Statement left_to_noise(const std::string& chosen, const std::vector<std::string>& rivals) {
+  std::vector<Statement> points;
+  points.reserve(rivals.size());
+  for (const std::string& rival : rivals) points.emplace_back(Code::of("estimator." + rival));
+  return {"selection.left_to_noise", {{"rivals", points}, {"point", chosen}}};
+}
+
 }  // namespace
 
 SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses,
@@ -35,7 +60,7 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
                                  const hysteresis::HysteresisResult& hysteresis,
                                  const std::optional<statistics::Estimate>& q_peak_rad) {
   SelectionResult out;
-  out.stage = {"selection", statistics::StageState::done, ""};
+  out.stage = {"selection", statistics::StageState::done, {}};
   if (q_peak_rad) out.q_c_rad = statistics::scaled(*q_peak_rad, -1.0);
 
   double smallest = INFINITY;
@@ -45,38 +70,19 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
     smallest = error->rms_percent;
     out.paper_rule = name;
   }
-  if (masses.find("midline") != nullptr) {
-    out.recommended = "midline";
-    out.why =
-        "The mid-line averages the whole steady loop, in which friction cancels whatever its "
-        "model; a single point keeps the friction of its instant.";
-  } else if (masses.find("sweep") != nullptr) {
-    out.recommended = "sweep";
-    out.why =
-        "No hysteresis loop at the gravity peak was recorded; the gravity amplitude of the rough "
-        "sweep is the only "
-        "estimate of the mass.";
-  } else if (masses.find("runs") != nullptr) {
-    out.recommended = "runs";
-    out.why =
-        "Neither a hysteresis loop at the gravity peak nor a sweep was recorded; the gravity "
-        "amplitude of the runs at constant speed is the only estimate of the mass.";
-  } else if (masses.find(hysteresis::stated_estimator) != nullptr) {
-    out.recommended = hysteresis::stated_estimator;
-    out.why =
-        "No recording shows the gravity torque; the mass is the one that the manifest states.";
-  }
+  const Recommendation recommendation = recommend(masses);
+  out.recommended = recommendation.estimator;
   if (out.recommended.empty()) {
     out.stage.state = statistics::StageState::skipped;
-    out.stage.reason = "there is no candidate to choose from";
+    out.stage.reason = {"selection.no_candidate"};
     return out;
   }
+  std::vector<Statement> why{recommendation.why};
+  out.why = in_sentences(why);
   if (out.paper_rule.empty()) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason =
-        errors.errors.empty()
-            ? "the paper's rule cannot be applied: there is no quality error to compare"
-            : "the paper's rule cannot be applied: the points A to F were not found";
+    out.stage.reason = errors.errors.empty() ? Code{"selection.no_quality_error"}
+                                             : Code{"selection.no_loop_points"};
     return out;
   }
   if (q_peak_rad) {
@@ -90,17 +96,15 @@ SelectionResult select_estimator(const hysteresis::SurrogateMassesResult& masses
   out.paper_rule_rivals = rivals_of(out.paper_rule, out.recommended, masses);
   const QualityError* ours = errors.find(out.recommended);
   if (ours != nullptr) {
-    out.why += fmt::format(
-        " Against the reference its curve is off by {:.2g} % of the driving torque (rms), that of "
-        "point {} by {:.2g} %.",
-        ours->rms_percent, out.paper_rule, smallest);
+    why.push_back({"selection.quality_errors",
+                   {{"rms_percent", ours->rms_percent},
+                    {"point", out.paper_rule},
+                    {"point_rms_percent", smallest}}});
   }
   if (!out.paper_rule_rivals.empty()) {
-    out.why += fmt::format(
-        " Within the intervals of single readings the paper's rule could have chosen {} instead of "
-        "{}: its choice is left to noise here.",
-        fmt::join(out.paper_rule_rivals, " or "), out.paper_rule);
+    why.push_back(left_to_noise(out.paper_rule, out.paper_rule_rivals));
   }
+  out.why = in_sentences(why);
   return out;
 }
 

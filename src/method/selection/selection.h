@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/hysteresis/hysteresis_loop.h"
 #include "method/hysteresis/surrogate_masses.h"
 #include "method/selection/quality_errors.h"
@@ -20,7 +21,7 @@ struct SelectionResult {
   std::vector<std::string> paper_rule_rivals;
   std::string recommended;  ///< Ours: the first there is of "midline", "sweep", "runs" and
                             ///< "stated"; may be empty.
-  std::string why;          ///< A few sentences for the report.
+  Statement why;            ///< A few sentences; empty without a recommendation.
   /// Eq. (14) for the paper's choice: q_c less the angle from the peak at which it was read.
   std::optional<double> q_c_corrected_rad;
   std::optional<statistics::Estimate> q_c_rad;  ///< Link angle of the centre of gravity, -q_peak.

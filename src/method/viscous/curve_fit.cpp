@@ -151,24 +151,24 @@ double CurveFit::rms_Nm(const std::vector<CurveSample>& samples) const {
   return std::sqrt(squares / static_cast<double>(samples.size()));
 }
 
-std::string CurveFit::impossible_because() const {
+Statement CurveFit::impossible_because() const {
   const double power = model.law == CurveLaw::power_viscous ? std::exp(shape(0))
                        : model.law == CurveLaw::waiboer     ? std::exp(shape(2))
                                                             : 1.0;
   if (model.law == CurveLaw::waiboer) {
-    if (linear(0) <= 0) return "its asperity torque is not positive";
-    if (linear(1) <= 0) return "its viscous coefficient is not positive";
-    if (power > 1 + 1e-6) return "its friction grows faster than speed, which eq. (6) excludes";
-    return "";
+    if (linear(0) <= 0) return {"curve_fit.asperity_torque_not_positive"};
+    if (linear(1) <= 0) return {"curve_fit.viscous_coefficient_not_positive"};
+    if (power > 1 + 1e-6) return {"curve_fit.grows_faster_than_speed"};
+    return {};
   }
-  if (linear(0) <= 0) return "its Coulomb torque is not positive";
+  if (linear(0) <= 0) return {"curve_fit.coulomb_torque_not_positive"};
   if (model.law == CurveLaw::stribeck) {
-    if (linear(1) <= 0) return "its friction at rest lies below the Coulomb torque";
-    if (linear(2) < 0) return "its viscous coefficient is negative";
+    if (linear(1) <= 0) return {"curve_fit.friction_at_rest_below_coulomb"};
+    if (linear(2) < 0) return {"curve_fit.viscous_coefficient_negative"};
   } else if (model.law != CurveLaw::coulomb && linear(1) < 0) {
-    return "its viscous coefficient is negative";
+    return {"curve_fit.viscous_coefficient_negative"};
   }
-  return "";
+  return {};
 }
 
 std::optional<CurveFit> fit_curve(const CurveModel& model, const std::vector<CurveSample>& samples,

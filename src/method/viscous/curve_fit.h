@@ -4,11 +4,11 @@
 // 1973, with Kaufman's derivative).
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/statement.h"
 #include "method/viscous/curve_model.h"
 
 namespace tribolog::method::viscous {
@@ -26,8 +26,8 @@ struct CurveFit {
   [[nodiscard]] double friction_Nm(const CurveSample& sample) const;
   /// Root mean square over samples [N·m].
   [[nodiscard]] double rms_Nm(const std::vector<CurveSample>& samples) const;
-  /// Why no joint can have these parameters ("the viscous coefficient is negative"), or empty.
-  [[nodiscard]] std::string impossible_because() const;
+  /// Why no joint can have these parameters: a negative viscous coefficient; else empty.
+  [[nodiscard]] Statement impossible_because() const;
 };
 
 /// @param start shape of a fit to almost the same data and scales; absent: a grid of starts.

@@ -57,30 +57,23 @@ std::string to_string(Asymmetry asymmetry) {
   return "coulomb_viscous";
 }
 
-std::string in_words(CurveLaw law) {
-  switch (law) {
-    case CurveLaw::coulomb:
-      return "Coulomb";
-    case CurveLaw::coulomb_viscous:
-      return "Coulomb and viscous";
-    case CurveLaw::power_viscous:
-      return "Coulomb and power-law viscous";
-    case CurveLaw::stribeck:
-      return "Stribeck and viscous";
-    case CurveLaw::waiboer:
+Statement described(CurveLaw law) { return Code::of("curve_law." + to_string(law)); }
+
+Statement described(const CurveModel& model) {
+  const Statement law = described(model.law);
+  switch (model.asymmetry) {
+    case Asymmetry::none:
+      return model.load ? Statement{"curve_model.with_load", {{"law", law}}} : law;
+    case Asymmetry::coulomb:
+      return {model.load ? Code{"curve_model.with_coulomb_of_directions_and_load"}
+                         : Code{"curve_model.with_coulomb_of_directions"},
+              {{"law", law}}};
+    case Asymmetry::coulomb_viscous:
       break;
   }
-  return "Waiboer, eq. (6)";
-}
-
-std::string in_words(const CurveModel& model) {
-  std::string words = in_words(model.law);
-  if (model.asymmetry == Asymmetry::coulomb) words += ", Coulomb friction of each direction";
-  if (model.asymmetry == Asymmetry::coulomb_viscous) {
-    words += ", Coulomb and viscous friction of each direction";
-  }
-  if (model.load) words += ", growing with the load";
-  return words;
+  return {model.load ? Code{"curve_model.with_lines_of_directions_and_load"}
+                     : Code{"curve_model.with_lines_of_directions"},
+          {{"law", law}}};
 }
 
 namespace {

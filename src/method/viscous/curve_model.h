@@ -21,6 +21,7 @@
 
 #include <Eigen/Core>
 
+#include "base/statement.h"
 #include "method/viscous/viscous_curves.h"
 
 namespace tribolog::method::viscous {
@@ -46,10 +47,10 @@ struct CurveModel {
 std::string to_string(CurveLaw law);
 /// "none", "coulomb", "coulomb_viscous"
 std::string to_string(Asymmetry asymmetry);
-/// "Coulomb and viscous"
-std::string in_words(CurveLaw law);
-/// "Coulomb and viscous, with Coulomb friction of each direction and load"
-std::string in_words(const CurveModel& model);
+/// The law's name.
+Statement described(CurveLaw law);
+/// The law's name, and the terms for direction and load that the model has besides.
+Statement described(const CurveModel& model);
 
 // The viscous curve as models see it: size of friction against size of speed, with the direction
 // and the load beside them.

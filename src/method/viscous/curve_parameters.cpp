@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/statement.h"
 #include "method/viscous/model_choice.h"
 #include "statistics/block_regression.h"
 
@@ -32,17 +33,26 @@ class Parameters {
     at_ << fit.linear, fit.shape;
   }
 
-  void add(const char* name, const char* words, const char* unit, const Quantity& q) {
+  void add(const char* name, Code title, const char* unit, const Quantity& q) {
     const double h = half_width(q);
-    list_.push_back({name, words, unit, statistics::symmetric_estimate(q(at_), h, method_)});
+    list_.push_back({name, title, unit, {}, statistics::symmetric_estimate(q(at_), h, method_)});
+  }
+
+  /// In the unit that another parameter has.
+  void add_in_unit_as(Code unit_as, const char* name, Code title, const Quantity& q) {
+    add(name, title, "", q);
+    list_.back().unit_as = unit_as;
   }
 
   /// For what is positive by nature: `log_q` is the logarithm.
-  void add_positive(const char* name, const char* words, const char* unit, const Quantity& log_q) {
+  void add_positive(const char* name, Code title, const char* unit, const Quantity& log_q) {
     const double value = log_q(at_);
     const double h = half_width(log_q);
-    list_.push_back(
-        {name, words, unit, {std::exp(value), std::exp(value - h), std::exp(value + h), method_}});
+    list_.push_back({name,
+                     title,
+                     unit,
+                     {},
+                     {std::exp(value), std::exp(value - h), std::exp(value + h), method_}});
   }
 
   [[nodiscard]] double speed() const { return fit_.speed_scale_rad_s; }
@@ -68,7 +78,7 @@ class Parameters {
   statistics::BlockRegression around_;
   Unknowns at_;
   std::vector<CurveParameter> list_;
-  const char* method_ = "fit of the curve, scatter of the speeds";
+  static constexpr Code method_{"interval.curve_fit_speeds"};
 };
 
 }  // namespace
@@ -94,52 +104,56 @@ std::vector<CurveParameter> curve_parameters(const CurveFit& fit,
   Eigen::Index next = 0;
   switch (model.law) {
     case CurveLaw::coulomb:
-      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
+      list.add("coulomb_Nm", "curve_parameter.coulomb_torque", "N·m", linear(next++, torque));
       break;
     case CurveLaw::coulomb_viscous:
-      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
-      list.add("viscous_Nms_rad", "Viscous coefficient c", "N·m·s/rad",
+      list.add("coulomb_Nm", "curve_parameter.coulomb_torque", "N·m", linear(next++, torque));
+      list.add("viscous_Nms_rad", "curve_parameter.viscous_coefficient", "N·m·s/rad",
                linear(next++, torque / speed));
       break;
     case CurveLaw::power_viscous:
-      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
-      list.add("viscous_coefficient", "Viscous coefficient c_v", "N·m·(s/rad)^p",
+      list.add("coulomb_Nm", "curve_parameter.coulomb_torque", "N·m", linear(next++, torque));
+      list.add("viscous_coefficient", "curve_parameter.power_law_coefficient", "N·m·(s/rad)^p",
                at_unit_speed(next++, 0));
-      list.add_positive("viscous_exponent", "Viscous exponent p", "", log_shape(0, 0.0));
+      list.add_positive("viscous_exponent", "curve_parameter.viscous_exponent", "",
+                        log_shape(0, 0.0));
       break;
     case CurveLaw::stribeck:
-      list.add("coulomb_Nm", "Coulomb torque T_c", "N·m", linear(next++, torque));
-      list.add("stribeck_excess_Nm", "Excess at rest T_s − T_c", "N·m", linear(next++, torque));
-      list.add_positive("stribeck_speed_rad_s", "Stribeck velocity ω_s", "rad/s",
+      list.add("coulomb_Nm", "curve_parameter.coulomb_torque", "N·m", linear(next++, torque));
+      list.add("stribeck_excess_Nm", "curve_parameter.excess_at_rest", "N·m",
+               linear(next++, torque));
+      list.add_positive("stribeck_speed_rad_s", "curve_parameter.stribeck_velocity", "rad/s",
                         log_shape(0, std::log(speed)));
-      list.add("viscous_Nms_rad", "Viscous coefficient c", "N·m·s/rad",
+      list.add("viscous_Nms_rad", "curve_parameter.viscous_coefficient", "N·m·s/rad",
                linear(next++, torque / speed));
       break;
     case CurveLaw::waiboer:
-      list.add("asperity_torque_Nm", "Asperity torque T_a", "N·m", linear(next++, torque));
-      list.add_positive("stribeck_speed_rad_s", "Stribeck velocity ω_s", "rad/s",
+      list.add("asperity_torque_Nm", "curve_parameter.asperity_torque", "N·m",
+               linear(next++, torque));
+      list.add_positive("stribeck_speed_rad_s", "curve_parameter.stribeck_velocity", "rad/s",
                         log_shape(0, std::log(speed)));
-      list.add_positive("stribeck_power", "Stribeck power δ_a", "", log_shape(1, 0.0));
-      list.add("viscous_coefficient", "Viscous coefficient c_v", "N·m·(s/rad)^(1−δ_v)",
-               at_unit_speed(next++, 2));
-      list.add_positive("viscous_exponent", "Viscous exponent 1 − δ_v", "", log_shape(2, 0.0));
+      list.add_positive("stribeck_power", "curve_parameter.stribeck_power", "", log_shape(1, 0.0));
+      list.add("viscous_coefficient", "curve_parameter.power_law_coefficient",
+               "N·m·(s/rad)^(1−δ_v)", at_unit_speed(next++, 2));
+      list.add_positive("viscous_exponent", "curve_parameter.waiboer_exponent", "",
+                        log_shape(2, 0.0));
       break;
   }
   if (model.asymmetry != Asymmetry::none) {
-    list.add("asymmetry_Nm", "Rising less falling, half, Coulomb", "N·m", linear(next++, torque));
+    list.add("asymmetry_Nm", "curve_parameter.coulomb_asymmetry", "N·m", linear(next++, torque));
   }
   if (model.asymmetry == Asymmetry::coulomb_viscous) {
     if (model.law == CurveLaw::power_viscous || model.law == CurveLaw::waiboer) {
-      list.add("viscous_asymmetry", "Rising less falling, half, viscous coefficient",
-               "as the viscous coefficient",
-               at_unit_speed(next++, model.law == CurveLaw::waiboer ? 2 : 0));
+      list.add_in_unit_as("unit.as_viscous_coefficient", "viscous_asymmetry",
+                          "curve_parameter.power_law_asymmetry",
+                          at_unit_speed(next++, model.law == CurveLaw::waiboer ? 2 : 0));
     } else {
-      list.add("viscous_asymmetry_Nms_rad", "Rising less falling, half, viscous", "N·m·s/rad",
+      list.add("viscous_asymmetry_Nms_rad", "curve_parameter.viscous_asymmetry", "N·m·s/rad",
                linear(next++, torque / speed));
     }
   }
   if (model.load) {
-    list.add("load_Nm", "Added by the full gravity torque", "N·m", linear(next++, torque));
+    list.add("load_Nm", "curve_parameter.load_torque", "N·m", linear(next++, torque));
   }
   return list.take();
 }

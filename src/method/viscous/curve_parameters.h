@@ -5,7 +5,6 @@
 // Student's t; carried to each parameter by its derivatives. Parameters that are positive by nature
 // (a Stribeck speed, a power) get the interval of their logarithm.
 
-#include <string>
 #include <vector>
 
 #include "method/viscous/curve_fit.h"

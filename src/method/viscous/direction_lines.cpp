@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 #include "method/hysteresis/surrogate_masses.h"
 #include "statistics/block_regression.h"
@@ -111,7 +110,7 @@ std::optional<DirectionLine> fit_line(std::vector<Point> points, double widest, 
   const statistics::BlockRegression fit = line_through(points, 0);
   const auto estimate = [&](int k) {
     return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k),
-                                          "straight line of one direction, scatter of the runs");
+                                          {"interval.line_of_direction"});
   };
   return DirectionLine{estimate(0),
                        estimate(1),
@@ -165,10 +164,7 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
                                                       double sweep_offset_Nm) {
   DirectionAsymmetryResult out;
   if (curves.from_sweep) {
-    out.sentence = fmt::format(
-        "the sweep's offset of {:.3g} N·m was taken out of both directions: half the difference of "
-        "their friction, or an offset of the torque signal",
-        sweep_offset_Nm);
+    out.sentence = {"direction_asymmetry.offset_of_sweep", {{"offset_Nm", sweep_offset_Nm}}};
     return out;
   }
   double sum = 0;
@@ -186,16 +182,14 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   }
   const auto n = static_cast<double>(out.speed_rad_s.size());
   if (out.speed_rad_s.size() < fewest_pairs) {
-    out.sentence =
-        "whether friction is the same in both directions cannot be seen without gravity: too few "
-        "speeds were run in both directions over the same angles";
+    out.sentence = {"direction_asymmetry.too_few_pairs"};
     return out;
   }
   double squares = 0;
   for (const double a : out.asymmetry_Nm) squares += std::pow(a - sum / n, 2);
   out.mean_Nm = statistics::symmetric_estimate(
       sum / n, statistics::student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n),
-      "scatter of the pairs");
+      {"interval.scatter_of_pairs"});
   out.gravity_could_explain_Nm = std::abs(mass->gravity_Nm.half_width() * cosines / n);
   out.examined = true;
   const double size = std::abs(out.mean_Nm.value);
@@ -203,15 +197,11 @@ DirectionAsymmetryResult identify_direction_asymmetry(const ViscousCurvesResult&
   constexpr double rounding = 1e-6;
   const double explained = std::hypot(out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
   out.found = size > explained && size > rounding * mass->gravity_Nm.value;
-  const std::string numbers = fmt::format(
-      "half the difference of rising and falling is {:.3g} ± {:.2g} N·m, of which an "
-      "error of the gravity torque within its interval could be {:.2g} N·m",
-      out.mean_Nm.value, out.mean_Nm.half_width(), out.gravity_could_explain_Nm);
-  out.sentence = out.found
-                     ? "friction is not the same in both directions, or the torque signal has an "
-                       "offset, or gravity is off: " +
-                           numbers
-                     : "no asymmetry of the directions shows: " + numbers;
+  out.sentence = {
+      out.found ? Code{"direction_asymmetry.found"} : Code{"direction_asymmetry.does_not_show"},
+      {{"half_difference_Nm", out.mean_Nm.value},
+       {"half_width_Nm", out.mean_Nm.half_width()},
+       {"gravity_error_Nm", out.gravity_could_explain_Nm}}};
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/hysteresis/surrogate_masses.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
@@ -59,7 +60,7 @@ DirectionLinesResult fit_direction_lines(const ViscousCurvesResult& curves,
 struct DirectionAsymmetryResult {
   bool examined{false};             ///< The numbers below are valid.
   bool found{false};                ///< Larger than its interval and the error of gravity together.
-  std::string sentence;             ///< Never empty.
+  Statement sentence;               ///< What came of it; never empty.
   std::vector<double> speed_rad_s;  ///< Per pair of runs, motor side, > 0.
   std::vector<double> asymmetry_Nm;
   statistics::Estimate mean_Nm;       ///< Over the pairs; scatter of the pairs.

@@ -6,7 +6,6 @@
 #include <map>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 #include "method/motion/sweep_samples.h"
 #include "method/viscous/curve_fit.h"
@@ -162,9 +161,7 @@ LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& swe
                                               double gear_ratio) {
   LoadDependenceResult out;
   if (!sweep.found || !q_peak_rad || !sweep.both_directions) {
-    out.sentence =
-        "whether friction depends on the load cannot be seen: that takes a sweep in both "
-        "directions over the same angles, through angles of much and of little gravity torque";
+    out.sentence = {"load_dependence.no_sweep_in_both_directions"};
     return out;
   }
   const std::vector<Row> rows = paired_rows(sweep, q_peak_rad->value, gear_ratio);
@@ -179,17 +176,15 @@ LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& swe
     used_cells += i == 0 || rows[i].cell != rows[i - 1].cell ? 1 : 0;
   }
   if (used_cells < fewest_cells) {
-    out.sentence = fmt::format(
-        "whether friction depends on the load cannot be seen: the two directions of the sweep "
-        "share {} of {} cells of its angles only",
-        used_cells, cells);
+    out.sentence = {"load_dependence.too_few_shared_cells",
+                    {{"shared", used_cells}, {"cells", cells}}};
     return out;
   }
   if (out.highest_load_Nm - out.lowest_load_Nm < least_change * sweep.gravity_Nm.value) {
-    out.sentence = fmt::format(
-        "whether friction depends on the load cannot be seen: gravity torque changes from {:.3g} "
-        "to {:.3g} N·m only over the sweep, by less than {:.0f} % of its amplitude",
-        out.lowest_load_Nm, out.highest_load_Nm, 100 * least_change);
+    out.sentence = {"load_dependence.load_changes_too_little",
+                    {{"lowest_Nm", out.lowest_load_Nm},
+                     {"highest_Nm", out.highest_load_Nm},
+                     {"needed_percent", 100 * least_change}}};
     return out;
   }
   const bool speed_changes = fastest - slowest > constant_share * fastest;
@@ -207,7 +202,7 @@ LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& swe
       statistics::block_regression(columns_of(rows, with), y, blocks);
   const auto estimate = [&](Eigen::Index k) {
     return statistics::symmetric_estimate(fit.coefficients(k), fit.half_width(k),
-                                          "paired strokes at equal angle, blocks of the angle");
+                                          {"interval.paired_strokes"});
   };
   out.unloaded_Nm = estimate(0);
   out.per_load = estimate(1);
@@ -222,26 +217,25 @@ LoadDependenceResult identify_load_dependence(const gravity::CogSweepResult& swe
   add_points(rows, fit.residuals, out);
   out.examined = true;
   out.found = out.per_load.low > 0 && pays(errors_without, errors);
-  const std::string error_words =
-      fmt::format("at angles held out the error is {:.3g} N·m with the load and {:.3g} N·m without",
-                  out.held_out_Nm, out.held_out_without_load_Nm);
   if (!out.found) {
-    out.sentence = fmt::format(
-        "friction does not visibly depend on the load: {:.2g} % of the gravity torque (95 %: "
-        "{:.2g} to {:.2g} %); {}",
-        100 * out.per_load.value, 100 * out.per_load.low, 100 * out.per_load.high, error_words);
+    out.sentence = {"load_dependence.does_not_show",
+                    {{"share_percent", 100 * out.per_load.value},
+                     {"low_percent", 100 * out.per_load.low},
+                     {"high_percent", 100 * out.per_load.high},
+                     {"error_Nm", out.held_out_Nm},
+                     {"error_without_load_Nm", out.held_out_without_load_Nm}}};
     return out;
   }
+  out.sentence = {"load_dependence.found",
+                  {{"share_percent", 100 * out.per_load.value},
+                   {"low_percent", 100 * out.per_load.low},
+                   {"high_percent", 100 * out.per_load.high},
+                   {"unloaded_Nm", out.unloaded_Nm.value},
+                   {"added_Nm", out.per_load.value * out.highest_load_Nm},
+                   {"error_Nm", out.held_out_Nm},
+                   {"error_without_load_Nm", out.held_out_without_load_Nm}}};
   const bool speed_rivals = speed_changes && out.held_out_speed_alone_Nm <= out.held_out_Nm;
-  out.sentence = fmt::format(
-      "friction depends on the load: it grows by {:.3g} % of the gravity torque (95 %: {:.3g} to "
-      "{:.3g} %), from {:.3g} N·m unloaded by {:.3g} N·m at the largest load of the sweep; {}{}",
-      100 * out.per_load.value, 100 * out.per_load.low, 100 * out.per_load.high,
-      out.unloaded_Nm.value, out.per_load.value * out.highest_load_Nm, error_words,
-      speed_rivals ? "; a curved viscous law would explain it as well, because speed and load "
-                     "change together in this sweep: sweeps at several constant speeds tell them "
-                     "apart"
-                   : "");
+  if (speed_rivals) out.sentence.add({"load_dependence.curved_viscous_law_rivals"});
   return out;
 }
 

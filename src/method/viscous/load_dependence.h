@@ -14,9 +14,9 @@
 // cubic of the speed without any load is therefore fitted as a rival.
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/gravity/cog_sweep.h"
 #include "statistics/estimate.h"
 
@@ -34,7 +34,7 @@ struct LoadPoint {
 struct LoadDependenceResult {
   bool examined{false};           ///< The numbers below are valid.
   bool found{false};              ///< Friction depends on the load.
-  std::string sentence;           ///< What came of it, in words; never empty.
+  Statement sentence;             ///< What came of it; never empty.
   statistics::Estimate per_load;  ///< N·m of friction for each N·m of gravity torque.
   statistics::Estimate
       unloaded_Nm;  ///< Friction without load, and at standstill where `viscous` is fitted.

@@ -7,8 +7,6 @@
 #include <optional>
 #include <tuple>
 
-#include <fmt/format.h>
-
 #include "method/viscous/curve_fit.h"
 #include "method/viscous/curve_parameters.h"
 
@@ -70,23 +68,24 @@ class Chooser {
   [[nodiscard]] Tried attempt(const CurveModel& model) const {
     Tried t;
     t.trial.model = model;
-    std::string& why = t.trial.excluded_because;
+    Statement& why = t.trial.excluded_because;
     const bool has_stribeck = model.law == CurveLaw::stribeck || model.law == CurveLaw::waiboer;
     // Terms of direction and load lie across the speeds; the law itself has to be told by them.
     const CurveModel law{model.law, Asymmetry::none, false};
     const std::size_t speeds = group_count(samples_);
     if (sweep_ && has_stribeck) {
-      why = "speed and angle change together in a sweep, which hides a Stribeck effect";
+      why = {"curve_fit.sweep_hides_stribeck"};
       return t;
     }
     if (speeds < static_cast<std::size_t>(law.parameters()) + 2) {
-      why = fmt::format("{} speeds for {} parameters; at least {} are needed", speeds,
-                        law.parameters(), law.parameters() + 2);
+      why = {
+          "curve_fit.too_few_speeds",
+          {{"speeds", speeds}, {"parameters", law.parameters()}, {"needed", law.parameters() + 2}}};
       return t;
     }
     const auto fit = fit_curve(model, samples_);
     if (!fit) {
-      why = "its parameters cannot be told apart in this curve";
+      why = {"curve_fit.parameters_not_distinct"};
       return t;
     }
     t.fit = *fit;
@@ -94,7 +93,7 @@ class Chooser {
     if (!why.empty()) return t;
     t.errors = held_out_errors(*fit, samples_, groups_);
     if (t.errors.empty()) {
-      why = "it cannot be fitted without each of the speeds";
+      why = {"curve_fit.needs_every_speed"};
       return t;
     }
     t.trial.training_rms_Nm = root_mean(training_errors(*fit));
@@ -193,21 +192,21 @@ CurveModel Chooser::with_terms_that_pay(CurveLaw law, CurveModelChoice& out) {
   }
 }
 
-std::string error_words(const CurveModelTrial& t) {
-  return fmt::format("{:.3g} N·m", t.held_out_rms_Nm);
-}
-
-std::string choice_in_words(const CurveModelChoice& c) {
+Statement choice_stated(const CurveModelChoice& c) {
   const CurveModelTrial& chosen = *c.find(c.chosen.law);
   const CurveModelTrial* best = &chosen;
   for (const CurveModelTrial& t : c.ladder) {
     if (t.excluded_because.empty() && t.held_out_rms_Nm < best->held_out_rms_Nm) best = &t;
   }
-  std::string words = fmt::format("{}: {} parameters, error {} at speeds held out",
-                                  in_words(c.chosen), c.chosen.parameters(), error_words(chosen));
+  Statement stated{"curve_model.chosen",
+                   {{"model", described(c.chosen)},
+                    {"parameters", c.chosen.parameters()},
+                    {"error_Nm", chosen.held_out_rms_Nm}}};
   if (best != &chosen) {
-    words += fmt::format("; {} with {} parameters has {}, a gain within its standard error",
-                         in_words(best->model.law), best->model.parameters(), error_words(*best));
+    stated.add({"curve_model.best_gains_too_little",
+                {{"law", described(best->model.law)},
+                 {"parameters", best->model.parameters()},
+                 {"error_Nm", best->held_out_rms_Nm}}});
   }
   const CurveModelTrial* simpler = nullptr;
   for (const CurveModelTrial& t : c.ladder) {
@@ -215,28 +214,27 @@ std::string choice_in_words(const CurveModelChoice& c) {
     if (t.excluded_because.empty()) simpler = &t;
   }
   if (simpler != nullptr) {
-    words += fmt::format("; the next simpler one, {}, has {}", in_words(simpler->model.law),
-                         error_words(*simpler));
+    stated.add({"curve_model.next_simpler",
+                {{"law", described(simpler->model.law)}, {"error_Nm", simpler->held_out_rms_Nm}}});
   }
-  return words;
+  return stated;
 }
 
 void judge_five(CurveModelChoice& c) {
   const CurveModelTrial& five = *c.find(CurveLaw::waiboer);
   c.carries_five = c.chosen.law == CurveLaw::waiboer;
   if (c.carries_five) {
-    c.five_sentence = "the curve carries Waiboer's five parameters";
+    c.five_sentence = {"waiboer_five.carried"};
   } else if (!five.excluded_because.empty()) {
-    c.five_sentence = "the curve cannot carry Waiboer's five parameters: " + five.excluded_because;
+    c.five_sentence = {"waiboer_five.not_carried", {{"why", five.excluded_because}}};
   } else {
     const CurveModelTrial& chosen = *c.find(c.chosen.law);
     const bool is_worse = five.held_out_rms_Nm >= chosen.held_out_rms_Nm;
-    c.five_sentence = fmt::format(
-        "the curve cannot carry Waiboer's five parameters: at speeds held out their error is {}, "
-        "{} "
-        "{} of the model with {}{}",
-        error_words(five), is_worse ? "no less than the" : "against", error_words(chosen),
-        c.chosen.parameters(), is_worse ? "" : ", a gain within its standard error");
+    c.five_sentence = {
+        is_worse ? Code{"waiboer_five.no_gain"} : Code{"waiboer_five.gain_too_little"},
+        {{"error_Nm", five.held_out_rms_Nm},
+         {"error_of_chosen_Nm", chosen.held_out_rms_Nm},
+         {"parameters_of_chosen", c.chosen.parameters()}}};
   }
 }
 
@@ -245,10 +243,8 @@ CurveModelChoice Chooser::choose() {
   out.speeds = group_count(samples_);
   out.curve_speed_rad_s = curve_speeds_;
   if (out.speeds < fewest_speeds) {
-    out.sentence = fmt::format(
-        "{} speed{} cannot tell friction models apart; at least {} are "
-        "needed, ten or more would be good",
-        out.speeds, out.speeds == 1 ? "" : "s", fewest_speeds);
+    out.sentence = {"curve_model.too_few_speeds",
+                    {{"speeds", out.speeds}, {"needed", fewest_speeds}}};
     return out;
   }
   // Terms first, with the law that fits best where all of them are in, so that a missing term is
@@ -257,15 +253,14 @@ CurveModelChoice Chooser::choose() {
   auto law = simplest_law({CurveLaw::coulomb, full, load_varies_});
   if (!law) law = simplest_law({});
   if (!law) {
-    out.sentence =
-        "no friction model describes this curve with parameters that a joint can have: " +
-        tried({}).trial.excluded_because;
+    out.sentence = {"curve_model.none_possible_because",
+                    {{"why", tried({}).trial.excluded_because}}};
     return out;
   }
   const CurveModel terms = with_terms_that_pay(*law, out);
   law = simplest_law(terms);
   if (!law) {
-    out.sentence = "no friction model describes this curve with parameters that a joint can have";
+    out.sentence = {"curve_model.none_possible"};
     return out;
   }
   out.chosen = {*law, terms_for(*law, terms.asymmetry), terms.load};
@@ -274,7 +269,7 @@ CurveModelChoice Chooser::choose() {
   }
   out.chosen_any = true;
   out.parameters = curve_parameters(tried(out.chosen).fit, samples_);
-  out.sentence = choice_in_words(out);
+  out.sentence = choice_stated(out);
   judge_five(out);
   return out;
 }
@@ -296,7 +291,7 @@ CurveModelChoice choose_curve_model(const ViscousCurvesResult& curves,
   const ViscousCurve* curve = curves.find(estimator);
   if (curve == nullptr || curves.runs.empty()) {
     CurveModelChoice none;
-    none.sentence = "there is no viscous curve to choose a model for";
+    none.sentence = {"curve_model.no_curve"};
     return none;
   }
   CurveModelChoice out = choose_curve_model(curve_samples(curves, *curve), curves.from_sweep);

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "method/viscous/curve_model.h"
 #include "method/viscous/viscous_curves.h"
 #include "statistics/estimate.h"
@@ -25,7 +26,7 @@ namespace tribolog::method::viscous {
 /// One model put to the test. Torques on the motor's side.
 struct CurveModelTrial {
   CurveModel model;
-  std::string excluded_because;  ///< Empty: it took part, and the errors are valid.
+  Statement excluded_because;  ///< Empty: it took part, and the errors are valid.
   double training_rms_Nm{};
   double held_out_rms_Nm{};
   /// Friction at CurveModelChoice::curve_speed_rad_s, at the mean load and the mean of the
@@ -36,14 +37,15 @@ struct CurveModelTrial {
 /// A parameter of the chosen model, motor side.
 struct CurveParameter {
   std::string name;   ///< "coulomb_Nm", "viscous_exponent": with its unit, for results.
-  std::string words;  ///< "Coulomb torque T_c"
-  std::string unit;   ///< "N·m"; empty: none.
+  Statement title;    ///< Name and symbol.
+  std::string unit;   ///< "N·m"; empty: none, or see `unit_as`.
+  Statement unit_as;  ///< Of which other parameter it has the unit; else empty.
   statistics::Estimate estimate;
 };
 
 struct CurveModelChoice {
   bool chosen_any{false};  ///< The values below are valid.
-  std::string sentence;    ///< What was chosen and why, or why nothing; never empty.
+  Statement sentence;      ///< What was chosen and why, or why nothing; never empty.
   std::string curve;       ///< Estimator whose curve it is.
   CurveModel chosen;
   std::vector<CurveModelTrial> ladder;     ///< The laws, all with the terms that were taken up.
@@ -53,7 +55,7 @@ struct CurveModelChoice {
   std::size_t speeds{};  ///< Groups held together: speeds, or parts of a sweep.
   /// Whether the curve carries Waiboer's five parameters: they were chosen.
   bool carries_five{false};
-  std::string five_sentence;  ///< On Waiboer's five, in words; empty if nothing was chosen.
+  Statement five_sentence;  ///< On that; empty if nothing was chosen.
 
   [[nodiscard]] const CurveModelTrial* find(CurveLaw law) const;
 };

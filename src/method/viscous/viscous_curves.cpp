@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include <fmt/format.h>
-
 #include "joint/degrees.h"
 #include "method/motion/plateaus.h"
 #include "method/viscous/paired_sweep.h"
@@ -222,17 +220,15 @@ bool DirectionAngles::share_angles() const {
          std::max(rising_low_rad, falling_low_rad) < std::min(rising_high_rad, falling_high_rad);
 }
 
-std::string DirectionAngles::in_words() const {
-  if (!has_rising && !has_falling) return "the angles of the runs are not known";
-  if (!has_rising || !has_falling) {
-    return has_rising ? "the joint angle rises in all of them"
-                      : "the joint angle falls in all of them";
-  }
-  return fmt::format(
-      "rising runs cover {:.0f}° to {:.0f}°, falling ones {:.0f}° to {:.0f}°{}",
-      joint::degrees_per_rad * rising_low_rad, joint::degrees_per_rad * rising_high_rad,
-      joint::degrees_per_rad * falling_low_rad, joint::degrees_per_rad * falling_high_rad,
-      share_angles() ? "" : ": the directions share no angle");
+Statement DirectionAngles::described() const {
+  if (!has_rising && !has_falling) return {"run_angles.unknown"};
+  if (!has_falling) return {"run_angles.rising_only"};
+  if (!has_rising) return {"run_angles.falling_only"};
+  return {share_angles() ? Code{"run_angles.covered"} : Code{"run_angles.none_shared"},
+          {{"rising_low_deg", joint::degrees_per_rad * rising_low_rad},
+           {"rising_high_deg", joint::degrees_per_rad * rising_high_rad},
+           {"falling_low_deg", joint::degrees_per_rad * falling_low_rad},
+           {"falling_high_deg", joint::degrees_per_rad * falling_high_rad}}};
 }
 
 const ViscousCurve* ViscousCurvesResult::find(const std::string& estimator) const {
@@ -248,7 +244,7 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recor
                                             double gear_ratio,
                                             const std::optional<joint::StatedGravity>& stated) {
   ViscousCurvesResult out;
-  out.stage = {"viscous_curves", statistics::StageState::skipped, ""};
+  out.stage = {"viscous_curves", statistics::StageState::skipped, {}};
   const double q_peak = q_peak_rad ? q_peak_rad->value : 0.0;
   const hysteresis::SurrogateMass* of_runs = masses.find("runs");
   const double gravity = rough.found          ? rough.gravity_Nm.value
@@ -287,23 +283,19 @@ ViscousCurvesResult identify_viscous_curves(const std::vector<const joint::Recor
   }
 
   if (out.runs.empty()) {
-    out.stage.reason = recordings.empty()
-                           ? "no constant_speed run was recorded; runs at ten or more speeds in "
-                             "both directions over the same angles would give the viscous curve"
-                           : "no plateau of constant speed was found in the constant_speed runs";
+    out.stage.reason = recordings.empty() ? Code{"viscous.no_runs"} : Code{"viscous.no_plateau"};
     if (!recordings.empty()) out.stage.state = statistics::StageState::not_identifiable;
   } else if (out.curves.empty()) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = "the runs' torque still contains gravity: no surrogate mass is known";
+    out.stage.reason = {"viscous.gravity_not_known"};
   } else if (out.from_sweep) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason =
-        "no constant_speed run was recorded; friction comes from the sweep's two directions at "
-        "equal angle, so that speed and angle change together along the curve";
+    out.stage.reason = {"viscous.friction_from_sweep"};
   } else if (out.recordings_without_plateau > 0) {
     out.stage.state = statistics::StageState::partial;
-    out.stage.reason = fmt::format("{} of {} runs hold no plateau of constant speed",
-                                   out.recordings_without_plateau, recordings.size());
+    out.stage.reason = {
+        "viscous.runs_without_plateau",
+        {{"without_plateau", out.recordings_without_plateau}, {"runs", recordings.size()}}};
   } else {
     out.stage.state = statistics::StageState::done;
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statement.h"
 #include "joint/gravity_load.h"
 #include "joint/recording.h"
 #include "method/gravity/cog_sweep.h"
@@ -56,8 +57,8 @@ struct DirectionAngles {
   double falling_high_rad{};
 
   [[nodiscard]] bool share_angles() const;
-  /// "rising runs cover 3° to 172°, falling ones −166° to −4°: they share no angle"
-  [[nodiscard]] std::string in_words() const;
+  /// Which angles each direction covers, and whether they share none.
+  [[nodiscard]] Statement described() const;
 };
 
 struct ViscousCurve {

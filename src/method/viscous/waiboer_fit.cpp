@@ -6,7 +6,6 @@
 #include <limits>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 #include "method/viscous/viscous_curves.h"
 #include "statistics/block_regression.h"
@@ -54,10 +53,9 @@ void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::Vecto
   }
 }
 
-std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std::string& why_not) {
+std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, Statement& why_not) {
   if (points.size() < fewest_points) {
-    why_not = fmt::format("{} runs for five parameters; at least {} are needed", points.size(),
-                          fewest_points);
+    why_not = {"waiboer_fit.too_few_runs", {{"runs", points.size()}, {"needed", fewest_points}}};
     return std::nullopt;
   }
   const statistics::LeastSquaresProblem problem{
@@ -77,7 +75,7 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
     }
   }
   if (!best.converged) {
-    why_not = "no fit converged from any of twelve first guesses";
+    why_not = {"waiboer_fit.did_not_converge"};
     return std::nullopt;
   }
   Eigen::VectorXd r;
@@ -95,8 +93,8 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
   const auto positive = [&](int k) {
     const double h = around.half_width(k);
     const double value = best.parameters(k);
-    return statistics::Estimate{std::exp(value), std::exp(value - h), std::exp(value + h),
-                                "curve fit, scatter of the runs"};
+    return statistics::Estimate{
+        std::exp(value), std::exp(value - h), std::exp(value + h), {"interval.curve_fit"}};
   };
   WaiboerFit fit;
   fit.converged = true;
@@ -113,12 +111,12 @@ std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std
        {&fit.asperity_torque_Nm, &fit.stribeck_speed_rad_s, &fit.stribeck_power,
         &fit.viscous_coefficient, &fit.viscous_power}) {
     if (!std::isfinite(e->low) || !std::isfinite(e->high)) {
-      why_not = "the speeds recorded do not show all five parameters";
+      why_not = {"waiboer_fit.parameters_not_shown"};
       return std::nullopt;
     }
   }
   if (fit.viscous_power.value < 0) {
-    why_not = "viscous friction grows faster than speed, which eq. (6) does not describe";
+    why_not = {"waiboer_fit.grows_faster_than_speed"};
     return std::nullopt;
   }
   return fit;

@@ -2,11 +2,11 @@
 // Waiboer's five parameters, eq. (6), fitted to friction against speed.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/statement.h"
 #include "friction/waiboer.h"
 #include "statistics/estimate.h"
 
@@ -34,8 +34,8 @@ void waiboer_residuals(const std::vector<CurvePoint>& points, const Eigen::Vecto
                        Eigen::VectorXd& r, Eigen::MatrixXd* j);
 
 /// @param points sorted by speed.
-/// @param why_not receives the reason in words where there is no fit.
-std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, std::string& why_not);
+/// @param why_not receives the reason where there is no fit.
+std::optional<WaiboerFit> fit_waiboer(const std::vector<CurvePoint>& points, Statement& why_not);
 
 /// The curve that a fit describes.
 friction::WaiboerFriction waiboer_of(const WaiboerFit& fit);

@@ -27,7 +27,7 @@ std::vector<method::hysteresis::LoopPoint> plain_loop_points(const simulate::Sce
   const std::vector<joint::Recording> recordings = simulate::simulate_joint(plain);
   return method::hysteresis::identify_hysteresis(
              {&recordings.at(0)}, {}, whole.gear_ratio,
-             statistics::symmetric_estimate(q_peak_rad, 0, "known"))
+             statistics::symmetric_estimate(q_peak_rad, 0, {"interval.known"}))
       .points;
 }
 

@@ -13,7 +13,7 @@ namespace tribolog::paper::scenes {
 namespace {
 
 statistics::Estimate exact(double value) {
-  return statistics::symmetric_estimate(value, 0.0, "stated");
+  return statistics::symmetric_estimate(value, 0.0, {"interval.stated"});
 }
 
 bool is_finite(const statistics::Estimate& e) {

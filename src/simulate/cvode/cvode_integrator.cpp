@@ -12,14 +12,15 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "base/statement.h"
 #include "simulate/cvode_solver.h"
 #include "simulate/sundials_versions.h"
 
 namespace tribolog::simulate::cvode {
 namespace {
 
-void require(int flag, const char* what) {
-  if (flag < 0) throw std::runtime_error(fmt::format("CVODE refuses {} (flag {})", what, flag));
+void require(int flag, const char* function) {
+  if (flag < 0) throw std::runtime_error(fmt::format("{}: {}", function, flag));
 }
 
 struct Parts {
@@ -59,11 +60,11 @@ struct Parts {
   void iterate_by_newton(sunindextype n) {
     matrix = SUNDenseMatrix(n, n TRIBOLOG_SUN(context));
     linear = SUNLinSol_Dense(y, matrix TRIBOLOG_SUN(context));
-    require(CVodeSetLinearSolver(solver, linear, matrix), "the linear solver");
+    require(CVodeSetLinearSolver(solver, linear, matrix), "CVodeSetLinearSolver");
   }
   void iterate_by_fixed_point() {
     fixed_point = SUNNonlinSol_FixedPoint(y, 0 TRIBOLOG_SUN(context));
-    require(CVodeSetNonlinearSolver(solver, fixed_point), "the fixed-point iteration");
+    require(CVodeSetNonlinearSolver(solver, fixed_point), "CVodeSetNonlinearSolver");
   }
   static void be_quiet(int /*code*/, const char* /*module*/, const char* /*function*/,
                        char* /*message*/, void* /*data*/) {}
@@ -103,38 +104,36 @@ Integrator::Integrator(const std::vector<double>& start, CvodeSolver::Rates rate
 #if SUNDIALS_VERSION_MAJOR < 7
   CVodeSetErrHandlerFn(p.solver, Parts::be_quiet, nullptr);
 #endif
-  require(CVodeInit(p.solver, Parts::rate, 0, p.y), "the start");
-  require(CVodeSVtolerances(p.solver, options.relative_tolerance, p.tolerances), "the tolerances");
-  require(CVodeSetUserData(p.solver, &p), "its data");
-  require(CVodeSetMaxNumSteps(p.solver, 50'000'000), "the number of steps");
-  require(CVodeSetMaxStep(p.solver, options.largest_step), "the largest step");
+  require(CVodeInit(p.solver, Parts::rate, 0, p.y), "CVodeInit");
+  require(CVodeSVtolerances(p.solver, options.relative_tolerance, p.tolerances),
+          "CVodeSVtolerances");
+  require(CVodeSetUserData(p.solver, &p), "CVodeSetUserData");
+  require(CVodeSetMaxNumSteps(p.solver, 50'000'000), "CVodeSetMaxNumSteps");
+  require(CVodeSetMaxStep(p.solver, options.largest_step), "CVodeSetMaxStep");
   if (is_bdf) {
     p.iterate_by_newton(n);
   } else {
     p.iterate_by_fixed_point();
   }
   if (options.events > 0) {
-    require(CVodeRootInit(p.solver, static_cast<int>(options.events), Parts::event), "the events");
-    require(CVodeSetNoInactiveRootWarn(p.solver), "silence");
+    require(CVodeRootInit(p.solver, static_cast<int>(options.events), Parts::event),
+            "CVodeRootInit");
+    require(CVodeSetNoInactiveRootWarn(p.solver), "CVodeSetNoInactiveRootWarn");
   }
 }
 
 CvodeSolver::Stop Integrator::advance_to(double t, double limit) {
-  require(CVodeSetStopTime(parts_.solver, limit), "the stop time");
+  require(CVodeSetStopTime(parts_.solver, limit), "CVodeSetStopTime");
   const int flag = CVode(parts_.solver, t, parts_.y, &parts_.time, CV_NORMAL);
   if (flag < 0) {
-    throw std::invalid_argument(
-        fmt::format("its equations of friction and motion are too stiff for a solver, which gave "
-                    "up at t = {} s "
-                    "(CVODE's flag {})",
-                    parts_.time, flag));
+    throw Refusal({"solver.too_stiff", {{"time_s", parts_.time}, {"flag", flag}}});
   }
   return flag == CV_ROOT_RETURN ? CvodeSolver::Stop::at_event : CvodeSolver::Stop::at_time;
 }
 
 bool Integrator::happened(std::size_t event) const {
   std::vector<int> found(parts_.event_count);
-  require(CVodeGetRootInfo(parts_.solver, found.data()), "to name its events");
+  require(CVodeGetRootInfo(parts_.solver, found.data()), "CVodeGetRootInfo");
   return found[event] != 0;
 }
 
@@ -143,8 +142,8 @@ double Integrator::time() const { return parts_.time; }
 std::span<double> Integrator::unknowns() { return Parts::values(parts_.y); }
 
 void Integrator::restart(double first_step) {
-  require(CVodeReInit(parts_.solver, parts_.time, parts_.y), "a new start");
-  require(CVodeSetInitStep(parts_.solver, first_step), "the first step");
+  require(CVodeReInit(parts_.solver, parts_.time, parts_.y), "CVodeReInit");
+  require(CVodeSetInitStep(parts_.solver, first_step), "CVodeSetInitStep");
 }
 
 }  // namespace

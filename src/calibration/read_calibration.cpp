@@ -1,13 +1,17 @@
-#include "calibration/entry_of_calibration.h"
+#include "calibration/read_calibration.h"
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/closest_match.h"
 #include "base/error.h"
+#include "calibration/json_values.h"
 #include "ingest/text/clock_field.h"
 #include "statistics/order_statistics.h"
 
@@ -66,7 +70,8 @@ class Members {
     const auto value = e.number("estimate");
     if (!value) return std::nullopt;
     const statistics::Estimate estimate{*value, e.number("low").value_or(*value),
-                                        e.number("high").value_or(*value), e.text("method")};
+                                        e.number("high").value_or(*value),
+                                        Statement::verbatim(e.text("method"))};
     if (estimate.low > estimate.value || estimate.high < estimate.value) {
       refuse(file_, path_ + "." + key + " lies outside of its interval", "low <= estimate <= high");
     }
@@ -198,6 +203,64 @@ ReadJson parsed(const std::string& json, const std::string& file) {
   }
 }
 
+// The curves.
+
+double number_or_nan(const ReadJson& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<double> numbers_of(const ReadJson& list) {
+  std::vector<double> values;
+  if (!list.is_array()) return values;
+  for (const ReadJson& value : list) values.push_back(number_or_nan(value));
+  return values;
+}
+
+RecordedFriction friction_of(const ReadJson& top) {
+  const ReadJson& viscous = member(top, "viscous");
+  const ReadJson& runs = member(viscous, "runs");
+  const ReadJson& chosen = member(member(top, "selection"), "recommended");
+  if (!runs.is_array() || !chosen.is_string()) return {};
+  const std::vector<double> friction =
+      numbers_of(member(member(viscous, "curves"), chosen.get<std::string>()));
+  if (friction.size() != runs.size()) return {};
+  RecordedFriction made;
+  made.estimator = chosen.get<std::string>();
+  made.from_sweep = member(viscous, "from_sweep") != false;
+  for (std::size_t k = 0; k < friction.size(); ++k) {
+    const double speed = number_or_nan(member(runs[k], "speed_rad_s"));
+    if (!std::isfinite(speed) || !std::isfinite(friction[k])) continue;
+    made.speed_rad_s.push_back(speed);
+    made.friction_Nm.push_back(friction[k]);
+    made.half_width_Nm.push_back(number_or_nan(member(runs[k], "torque_half_width_Nm")));
+  }
+  return made;
+}
+
+std::vector<RecordedLoop> loops_of(const ReadJson& top) {
+  std::vector<RecordedLoop> loops;
+  const ReadJson& oscillations = member(member(top, "hysteresis"), "oscillations");
+  if (!oscillations.is_array()) return loops;
+  for (const ReadJson& oscillation : oscillations) {
+    const ReadJson& steady = member(oscillation, "steady_loop");
+    RecordedLoop loop;
+    loop.centre_rad = number_or_nan(member(steady, "centre_rad"));
+    loop.from_centre_rad = numbers_of(member(steady, "angle_from_centre_rad"));
+    loop.torque_Nm = numbers_of(member(steady, "torque_Nm"));
+    const bool is_whole = std::isfinite(loop.centre_rad) && loop.torque_Nm.size() > 2 &&
+                          loop.torque_Nm.size() == loop.from_centre_rad.size();
+    if (is_whole) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+RecordedCurves curves_of(const ReadJson& top) {
+  const ReadJson& fastest =
+      member(member(member(top, "friction"), "coulomb_viscous"), "fastest_rad_s");
+  return {friction_of(top),
+          fastest.is_number() ? std::optional(fastest.get<double>()) : std::nullopt, loops_of(top)};
+}
+
 }  // namespace
 
 std::string utc_of_iso_text(const std::string& text) {
@@ -222,19 +285,28 @@ double seconds_of_utc(const std::string& utc) {
   return time ? static_cast<double>(time->whole) : 0;
 }
 
-NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {
+RecordedCalibration read_calibration(const std::string& json, const std::string& file) {
   const ReadJson whole = parsed(json, file);
   const Members top(whole, "the file", file);
   if (top.text("schema") != "tribolog-calibration-1") {
     refuse(file, "is no calibration", "schema \"tribolog-calibration-1\"");
   }
   refuse_nul(whole, file);
-  NewCalibration made;
-  made.facts = facts_of(top, file);
-  made.quantities = quantities_of(top.object("verdict"), file);
-  made.inputs = inputs_of(top, file);
-  made.documents.push_back({DocumentKind::calibration, "", json});
-  return made;
+  return {facts_of(top, file), quantities_of(top.object("verdict"), file), inputs_of(top, file),
+          curves_of(whole)};
+}
+
+RecordedCurves read_curves(const std::string& json) {
+  const ReadJson whole = ReadJson::parse(json, nullptr, false);
+  return whole.is_discarded() ? RecordedCurves{} : curves_of(whole);
+}
+
+NewCalibration entry_of_calibration(const std::string& json, const std::string& file) {
+  RecordedCalibration read = read_calibration(json, file);
+  return {std::move(read.facts),
+          std::move(read.quantities),
+          std::move(read.inputs),
+          {{DocumentKind::calibration, "", json}}};
 }
 
 }  // namespace tribolog::calibration

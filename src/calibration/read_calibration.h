@@ -1,0 +1,63 @@
+#pragma once
+// The one reader of what calibration_json() writes: files of any age, on their way into an archive,
+// onto a page or into another program's format.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/archived_calibration.h"
+
+namespace tribolog::calibration {
+
+/// Friction over speed by the recommended gravity, a point for each run at constant speed or, where
+/// there were none, for each pair of a sweep's strokes. SI, motor side.
+struct RecordedFriction {
+  std::string estimator;  ///< By whose gravity the friction is what is left.
+  bool from_sweep{};
+  std::vector<double> speed_rad_s;  ///< With the sign of the direction, as the friction.
+  std::vector<double> friction_Nm;
+  std::vector<double> half_width_Nm;  ///< Of the torque; NaN: not recorded.
+};
+
+/// One oscillation's steady loop.
+struct RecordedLoop {
+  double centre_rad{};                  ///< Joint.
+  std::vector<double> from_centre_rad;  ///< Joint angle less the centre.
+  std::vector<double> torque_Nm;        ///< Motor side.
+};
+
+struct RecordedCurves {
+  RecordedFriction friction;            ///< Empty where there are no runs.
+  std::optional<double> fastest_rad_s;  ///< Up to which the straight line was fitted, motor side.
+  std::vector<RecordedLoop> loops;      ///< Empty where none was recorded, or by an older program.
+};
+
+/// A calibration as its file has it.
+struct RecordedCalibration {
+  Facts facts;
+  std::vector<Quantity> quantities;
+  std::vector<Input> inputs;
+  RecordedCurves curves;
+};
+
+/// @param json the whole file. @param file its name, for messages.
+/// @throw InputError: no JSON, no calibration, or one that says something impossible.
+RecordedCalibration read_calibration(const std::string& json, const std::string& file);
+
+/// The curves alone. Members that are missing or of another type are taken for not recorded.
+RecordedCurves read_curves(const std::string& json);
+
+/// What an archive keeps: what read_calibration() finds, and the file itself. The only way into an
+/// archive, so that `identify`, `report` and `archive add` archive the same.
+/// @throw as read_calibration()
+NewCalibration entry_of_calibration(const std::string& json, const std::string& file);
+
+/// "2026-01-31", "2026-01-31 14:05", "2026-01-31T14:05:09+01:00" -> "2026-01-31T13:05:09Z". Without
+/// an offset it is taken for UTC. @return empty for anything else.
+std::string utc_of_iso_text(const std::string& text);
+
+/// Since 1970, of a time that utc_of_iso_text() gave; 0 for anything else.
+double seconds_of_utc(const std::string& utc);
+
+}  // namespace tribolog::calibration

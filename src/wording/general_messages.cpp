@@ -1,0 +1,61 @@
+// What belongs to no stage alone: how intervals were made, and what joins statements.
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+
+const Messages& general_messages() {
+  static const Messages all{
+      {"verbatim", values_alone("{words}")},
+      {"general.together", values_alone("{parts:; }")},
+
+      // Where an interval comes from.
+      {"interval.stated", text("stated")},
+      {"interval.known", text("known")},
+      {"interval.one_reading", text("one reading")},
+      {"interval.in_quadrature", text("independent intervals, in quadrature")},
+      {"interval.largest_torque", text("paper's way: largest torque")},
+      {"interval.largest_torque_at_end", text("paper's way; lies at the end of the sweep")},
+      {"interval.put_in", text("put in")},
+      {"interval.stated_in_manifest", text("stated in the manifest")},
+      {"interval.last_three_against_reference", text("the last three against the reference")},
+      {"interval.line_over_calibrations", text("straight line over all calibrations")},
+      {"interval.least_squares_blocks", text("least squares, blocks of neighbouring samples")},
+      {"interval.least_squares_known_amplitude",
+       text("least squares with the amplitude of the rough sweep")},
+      {"interval.runs_blocks", text("runs at constant speed, blocks of the angle and of the runs")},
+      {"interval.widened_by_sweep_ripple",
+       text("{interval}, widened by the ripple that the sweep shows")},
+      {"interval.widened_by_rough_sweep_ripple",
+       text("{interval}, widened by the ripple that the rough sweep shows")},
+      {"interval.curve_fit", text("curve fit, scatter of the runs")},
+      {"interval.curve_fit_speeds", text("fit of the curve, scatter of the speeds")},
+      {"interval.paired_strokes", text("paired strokes at equal angle, blocks of the angle")},
+      {"interval.line_of_direction", text("straight line of one direction, scatter of the runs")},
+      {"interval.scatter_of_pairs", text("scatter of the pairs")},
+      {"interval.scatter_of_cycles", text("scatter of the cycles")},
+      {"interval.white_noise_only", text("white noise only: fewer than three steady cycles")},
+      {"interval.lugre_fit_blocks", text("LuGre fit, blocks of half a cycle")},
+      {"interval.scatter_of_ramps", text("scatter of the ramps")},
+      {"interval.scatter_of_ramps_both_directions", text("scatter of the ramps, both directions")},
+      {"interval.scatter_of_strokes", text("scatter of the strokes")},
+      {"interval.loop_fit_blocks", text("loop fit, blocks of half a cycle")},
+      {"interval.scatter_of_positions_about_ripple",
+       text("scatter of the positions about the ripple")},
+      {"interval.scatter_of_positions", text("scatter of the positions")},
+      {"interval.classical", text("linear least squares over everything that moves, blocks")},
+      {"interval.classical_textbook", text("linear least squares, errors taken as independent")},
+      {"interval.sweep_directions", text("mean of the sweep's directions, blocks of angles")},
+      {"interval.run_pairs", text("mean of each pair of runs, scatter of the pairs")},
+      {"interval.line_runs", text("straight line, scatter of the runs")},
+      {"interval.curve_fit_bootstrap",
+       text("curve fit, bootstrap of the runs with gravity's error")},
+      {"interval.bootstrap", text("bootstrap")},
+      {"interval.scatter_of_cycles_and_recordings",
+       text("scatter of the cycles and of the recordings")},
+      {"interval.scatter_of_half_cycles_and_recordings",
+       text("scatter of the half cycles and of the recordings")}};
+  return all;
+}
+
+}  // namespace tribolog::wording

@@ -1,0 +1,199 @@
+// What the verdict, the known-truth check and the intervals state.
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+
+const Messages& verdict_messages() {
+  static const Messages all{
+      // The quantities.
+      {"quantity.cog_angle", text("Angle of the centre of gravity")},
+      {"quantity.gravity_torque", text("Gravity torque")},
+      {"quantity.surrogate_mass", text("Surrogate mass")},
+      {"quantity.break_away_torque", text("Break-away torque")},
+      {"quantity.bristle_stiffness", text("Bristle stiffness")},
+      {"quantity.bristle_damping", text("Bristle damping")},
+      {"quantity.inertia", text("Inertia at the motor")},
+      {"quantity.coulomb_torque", text("Coulomb torque")},
+      {"quantity.stribeck_speed", text("Stribeck velocity")},
+      {"quantity.viscous_coefficient", text("Viscous coefficient")},
+      {"quantity.viscous_curve", text("Viscous curve")},
+      {"quantity_at_joint.cog_angle", text("Angle of the centre of gravity at the joint")},
+      {"quantity_at_joint.gravity_torque", text("Gravity torque at the joint")},
+      {"quantity_at_joint.surrogate_mass", text("Surrogate mass at the joint")},
+      {"quantity_at_joint.break_away_torque", text("Break-away torque at the joint")},
+      {"quantity_at_joint.bristle_stiffness", text("Bristle stiffness at the joint")},
+      {"quantity_at_joint.bristle_damping", text("Bristle damping at the joint")},
+      {"quantity_at_joint.inertia", text("Inertia at the motor at the joint")},
+      {"quantity_at_joint.coulomb_torque", text("Coulomb torque at the joint")},
+      {"quantity_at_joint.stribeck_speed", text("Stribeck velocity at the joint")},
+      {"quantity_at_joint.viscous_coefficient", text("Viscous coefficient at the joint")},
+
+      // The numbers that a simulation reads back.
+      {"reading.A", text("point A")},
+      {"reading.B", text("point B")},
+      {"reading.C", text("point C")},
+      {"reading.D", text("point D")},
+      {"reading.E", text("point E")},
+      {"reading.F", text("point F")},
+      {"reading.A_steady", text("A of the steady loop")},
+      {"reading.B_steady", text("B of the steady loop")},
+      {"reading.AB", text("mean of A and B")},
+      {"reading.CD", text("mean of C and D")},
+      {"reading.EF", text("mean of E and F")},
+      {"reading.midline", text("mid-line")},
+      {"reading.sweep", text("sweep fit")},
+      {"reading.fit", text("LuGre fit")},
+      {"reading.q_peak", text("gravity peak q_peak")},
+      {"reading.bristle_stiffness", text("bristle stiffness σ₀")},
+      {"reading.static_torque", text("break-away torque T_s")},
+      {"reading.sweep_friction", text("sweep friction")},
+      {"reading.coulomb", text("Coulomb torque T_c")},
+      {"reading.viscous", text("viscous coefficient c")},
+      {"reading.asperity_torque", text("asperity torque T_a")},
+      {"reading.stribeck_speed", text("Stribeck velocity ω_s")},
+      {"reading.stribeck_power", text("Stribeck power δ_a")},
+      {"reading.viscous_coefficient", text("viscous coefficient c_v")},
+      {"reading.viscous_power", text("viscous power δ_v")},
+
+      // The sentence at the top of the report.
+      {"verdict.no_torque",
+       text("No torque was recorded: the motion alone shows neither gravity nor friction.")},
+      {"verdict.data_cannot_carry", text("The data cannot carry an identification: {found}.")},
+      {"verdict.neither_angle_nor_mass",
+       text("Neither the centre of gravity nor the surrogate mass can be found in these "
+            "recordings.")},
+      {"verdict.no_mass", text("The surrogate mass cannot be found in these recordings.")},
+      {"verdict.no_angle",
+       text("The angle of the centre of gravity cannot be found in these recordings.")},
+      {"verdict.usable",
+       text("All stages have their data, and the independent estimates of the mass agree.")},
+      {"verdict.checks_fail", text("Angle and mass are known, but checks on the data fail.")},
+      {"verdict.estimates_disagree",
+       text("Angle and mass are known, but independent estimates disagree.")},
+      {"verdict.limit_not_kept",
+       text("Angle and mass are known, but a limit of the manifest is not kept.")},
+      {"verdict.own_answer_not_found",
+       text("Angle and mass are known, but simulated with what was identified, the method does not "
+            "find its own answer.")},
+      {"verdict.stage_without_data",
+       text("Angle and mass are known, but not every stage had the data it needs.")},
+
+      // Why a quantity is not usable.
+      {"verdict.check", text("{check}: {found}")},
+      {"verdict.check_fails", text("{found}: {consequence}")},
+      {"verdict.interval_reaches_below_zero",
+       text("the data do not show it: its 95 % interval reaches below zero")},
+      {"verdict.interval_reaches_zero",
+       text("the data do not show it: its 95 % interval reaches zero")},
+      {"verdict.known_to_share", text("known to ± {percent:.0f} % only")},
+      {"verdict.known_to_angle", text("known to ± {degrees:.0f}° only")},
+      {"verdict.nothing_independent", text("nothing independent checks it: {why}")},
+      {"verdict.no_loop_model", text("no friction model was fitted to the loop")},
+      {"verdict.ramps_do_not_show", text("the ramps do not show it: {why}")},
+      {"verdict.never_broke_away",
+       text("the loop's level lies below the Coulomb torque: the joint never broke away in it, and "
+            "the break-away torque is only known to be larger")},
+      {"verdict.lugre_misfit",
+       text(
+           "{recording}: the LuGre model leaves {misfit_Nm:.2g} N·m, {percent:.1f} % of the loop's "
+           "height, that noise does not explain (limit {limit_percent:.1f} %): its number is the "
+           "model's nearest, not the joint's")},
+      {"verdict.nothing_checks_curve", text("nothing checks the curve: {why}")},
+      {"verdict.no_stribeck_model",
+       text("no model with a Stribeck velocity was fitted to the curve")},
+      {"verdict.runs_share_no_angle",
+       text("{angles}, so that gravity and friction cannot be told apart by comparing them; record "
+            "every speed in both directions over the same angles")},
+      {"verdict.runs_always_lift",
+       text("in the runs at constant speed the drive lifts the load all the way: friction that "
+            "grows with the load would be taken for gravity; runs that also lower it would tell")},
+      {"verdict.use_chosen_model", text("{why}; use {model} (stage 8) instead")},
+
+      // Limits of the manifest.
+      {"limit.min", text("the limit of at least {limit:.6g} {unit}")},
+      {"limit.max", text("the limit of at most {limit:.6g} {unit}")},
+      {"limit.half_width", text("the limit of an interval of at most ± {limit:.6g} {unit}")},
+      {"limit.half_width_percent",
+       text("the limit of an interval of at most ± {limit:.6g} {unit}")},
+      {"limit.no_estimate", text("{quantity}: there is no estimate to hold against {limit}")},
+      {"limit.kept",
+       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) keeps {limit}")},
+      {"limit.broken",
+       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}) breaks {limit}")},
+      {"limit.not_shown",
+       text("{quantity} {value:.5g} {unit} (95 %: {low:.5g} to {high:.5g}): the interval crosses "
+            "{limit}: not shown")},
+
+      // What to record next.
+      {"record.sweep",
+       text("slow sweep over the joint's range, across the gravity peak, in both directions")},
+      {"record.oscillation",
+       text("ten cycles of a micro-oscillation about the gravity peak, at eight positions spread "
+            "over one turn of the motor, resolved into at least fifty encoder steps")},
+      {"record.runs",
+       text("ten to twenty constant speeds, from the slowest smooth one to the fastest allowed, in "
+            "both directions over the same angles")},
+      {"record.sweep_and_oscillation",
+       text("slow sweep over the joint's range in both directions, and a micro-oscillation about "
+            "the gravity peak")},
+      {"record.better_motion",
+       text("a motion that shows it better, or less noise: the known-truth check says how far off "
+            "it comes back")},
+      {"record.eight_positions",
+       text("the micro-oscillation at eight positions spread over one turn of the motor")},
+      {"record.ramps",
+       text("ramps of the torque that go on until the joint slides, several in each direction")},
+      {"record.larger_amplitude",
+       text("oscillate with a larger amplitude, until the loop's branches run flat")},
+      {"record.compare_reversals",
+       text("compare with the stiffness behind reversals, which needs no model (table of the "
+            "loops)")},
+      {"record.speeds_about_the_dip",
+       text("more speeds below and about the dip of the friction curve")},
+      {"record.second_measurement",
+       text("nothing to record: the joint, or the limit, is not as it should be; a second "
+            "measurement would confirm it")},
+      {"record.more_of_the_same", text("more of the same: the interval has to become narrower")},
+
+      // The known-truth check.
+      {"truth.not_found",
+       text("the method cannot find its own answer on these motions at this noise: the {reading} "
+            "was not found in any of {runs} simulations of what was identified")},
+      {"truth.does_not_come_back",
+       text(
+           "the method cannot find its own answer on these motions at this noise: of the {reading} "
+           "{put_in:.5g} {unit} was put in, {came_back:.5g} {unit} came back, and the stated "
+           "interval holds it in {inside} of {runs} simulations")},
+      {"truth.ramp_is_its_answer",
+       text("the motion of a break-away ramp is its answer, which no recorded one can stand for")},
+      {"truth.sweep_without_gravity", text("the sweep gave no gravity")},
+      {"truth.no_curve", text("no friction curve was identified")},
+      {"truth.no_loop_model", text("no LuGre model was fitted to the loop")},
+      {"truth.no_whole_cycle", text("the angle does not swing through one whole cycle; and {why}")},
+      {"truth.loop_parameters_not_shown",
+       text("the loops do not show stiffness and static torque")},
+      {"truth.nothing_to_simulate",
+       text("nothing can be simulated: no gravity torque was identified")},
+      {"truth.too_few_samples", text("too few samples")},
+      {"truth.not_simulated", text("{recording}: {why}")},
+      {"truth.first_samples_simulated",
+       text("{recording}: {samples} of its {all} samples are simulated, from the first on")},
+      {"truth.spread_samples_simulated",
+       text("{recording}: {samples} of its {all} samples are simulated, evenly spread")},
+
+      // A log without torque.
+      {"no_torque.log_a_column",
+       text(
+           "no torque was recorded; log the motor's torque, or its present current with the torque "
+           "constant, in a column beside the angle")},
+      {"no_torque.no_loop", text("no torque was recorded; the loop is torque against angle")},
+      {"no_torque.no_mass", text("no torque was recorded; a mass is read off a torque")},
+      {"no_torque.no_curve", text("no torque was recorded; the curve is torque against speed")},
+      {"no_torque.no_curve_to_check", text("no torque was recorded; there is no curve to check")},
+      {"no_torque.no_mass_to_select", text("no torque was recorded; there is no mass to select")},
+      {"no_torque.no_curve_to_fit", text("no torque was recorded; there is no curve to fit")}};
+  return all;
+}
+
+}  // namespace tribolog::wording

@@ -1,0 +1,168 @@
+// What stage 5 states: friction over speed, its models, direction and load.
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+
+const Messages& viscous_messages() {
+  static const Messages all{
+      // The viscous curves.
+      {"viscous.no_runs",
+       text("no constant_speed run was recorded; runs at ten or more speeds in both directions "
+            "over the same angles would give the viscous curve")},
+      {"viscous.no_plateau",
+       text("no plateau of constant speed was found in the constant_speed runs")},
+      {"viscous.gravity_not_known",
+       text("the runs' torque still contains gravity: no surrogate mass is known")},
+      {"viscous.friction_from_sweep",
+       text("no constant_speed run was recorded; friction comes from the sweep's two directions at "
+            "equal angle, so that speed and angle change together along the curve")},
+      {"viscous.runs_without_plateau",
+       text("{without_plateau} of {runs} runs hold no plateau of constant speed")},
+
+      // Which angles the runs cover.
+      {"run_angles.unknown", text("the angles of the runs are not known")},
+      {"run_angles.rising_only", text("the joint angle rises in all of them")},
+      {"run_angles.falling_only", text("the joint angle falls in all of them")},
+      {"run_angles.covered",
+       text("rising runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, falling ones "
+            "{falling_low_deg:.0f}° to {falling_high_deg:.0f}°")},
+      {"run_angles.none_shared",
+       text("rising runs cover {rising_low_deg:.0f}° to {rising_high_deg:.0f}°, falling ones "
+            "{falling_low_deg:.0f}° to {falling_high_deg:.0f}°: the directions share no angle")},
+
+      // The models of the curve.
+      {"curve_law.coulomb", text("Coulomb")},
+      {"curve_law.coulomb_viscous", text("Coulomb and viscous")},
+      {"curve_law.power_viscous", text("Coulomb and power-law viscous")},
+      {"curve_law.stribeck", text("Stribeck and viscous")},
+      {"curve_law.waiboer", text("Waiboer, eq. (6)")},
+      {"curve_model.with_load", text("{law}, growing with the load")},
+      {"curve_model.with_coulomb_of_directions", text("{law}, Coulomb friction of each direction")},
+      {"curve_model.with_coulomb_of_directions_and_load",
+       text("{law}, Coulomb friction of each direction, growing with the load")},
+      {"curve_model.with_lines_of_directions",
+       text("{law}, Coulomb and viscous friction of each direction")},
+      {"curve_model.with_lines_of_directions_and_load",
+       text("{law}, Coulomb and viscous friction of each direction, growing with the load")},
+
+      // Why a model takes no part.
+      {"curve_fit.sweep_hides_stribeck",
+       text("speed and angle change together in a sweep, which hides a Stribeck effect")},
+      {"curve_fit.too_few_speeds",
+       text("{speeds} speeds for {parameters} parameters; at least {needed} are needed")},
+      {"curve_fit.parameters_not_distinct",
+       text("its parameters cannot be told apart in this curve")},
+      {"curve_fit.asperity_torque_not_positive", text("its asperity torque is not positive")},
+      {"curve_fit.viscous_coefficient_not_positive",
+       text("its viscous coefficient is not positive")},
+      {"curve_fit.grows_faster_than_speed",
+       text("its friction grows faster than speed, which eq. (6) excludes")},
+      {"curve_fit.coulomb_torque_not_positive", text("its Coulomb torque is not positive")},
+      {"curve_fit.friction_at_rest_below_coulomb",
+       text("its friction at rest lies below the Coulomb torque")},
+      {"curve_fit.viscous_coefficient_negative", text("its viscous coefficient is negative")},
+      {"curve_fit.needs_every_speed", text("it cannot be fitted without each of the speeds")},
+
+      // Which model the curve carries.
+      {"curve_model.no_curve", text("there is no viscous curve to choose a model for")},
+      {"curve_model.too_few_speeds",
+       by_count("speeds",
+                "{speeds} speed cannot tell friction models apart; at least {needed} are needed, "
+                "ten or more would be good",
+                "{speeds} speeds cannot tell friction models apart; at least {needed} are needed, "
+                "ten or more would be good")},
+      {"curve_model.none_possible_because",
+       text("no friction model describes this curve with parameters that a joint can have: {why}")},
+      {"curve_model.none_possible",
+       text("no friction model describes this curve with parameters that a joint can have")},
+      {"curve_model.chosen",
+       text("{model}: {parameters} parameters, error {error_Nm:.3g} N·m at speeds held out")},
+      {"curve_model.best_gains_too_little",
+       text("{law} with {parameters} parameters has {error_Nm:.3g} N·m, a gain within its standard "
+            "error")},
+      {"curve_model.next_simpler", text("the next simpler one, {law}, has {error_Nm:.3g} N·m")},
+      {"waiboer_five.carried", text("the curve carries Waiboer's five parameters")},
+      {"waiboer_five.not_carried", text("the curve cannot carry Waiboer's five parameters: {why}")},
+      {"waiboer_five.no_gain",
+       text("the curve cannot carry Waiboer's five parameters: at speeds held out their error is "
+            "{error_Nm:.3g} N·m, no less than the {error_of_chosen_Nm:.3g} N·m of the model with "
+            "{parameters_of_chosen}")},
+      {"waiboer_five.gain_too_little",
+       text("the curve cannot carry Waiboer's five parameters: at speeds held out their error is "
+            "{error_Nm:.3g} N·m, against {error_of_chosen_Nm:.3g} N·m of the model with "
+            "{parameters_of_chosen}, a gain within its standard error")},
+
+      // The parameters of the chosen model.
+      {"curve_parameter.coulomb_torque", text("Coulomb torque T_c")},
+      {"curve_parameter.excess_at_rest", text("Excess at rest T_s − T_c")},
+      {"curve_parameter.asperity_torque", text("Asperity torque T_a")},
+      {"curve_parameter.stribeck_velocity", text("Stribeck velocity ω_s")},
+      {"curve_parameter.stribeck_power", text("Stribeck power δ_a")},
+      {"curve_parameter.viscous_coefficient", text("Viscous coefficient c")},
+      {"curve_parameter.power_law_coefficient", text("Viscous coefficient c_v")},
+      {"curve_parameter.viscous_exponent", text("Viscous exponent p")},
+      {"curve_parameter.waiboer_exponent", text("Viscous exponent 1 − δ_v")},
+      {"curve_parameter.coulomb_asymmetry", text("Rising less falling, half, Coulomb")},
+      {"curve_parameter.viscous_asymmetry", text("Rising less falling, half, viscous")},
+      {"curve_parameter.power_law_asymmetry",
+       text("Rising less falling, half, viscous coefficient")},
+      {"curve_parameter.load_torque", text("Added by the full gravity torque")},
+      {"unit.as_viscous_coefficient", text("as the viscous coefficient")},
+
+      // Why Waiboer's five parameters were not fitted.
+      {"waiboer_fit.too_few_runs",
+       text("{runs} runs for five parameters; at least {needed} are needed")},
+      {"waiboer_fit.did_not_converge", text("no fit converged from any of twelve first guesses")},
+      {"waiboer_fit.parameters_not_shown",
+       text("the speeds recorded do not show all five parameters")},
+      {"waiboer_fit.grows_faster_than_speed",
+       text("viscous friction grows faster than speed, which eq. (6) does not describe")},
+
+      // Is friction the same in both directions?
+      {"direction_asymmetry.offset_of_sweep",
+       text("the sweep's offset of {offset_Nm:.3g} N·m was taken out of both directions: half the "
+            "difference of their friction, or an offset of the torque signal")},
+      {"direction_asymmetry.too_few_pairs",
+       text("whether friction is the same in both directions cannot be seen without gravity: too "
+            "few speeds were run in both directions over the same angles")},
+      {"direction_asymmetry.found",
+       text("friction is not the same in both directions, or the torque signal has an offset, or "
+            "gravity is off: half the difference of rising and falling is {half_difference_Nm:.3g} "
+            "± {half_width_Nm:.2g} N·m, of which an error of the gravity torque within its "
+            "interval could be {gravity_error_Nm:.2g} N·m")},
+      {"direction_asymmetry.does_not_show",
+       text("no asymmetry of the directions shows: half the difference of rising and falling is "
+            "{half_difference_Nm:.3g} ± {half_width_Nm:.2g} N·m, of which an error of the gravity "
+            "torque within its interval could be {gravity_error_Nm:.2g} N·m")},
+
+      // Does friction depend on the load?
+      {"load_dependence.no_sweep_in_both_directions",
+       text(
+           "whether friction depends on the load cannot be seen: that takes a sweep in both "
+           "directions over the same angles, through angles of much and of little gravity torque")},
+      {"load_dependence.too_few_shared_cells",
+       text("whether friction depends on the load cannot be seen: the two directions of the sweep "
+            "share {shared} of {cells} cells of its angles only")},
+      {"load_dependence.load_changes_too_little",
+       text("whether friction depends on the load cannot be seen: gravity torque changes from "
+            "{lowest_Nm:.3g} to {highest_Nm:.3g} N·m only over the sweep, by less than "
+            "{needed_percent:.0f} % of its amplitude")},
+      {"load_dependence.does_not_show",
+       text(
+           "friction does not visibly depend on the load: {share_percent:.2g} % of the gravity "
+           "torque (95 %: {low_percent:.2g} to {high_percent:.2g} %); at angles held out the error "
+           "is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m without")},
+      {"load_dependence.found",
+       text(
+           "friction depends on the load: it grows by {share_percent:.3g} % of the gravity torque "
+           "(95 %: {low_percent:.3g} to {high_percent:.3g} %), from {unloaded_Nm:.3g} N·m unloaded "
+           "by {added_Nm:.3g} N·m at the largest load of the sweep; at angles held out the error "
+           "is {error_Nm:.3g} N·m with the load and {error_without_load_Nm:.3g} N·m without")},
+      {"load_dependence.curved_viscous_law_rivals",
+       text("a curved viscous law would explain it as well, because speed and load change together "
+            "in this sweep: sweeps at several constant speeds tell them apart")}};
+  return all;
+}
+
+}  // namespace tribolog::wording

@@ -1,0 +1,133 @@
+#include "wording/words.h"
+
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <variant>
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include "wording/messages.h"
+
+namespace tribolog::wording {
+namespace {
+
+/// Words of several statements; the text between two of them stands where a number has its format.
+struct Listed {
+  std::vector<std::string> parts;
+};
+
+}  // namespace
+}  // namespace tribolog::wording
+
+template <>
+struct fmt::formatter<tribolog::wording::Listed> {
+  constexpr auto parse(format_parse_context& context) {
+    const auto* end = context.begin();
+    while (end != context.end() && *end != '}') ++end;
+    between_ = {context.begin(), static_cast<std::size_t>(end - context.begin())};
+    return end;
+  }
+  auto format(const tribolog::wording::Listed& listed, format_context& context) const {
+    return fmt::format_to(context.out(), "{}", fmt::join(listed.parts, between_));
+  }
+
+ private:
+  std::string_view between_;
+};
+
+namespace tribolog::wording {
+namespace {
+
+using Arguments = fmt::dynamic_format_arg_store<fmt::format_context>;
+
+const std::map<std::string_view, Message>& messages_by_code() {
+  static const std::map<std::string_view, Message> all = [] {
+    std::map<std::string_view, Message> found;
+    for (const Messages* table :
+         {&general_messages(), &check_messages(), &gravity_messages(), &hysteresis_messages(),
+          &viscous_messages(), &selection_messages(), &friction_messages(), &verdict_messages()}) {
+      for (const CodedMessage& one : *table) {
+        if (!found.emplace(one.code, one.message).second) {
+          throw std::logic_error(fmt::format("'{}' has two messages", one.code));
+        }
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
+const Message& message_of(std::string_view code) {
+  const auto found = messages_by_code().find(code);
+  if (found == messages_by_code().end()) {
+    throw std::logic_error(fmt::format("there are no words for '{}'", code));
+  }
+  return found->second;
+}
+
+std::string_view form_of(const Message& message, const Statement& statement) {
+  if (message.count.empty()) return message.one;
+  for (const StatedValue& value : statement.values()) {
+    if (value.name != message.count) continue;
+    return std::get<std::int64_t>(value.value) == 1 ? message.one : message.many;
+  }
+  throw std::logic_error(fmt::format("'{}' states no {}", statement.code().text(), message.count));
+}
+
+}  // namespace
+
+std::string words(const Statement& statement) {
+  if (statement.empty()) return {};
+  const std::string_view message = form_of(message_of(statement.code().text()), statement);
+  Arguments arguments;
+  for (const StatedValue& one : statement.values()) {
+    const char* const name = one.name.c_str();
+    if (const auto* number = std::get_if<double>(&one.value)) {
+      arguments.push_back(fmt::arg(name, *number));
+    } else if (const auto* count = std::get_if<std::int64_t>(&one.value)) {
+      arguments.push_back(fmt::arg(name, *count));
+    } else if (const auto* text = std::get_if<std::string>(&one.value)) {
+      arguments.push_back(fmt::arg(name, *text));
+    } else {
+      arguments.push_back(
+          fmt::arg(name, Listed{words(std::get<std::vector<Statement>>(one.value))}));
+    }
+  }
+  try {
+    return fmt::vformat(message, arguments);
+  } catch (const fmt::format_error& error) {
+    throw std::logic_error(
+        fmt::format("'{}' does not fit its words: {}", statement.code().text(), error.what()));
+  }
+}
+
+std::vector<std::string> words(const std::vector<Statement>& statements) {
+  std::vector<std::string> all;
+  all.reserve(statements.size());
+  for (const Statement& one : statements) all.push_back(words(one));
+  return all;
+}
+
+std::string words(const std::exception& error) {
+  const auto* const refusal = dynamic_cast<const Refusal*>(&error);
+  if (refusal == nullptr) return error.what();
+  try {
+    return words(refusal->statement());
+  } catch (const std::logic_error&) {  // told while another error is: it must not take its place
+    return error.what();
+  }
+}
+
+std::string words_for(std::string_view topic, std::string_view key) {
+  return std::string(message_of(fmt::format("{}.{}", topic, key)).one);
+}
+
+std::vector<std::string> all_codes() {
+  std::vector<std::string> codes;
+  for (const auto& [code, message] : messages_by_code()) codes.emplace_back(code);
+  return codes;
+}
+
+}  // namespace tribolog::wording

@@ -1,0 +1,32 @@
+#pragma once
+// Sentences of what the method states: the one place where a code becomes words.
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/statement.h"
+
+namespace tribolog::wording {
+
+/// The statement's sentence; empty for an empty one.
+/// @throw std::logic_error naming the code: there is no message for it, or one of its values is
+///        missing.
+std::string words(const Statement& statement);
+
+/// Of each, in order.
+std::vector<std::string> words(const std::vector<Statement>& statements);
+
+/// What an error says: the sentence of a Refusal, what() of every other. A refusal that has no
+/// message says its code.
+std::string words(const std::exception& error);
+
+/// The message without values that stands for a key: words_for("quantity", "coulomb_torque").
+/// @throw std::logic_error where there is none.
+std::string words_for(std::string_view topic, std::string_view key);
+
+/// Codes of all messages, for a check of what is left over.
+std::vector<std::string> all_codes();
+
+}  // namespace tribolog::wording

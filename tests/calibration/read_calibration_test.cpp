@@ -1,0 +1,140 @@
+#include "calibration/read_calibration.h"
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "calibration/calibration_json.h"
+#include "report/sample_calibration.h"
+
+namespace tribolog::calibration::read_calibration_test {
+namespace {
+
+using nlohmann::json;
+
+std::string written() {
+  return calibration_json(test::complete_calibration(), test::sample_provenance());
+}
+
+TEST(ReadCalibration, FindsWhatWasWritten) {
+  const Calibration c = test::complete_calibration();
+  const RecordedCalibration read = read_calibration(written(), "c.json");
+  EXPECT_EQ(read.facts.of.robot, c.manifest.robot);
+  EXPECT_EQ(read.facts.gear_ratio, c.manifest.drive.gear_ratio());
+  EXPECT_EQ(read.facts.verdict, c.judgement.verdict);
+  ASSERT_EQ(read.quantities.size(), c.judgement.quantities.size());
+  for (std::size_t k = 0; k < read.quantities.size(); ++k) {
+    const QuantityVerdict& stated = c.judgement.quantities[k];
+    EXPECT_EQ(read.quantities[k].name, stated.key);
+    EXPECT_EQ(read.quantities[k].unit, stated.unit);
+    EXPECT_EQ(read.quantities[k].verdict, stated.verdict);
+    ASSERT_EQ(read.quantities[k].estimate.has_value(), stated.estimate.has_value());
+    if (!stated.estimate) continue;
+    EXPECT_EQ(read.quantities[k].estimate->value, stated.estimate->value);
+    EXPECT_EQ(read.quantities[k].estimate->low, stated.estimate->low);
+    EXPECT_EQ(read.quantities[k].estimate->high, stated.estimate->high);
+  }
+  ASSERT_EQ(read.inputs.size(), c.inputs.size());
+  EXPECT_EQ(read.inputs.front().sha256, c.inputs.front().sha256);
+  EXPECT_EQ(read.curves.friction.estimator, c.selection.recommended);
+  EXPECT_EQ(read.curves.friction.speed_rad_s.size(), c.viscous.runs.size());
+  EXPECT_FALSE(read.curves.friction.from_sweep);
+}
+
+/// The schema of the object that lies there, through references and alternatives.
+const json& resolved(const json& schema, const json& root) {
+  if (schema.contains("$ref")) {
+    const auto reference = schema["$ref"].get<std::string>();
+    return resolved(root.at(json::json_pointer(reference.substr(1))), root);
+  }
+  if (!schema.contains("oneOf")) return schema;
+  for (const json& one : schema["oneOf"]) {
+    const json& found = resolved(one, root);
+    if (found.value("type", json()) != "null") return found;
+  }
+  return schema;
+}
+
+bool may_be_null(const json& schema) {
+  const json type = schema.value("type", json());
+  if (type.is_array()) return std::find(type.begin(), type.end(), "null") != type.end();
+  return type == "null" || (schema.contains("oneOf") && [&] {
+           return std::any_of(schema["oneOf"].begin(), schema["oneOf"].end(), may_be_null);
+         }());
+}
+
+/// Every place of the document that the schema lets be null, or be left out.
+void collect(const json& schema, const json& document, const json& root,
+             const json::json_pointer& at, std::vector<json::json_pointer>& places) {
+  const json& here = resolved(schema, root);
+  if (document.is_object() && here.contains("properties")) {
+    for (const auto& [key, value] : document.items()) {
+      if (!here["properties"].contains(key)) continue;
+      const json& inner = here["properties"][key];
+      if (may_be_null(inner)) places.push_back(at / key);
+      collect(inner, value, root, at / key, places);
+    }
+  }
+  if (document.is_array() && !document.empty() && here.contains("items")) {
+    collect(here["items"], document[0], root, at / 0, places);
+  }
+}
+
+TEST(ReadCalibration, TakesWhateverTheSchemaLetsBeNull) {
+  std::ifstream file(TRIBOLOG_SOURCE_DIR "/templates/calibration.schema.json");
+  const json schema = json::parse(file);
+  const json document = json::parse(written());
+  std::vector<json::json_pointer> places;
+  collect(schema, document, schema, json::json_pointer(), places);
+  EXPECT_GT(places.size(), 50U);
+  for (const json::json_pointer& place : places) {
+    json changed = document;
+    changed[place] = nullptr;
+    EXPECT_NO_THROW((void)read_calibration(changed.dump(), "c.json")) << place.to_string();
+  }
+}
+
+TEST(ReadCalibration, RefusesAnotherTypeThanTheSchemas) {
+  for (const char* place : {"/schema", "/robot/name", "/drive/gear_ratio", "/verdict/verdict",
+                            "/verdict/quantities", "/inputs", "/provenance/created_utc"}) {
+    json changed = json::parse(written());
+    changed[json::json_pointer(place)] = json::array({1});
+    EXPECT_THROW((void)read_calibration(changed.dump(), "c.json"), InputError) << place;
+  }
+}
+
+TEST(RecordedCurves, ReadsTheRecommendedCurveAndTheLoops) {
+  const RecordedCurves c = read_curves(R"({
+    "selection": {"recommended": "midline"},
+    "viscous": {"runs": [{"speed_rad_s": -3, "torque_half_width_Nm": 0.1}, {"speed_rad_s": 4}],
+                "curves": {"A": [9, 9], "midline": [-0.5, 0.6]}},
+    "hysteresis": {"oscillations": [
+      {"steady_loop": {"centre_rad": 0.2, "angle_from_centre_rad": [0, 1, 0], "torque_Nm": [1, 2, 3]}},
+      {"steady_loop": null}, {}]}})");
+  EXPECT_EQ(c.friction.estimator, "midline");
+  EXPECT_EQ(c.friction.speed_rad_s, (std::vector<double>{-3, 4}));
+  EXPECT_EQ(c.friction.friction_Nm, (std::vector<double>{-0.5, 0.6}));
+  ASSERT_EQ(c.loops.size(), 1U);
+  EXPECT_EQ(c.loops.front().torque_Nm, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(RecordedCurves, WhatIsOfAnotherShapeIsNotRecorded) {
+  for (
+      const char* json :
+      {"", "no json", "[]", "3", "{}", R"({"viscous": 3, "selection": [], "hysteresis": null})",
+       R"({"viscous": {"runs": [1, 2], "curves": {"A": [1, 2]}}, "selection": {"recommended": "A"}})",
+       R"({"viscous": {"runs": [{}], "curves": {"A": ["x"]}}, "selection": {"recommended": "B"}})",
+       R"({"hysteresis": {"oscillations": [{"steady_loop": {"centre_rad": 1,
+            "angle_from_centre_rad": [1, 2], "torque_Nm": [1, 2, 3]}}]}})"}) {
+    const RecordedCurves c = read_curves(json);
+    EXPECT_TRUE(c.friction.speed_rad_s.empty()) << json;
+    EXPECT_TRUE(c.loops.empty()) << json;
+  }
+}
+
+}  // namespace
+}  // namespace tribolog::calibration::read_calibration_test
